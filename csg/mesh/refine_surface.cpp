@@ -57,6 +57,7 @@ class Refiner {
     }
     const double side = std::sqrt(area / double(std::max<std::size_t>(mesh_.triangles().size(), 1)));
     wide_ = narrow_ = std::max(shortest_, kWide * side);
+    for (const auto& segment : mesh_.segments()) whole_.push_back(segment.ends);
   }
 
   std::vector<SmallAngle> run() {
@@ -101,6 +102,7 @@ class Refiner {
   double least_gap_ = HUGE_VAL;   // long gaps that are narrower stay
   double ration_ = 0;             // points for what is narrow that are left
   bool has_narrow_ = false;       // that stays
+  std::vector<std::array<Index, 2>> whole_;  // ends of the segments of the input
   std::queue<Index> segments_;
   std::priority_queue<Candidate> triangles_;
   std::size_t numbered_ = 0;
@@ -191,7 +193,7 @@ class Refiner {
         if (mesh_.facets()[mesh_.triangles()[t].facet].fixed) continue;
         for (std::size_t k = 0; k < 3; ++k) {
           const double width = height(corners(t), k);
-          if (width >= shortest_ && is_in_long_gap(t, k)) gaps.push_back({width, gap(t, k)});
+          if (width >= shortest_ && is_in_long_gap(t, k)) gaps.push_back({width, gap(t, k, false)});
         }
       }
       std::sort(gaps.rbegin(), gaps.rend());
@@ -253,39 +255,49 @@ class Refiner {
   bool is_hopeless(Index t, std::size_t k) const {
     return height(corners(t), k) < shortest_ || is_in_long_gap(t, k);
   }
+  /// Of the input: what pieces are left of its lines does not matter.
   bool is_in_long_gap(Index t, std::size_t k) const {
     const auto& [points, next, segments, facet] = mesh_.triangles()[t];
     if (segments[k] == kNone) return false;
-    const auto p = corners(t);
-    const double base = length(p[(k + 1) % 3], p[(k + 2) % 3]), width = height(p, k);
+    const auto& segment = mesh_.segments()[segments[k]];
+    const double width = height(corners(t), k);
+    const auto& [a, b] = whole_[segment.input];
     // It is no longer than twice the segment.
-    if (width >= least_gap_ || 2 * base <= kShortGap * width) return false;
-    return gap(t, k) > kShortGap && !lines_.is_beside(mesh_, points[k], mesh_.segments()[segments[k]]);
+    if (width >= least_gap_ || 2 * length(at(a), at(b)) <= kShortGap * width) return false;
+    return gap(t, k, true) > kShortGap && !lines_.is_beside(mesh_, points[k], segment);
   }
   bool is_in_long_gap(Index t) const {
     return is_in_long_gap(t, 0) || is_in_long_gap(t, 1) || is_in_long_gap(t, 2);
   }
   /// How many times it is longer than wide, for the gap between the segment opposite to corner k and those that
-  /// go on from there beside it, as far as it is beside them.
-  double gap(Index t, std::size_t k) const {
-    const auto& points = mesh_.triangles()[t].points;
-    const Vector &a = at(points[(k + 1) % 3]), &b = at(points[(k + 2) % 3]), &p = at(points[k]);
-    const double base = length(a, b), above = height(corners(t), k);
+  /// go on from there beside it, as far as it is beside them: they as they are, or as a whole as they were.
+  double gap(Index t, std::size_t k, bool whole) const {
+    const auto& [points, next, segments, facet] = mesh_.triangles()[t];
+    const auto& segment = mesh_.segments()[segments[k]];
+    const auto& ends = whole ? whole_[segment.input] : segment.ends;
+    const Vector &a = at(ends[0]), &b = at(ends[1]), &p = at(points[k]);
     const Vector along = minus(b, a);
+    const double base = length(a, b), above = height(corners(t), k);
     double sum = 0;
     for (const std::size_t side : {(k + 1) % 3, (k + 2) % 3}) {
-      const Index other = end_of_segment_beside(t, side, points[k]);
-      if (other == kNone || other == points[(k + 1) % 3] || other == points[(k + 2) % 3]) continue;
-      const Vector& q = at(other);
+      const Index beside = segment_round(t, side, points[k]);
+      if (beside == kNone) continue;
+      Index end = other_end(mesh_.segments()[beside].ends, points[k]);
+      if (end == segment.ends[0] || end == segment.ends[1]) continue;  // they meet
+      if (whole) end = farther_end(whole_[mesh_.segments()[beside].input], p, minus(at(end), p));
+      const Vector &q = at(end), n = cross(along, minus(q, a));
       const double from = dot(minus(p, a), along) / base, to = dot(minus(q, a), along) / base;
-      const double begin = std::clamp(from, 0.0, base), end = std::clamp(to, 0.0, base);
-      if (begin == end) continue;
-      const Vector n = cross(along, minus(q, a));
+      const double first = std::clamp(from, 0.0, base), last = std::clamp(to, 0.0, base);
+      if (first == last) continue;
       const double beyond = std::sqrt(dot(n, n)) / base;  // above the segment, as `above`
-      const double last = above + (beyond - above) * (end - from) / (to - from);
-      sum += std::abs(end - begin) / std::max(above, last);
+      const double width = above + (beyond - above) * (last - from) / (to - from);
+      sum += std::abs(last - first) / std::max(above, width);
     }
     return sum;
+  }
+  static Index other_end(const std::array<Index, 2>& ends, Index p) { return ends[0] == p ? ends[1] : ends[0]; }
+  Index farther_end(const std::array<Index, 2>& ends, const Vector& p, const Vector& way) const {
+    return dot(minus(at(ends[0]), p), way) > dot(minus(at(ends[1]), p), way) ? ends[0] : ends[1];
   }
   /// Does a line have much shorter pieces across a flat triangle? Left as it is, a segment would have flat
   /// triangles to all of them, as long as itself and all in one place: where thousands lie upon each other, each
@@ -314,15 +326,12 @@ class Refiner {
     }
     return kNone;
   }
-  /// Round corner p of t, beyond a side of t: the other end of the first segment.
-  Index end_of_segment_beside(Index t, std::size_t side, Index p) const {
+  /// The first segment at corner p of t, beyond a side of t.
+  Index segment_round(Index t, std::size_t side, Index p) const {
     constexpr int kMost = 64;  // triangles
     for (int steps = 0; steps < kMost; ++steps) {
       const auto& triangle = mesh_.triangles()[t];
-      if (triangle.segments[side] != kNone) {
-        const auto& [a, b] = mesh_.segments()[triangle.segments[side]].ends;
-        return a == p ? b : a;
-      }
+      if (triangle.segments[side] != kNone) return triangle.segments[side];
       const Index next = triangle.next[side];
       if (next == kNone) return kNone;
       const auto& beyond = mesh_.triangles()[next];
