@@ -45,17 +45,19 @@ class Refiner {
   Refiner(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said)
       : mesh_(mesh), options_(options), said_(said), lines_(mesh), begin_(std::chrono::steady_clock::now()) {
     double largest = 0;
-    Vector low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (const Vector& p : mesh_.points()) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        largest = std::max(largest, std::abs(p[k]));
-        low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-      }
-    }
+    for (const Vector& p : mesh_.points())
+      for (const double x : p) largest = std::max(largest, std::abs(x));
     // Angles of smaller triangles are those of rounding.
     shortest_ = std::ldexp(largest, -32);
-    narrow_ = kNarrow * length(low, high);
-    narrow_points_ = options_.max_points / kNarrowPart;
+    double area = 0;
+    for (Index t = 0; t < mesh_.triangles().size(); ++t) {
+      const auto p = corners(t);
+      const Vector n = cross(minus(p[1], p[0]), minus(p[2], p[0]));
+      area += std::sqrt(dot(n, n)) / 2;
+    }
+    const double side = std::sqrt(area / double(std::max<std::size_t>(mesh_.triangles().size(), 1)));
+    wide_ = narrow_ = std::max(shortest_, kWide * side);
+    for (const auto& segment : mesh_.segments()) whole_.push_back(segment.ends);
   }
 
   std::vector<SmallAngle> run() {
@@ -69,24 +71,9 @@ class Refiner {
     for (Index s = 0; s < mesh_.segments().size(); ++s) {
       if (is_too_long(s)) segments_.push(s);
     }
-    for (std::size_t steps = 0;; ++steps) {
-      if (steps % 64 == 0) check();
-      if (!segments_.empty()) {
-        const Index s = segments_.front();
-        segments_.pop();
-        if (const std::optional<Encroached> by = encroached(s)) {
-          if (may_add(std::min(segment_length(s) / 2, by->height), is_too_long(s))) split(s, by->rank);
-        } else if (is_too_long(s) || is_unmatched(s)) {
-          split(s, 0);
-        }
-      } else if (!triangles_.empty()) {
-        const Candidate next = triangles_.top();
-        triangles_.pop();
-        if (mesh_.triangles()[next.triangle].points == next.points) treat(next.triangle);
-      } else {
-        break;
-      }
-    }
+    treat_all();
+    treat_narrow();
+    treat_long_gaps();
     require_sizes();
     return reasons();
   }
@@ -107,13 +94,15 @@ class Refiner {
   InputLines lines_;
   const std::chrono::steady_clock::time_point begin_;
   double shortest_ = 0, cosine_ = 0, off_center_ = 0;
-  /// A gap takes as many points as it is longer than wide, those with the shortest sides first: where parts of a
-  /// model nearly touch, all there may be, and nothing would be left for the rest. So what is narrower than this
-  /// part of the model's extent has no more than a part of the points.
-  static constexpr double kNarrow = 0x1p-17;
-  static constexpr std::size_t kNarrowPart = 20;
-  double narrow_ = 0;
-  std::size_t narrow_points_ = 0;  // that are left for these
+  /// What is flatter than this part of the sides of facets, as they are on the average, is narrow; what is narrow
+  /// has so many points, or as many as all else, if that is more; gaps that are so many times longer than wide
+  /// have a part of all points, or as many as all else, and in fact as many times what is counted.
+  static constexpr double kWide = 1.0 / 64, kNarrowPart = 0.02, kShortGap = 16, kGapPart = 0.1, kGapPoints = 4;
+  double wide_ = 0, narrow_ = 0;  // what is flatter than the first counts as narrow; than the second it stays
+  double least_gap_ = HUGE_VAL;   // long gaps that are narrower stay
+  double ration_ = 0;             // points for what is narrow that are left
+  bool has_narrow_ = false;       // that stays
+  std::vector<std::array<Index, 2>> whole_;  // ends of the segments of the input
   std::queue<Index> segments_;
   std::priority_queue<Candidate> triangles_;
   std::size_t numbered_ = 0;
@@ -133,13 +122,97 @@ class Refiner {
     const auto& [a, b] = mesh_.segments()[s].ends;
     return length(at(a), at(b));
   }
+  void treat_all() {
+    for (std::size_t steps = 0;; ++steps) {
+      if (steps % 64 == 0) check();
+      if (!segments_.empty()) {
+        const Index s = segments_.front();
+        segments_.pop();
+        if (const std::optional<Encroached> by = encroached(s)) {
+          if (may_add(std::min(segment_length(s) / 2, by->height), is_too_long(s))) split(s, by->rank);
+        } else if (is_too_long(s) || is_unmatched(s)) split(s, 0);
+      } else if (!triangles_.empty()) {
+        const Candidate next = triangles_.top();
+        triangles_.pop();
+        if (mesh_.triangles()[next.triangle].points == next.points) treat(next.triangle);
+      } else {
+        return;
+      }
+    }
+  }
+
   /// May a point be added where there is so much room? `wanted`: a side is too long there.
   bool may_add(double room, bool wanted) {
-    if (wanted || room > narrow_) return true;
-    if (narrow_points_ == 0) return false;
-    --narrow_points_;
+    if (wanted || room > wide_) return true;
+    if (ration_ < 1) return false;
+    --ration_;
     return true;
   }
+  void look_at_all() {
+    for (Index t = 0; t < mesh_.triangles().size(); ++t) look_at(t);
+  }
+
+  /// Of triangles with small angles that have been left as they are since they are narrow: the greatest height.
+  double widest_left() const {
+    double widest = 0;
+    for (Index t = 0; t < mesh_.triangles().size(); ++t) {
+      if (mesh_.facets()[mesh_.triangles()[t].facet].fixed) continue;
+      const auto p = corners(t);
+      const double least = least_height(p);
+      if (least < narrow_ && least > widest && has_small_angle(p, sharpest(p))) widest = least;
+    }
+    return widest;
+  }
+  /// What is narrow, the wider before the narrower, as far as the ration goes.
+  void treat_narrow() {
+    constexpr double kStep = 4;
+    ration_ = std::max(kNarrowPart * double(options_.max_points), double(mesh_.points().size()));
+    double before = narrow_;
+    while (narrow_ > shortest_ && ration_ >= 1) {
+      before = narrow_;
+      narrow_ = std::max(shortest_, widest_left() / kStep);
+      look_at_all();
+      treat_all();
+    }
+    if (ration_ >= 1) return;
+    narrow_ = before;  // the last ones may be half done
+    has_narrow_ = true;
+    look_at_all();
+    treat_all();
+  }
+
+  /// Of long gaps the widest, as many as there are points for: a gap takes about as many for each of its sides as
+  /// it is longer than wide, whatever its lines are cut into, and as many again to come from there to longer
+  /// sides.
+  void treat_long_gaps() {
+    if (has_narrow_) return;
+    double left = std::max(kGapPart * double(options_.max_points), double(mesh_.points().size()));
+    while (true) {
+      std::vector<std::array<double, 2>> gaps;  // width and ratio
+      for (Index t = 0; t < mesh_.triangles().size(); ++t) {
+        if (mesh_.facets()[mesh_.triangles()[t].facet].fixed) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double width = height(corners(t), k);
+          if (width >= shortest_ && is_in_long_gap(t, k)) gaps.push_back({width, gap(t, k, false)});
+        }
+      }
+      std::sort(gaps.rbegin(), gaps.rend());
+      double sum = 0;
+      std::size_t taken = 0;
+      while (taken < gaps.size() && sum + gaps[taken][1] <= left) sum += gaps[taken++][1];
+      has_narrow_ = taken < gaps.size();
+      if (taken == 0) return;
+      least_gap_ = std::min(gaps[taken - 1][0], least_gap_ / 2);
+      left -= sum;
+      ration_ = kGapPoints * sum;
+      look_at_all();
+      treat_all();
+      if (ration_ >= 1) continue;
+      has_narrow_ = true;
+      return;
+    }
+  }
+
   bool is_full() const { return mesh_.points().size() >= options_.max_points; }
 
   void check() const {
@@ -178,9 +251,53 @@ class Refiner {
   }
   /// Is a triangle so flat over the side opposite to corner k that no points mend it? Then its corners are on
   /// lines that are too near to each other.
-  bool is_flat(Index t, std::size_t k) const {
-    const double above = height(corners(t), k);
-    return above < shortest_ || (narrow_points_ == 0 && above <= narrow_);
+  bool is_flat(Index t, std::size_t k) const { return height(corners(t), k) < narrow_ || is_in_long_gap(t, k); }
+  bool is_hopeless(Index t, std::size_t k) const {
+    return height(corners(t), k) < shortest_ || is_in_long_gap(t, k);
+  }
+  /// Of the input: what pieces are left of its lines does not matter.
+  bool is_in_long_gap(Index t, std::size_t k) const {
+    const auto& [points, next, segments, facet] = mesh_.triangles()[t];
+    if (segments[k] == kNone) return false;
+    const auto& segment = mesh_.segments()[segments[k]];
+    const double width = height(corners(t), k);
+    const auto& [a, b] = whole_[segment.input];
+    // It is no longer than twice the segment.
+    if (width >= least_gap_ || 2 * length(at(a), at(b)) <= kShortGap * width) return false;
+    return gap(t, k, true) > kShortGap && !lines_.is_beside(mesh_, points[k], segment);
+  }
+  bool is_in_long_gap(Index t) const {
+    return is_in_long_gap(t, 0) || is_in_long_gap(t, 1) || is_in_long_gap(t, 2);
+  }
+  /// How many times it is longer than wide, for the gap between the segment opposite to corner k and those that
+  /// go on from there beside it, as far as it is beside them: they as they are, or as a whole as they were.
+  double gap(Index t, std::size_t k, bool whole) const {
+    const auto& [points, next, segments, facet] = mesh_.triangles()[t];
+    const auto& segment = mesh_.segments()[segments[k]];
+    const auto& ends = whole ? whole_[segment.input] : segment.ends;
+    const Vector &a = at(ends[0]), &b = at(ends[1]), &p = at(points[k]);
+    const Vector along = minus(b, a);
+    const double base = length(a, b), above = height(corners(t), k);
+    double sum = 0;
+    for (const std::size_t side : {(k + 1) % 3, (k + 2) % 3}) {
+      const Index beside = segment_round(t, side, points[k]);
+      if (beside == kNone) continue;
+      Index end = other_end(mesh_.segments()[beside].ends, points[k]);
+      if (end == segment.ends[0] || end == segment.ends[1]) continue;  // they meet
+      if (whole) end = farther_end(whole_[mesh_.segments()[beside].input], p, minus(at(end), p));
+      const Vector &q = at(end), n = cross(along, minus(q, a));
+      const double from = dot(minus(p, a), along) / base, to = dot(minus(q, a), along) / base;
+      const double first = std::clamp(from, 0.0, base), last = std::clamp(to, 0.0, base);
+      if (first == last) continue;
+      const double beyond = std::sqrt(dot(n, n)) / base;  // above the segment, as `above`
+      const double width = above + (beyond - above) * (last - from) / (to - from);
+      sum += std::abs(last - first) / std::max(above, width);
+    }
+    return sum;
+  }
+  static Index other_end(const std::array<Index, 2>& ends, Index p) { return ends[0] == p ? ends[1] : ends[0]; }
+  Index farther_end(const std::array<Index, 2>& ends, const Vector& p, const Vector& way) const {
+    return dot(minus(at(ends[0]), p), way) > dot(minus(at(ends[1]), p), way) ? ends[0] : ends[1];
   }
   /// Does a line have much shorter pieces across a flat triangle? Left as it is, a segment would have flat
   /// triangles to all of them, as long as itself and all in one place: where thousands lie upon each other, each
@@ -190,7 +307,7 @@ class Refiner {
     for (const Index t : mesh_.segments()[s].fan) {
       const auto& triangle = mesh_.triangles()[t];
       for (std::size_t k = 0; k < 3; ++k) {
-        if (triangle.segments[k] != s || !is_in_circle(s, at(triangle.points[k])) || !is_flat(t, k)) continue;
+        if (triangle.segments[k] != s || !is_in_circle(s, at(triangle.points[k])) || !is_hopeless(t, k)) continue;
         for (const std::size_t side : {(k + 1) % 3, (k + 2) % 3}) {
           const Index across = segment_beside(t, side, triangle.points[k]);
           if (across != kNone && segment_length(s) > kParts * segment_length(across)) return true;
@@ -206,6 +323,21 @@ class Refiner {
     const auto& beyond = mesh_.triangles()[next];
     for (std::size_t k = 0; k < 3; ++k) {
       if (beyond.points[k] != p && beyond.next[k] != t) return beyond.segments[k];
+    }
+    return kNone;
+  }
+  /// The first segment at corner p of t, beyond a side of t.
+  Index segment_round(Index t, std::size_t side, Index p) const {
+    constexpr int kMost = 64;  // triangles
+    for (int steps = 0; steps < kMost; ++steps) {
+      const auto& triangle = mesh_.triangles()[t];
+      if (triangle.segments[side] != kNone) return triangle.segments[side];
+      const Index next = triangle.next[side];
+      if (next == kNone) return kNone;
+      const auto& beyond = mesh_.triangles()[next];
+      std::size_t k = 0;
+      while (beyond.points[k] == p || beyond.next[k] == t) ++k;
+      side = k, t = next;
     }
     return kNone;
   }
@@ -228,6 +360,19 @@ class Refiner {
       }
     }
     return result;
+  }
+  /// Would a point in a facet split a segment in a gap that is too long? `beyond`: it is on the other side.
+  bool is_across_long_gap(Index s, Index facet, const Vector& p, bool beyond) const {
+    for (const Index t : mesh_.segments()[s].fan) {
+      const auto& triangle = mesh_.triangles()[t];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (triangle.segments[k] != s || triangle.facet != facet) continue;
+        const Vector &a = at(triangle.points[(k + 1) % 3]), &b = at(triangle.points[(k + 2) % 3]);
+        const bool left = dot(cross(minus(b, a), minus(p, a)), mesh_.facets()[facet].normal) > 0;
+        if (left != beyond && is_in_long_gap(t, k)) return true;
+      }
+    }
+    return false;
   }
   /// Of corner k over the side that is opposite to it.
   static double height(const std::array<Vector, 3>& p, std::size_t k) {
@@ -270,8 +415,8 @@ class Refiner {
   }
   bool may_be_better(Index t, const std::array<Vector, 3>& p, std::size_t k) const {
     const auto& points = mesh_.triangles()[t].points;
-    return has_small_angle(p, k) && least_height(p) > shortest_ &&
-           !lines_.is_forced(mesh_, points[(k + 1) % 3], points[(k + 2) % 3]);
+    return has_small_angle(p, k) && least_height(p) > narrow_ &&
+           !lines_.is_forced(mesh_, points[(k + 1) % 3], points[(k + 2) % 3]) && !is_in_long_gap(t);
   }
 
   void look_at_changed() {
@@ -292,10 +437,11 @@ class Refiner {
   void look_at(Index t) {
     const auto& triangle = mesh_.triangles()[t];
     if (mesh_.facets()[triangle.facet].fixed) return;
+    const bool in_gap = is_in_long_gap(t);
     for (std::size_t k = 0; k < 3; ++k) {
       const Index s = triangle.segments[k];
       if (s != kNone) look_at(s, triangle.points[k]);
-      else if (is_flat(t, k)) look_across(triangle.next[k]);
+      else if (in_gap || is_hopeless(t, k)) look_across(triangle.next[k]);
     }
     const auto p = corners(t);
     const std::size_t k = sharpest(p);
@@ -329,6 +475,7 @@ class Refiner {
     const Vector c = center(t, p, k, small_angle);
     if (!std::isfinite(c[0] + c[1] + c[2])) return;
     const auto points = mesh_.triangles()[t].points;
+    const Index facet = mesh_.triangles()[t].facet;
     const double shortest = length(p[(k + 1) % 3], p[(k + 2) % 3]);
     if (!may_add(least_height(p), long_side)) return;
     const int rank_here = small_angle ? std::max(rank(points[(k + 1) % 3]), rank(points[(k + 2) % 3])) : 0;
@@ -354,6 +501,7 @@ class Refiner {
       for (const Index s : in_the_way) {
         const bool shorter = segment_length(s) / 2 < room;
         if (shorter && !small_angle) continue;
+        if (!long_side && is_across_long_gap(s, facet, c, end.segment != kNone)) continue;
         const int rank_there = rank_here + (shorter ? 1 : 0);
         if (rank_there <= kMostRank) any = split(s, rank_there) || any;
       }
@@ -393,7 +541,7 @@ class Refiner {
   /// Are points for it lacking that might be between doubles?
   bool lacks_points(Index t, const std::array<Vector, 3>& p) const {
     if (is_full()) return true;
-    return narrow_points_ == 0 && !mesh_.facets()[mesh_.triangles()[t].facet].fixed && least_height(p) > shortest_;
+    return has_narrow_ && !mesh_.facets()[mesh_.triangles()[t].facet].fixed && least_height(p) > shortest_;
   }
 
   std::vector<SmallAngle> reasons() const {

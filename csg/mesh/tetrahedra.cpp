@@ -244,6 +244,11 @@ class TetrahedraMaker {
   std::string ask_tetgen(const RoundedResult& rounded) {
     std::string refused;
     const Plc refined = options_.surface_first ? refined_complex(rounded) : Plc{};
+    // Each triangle has a tetrahedron: if there are more than were foretold, the surface is finer than the sizes
+    // inside, which TetGen would refine for without an end.
+    if (options_.surface_first && sized() && options_.quality == 0 && options_.max_volume == 0 && expected_ > 0 &&
+        double(refined.facets.size()) > expected_)
+      thin_ = true;
     for (const Attempt& attempt : kAttempts) {
       if (keeps_boundary() && attempt.facets == PlcFacets::all) continue;
       try {

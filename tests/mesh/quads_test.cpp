@@ -198,6 +198,23 @@ TEST_CASE("surface first: plates that are thinner than their triangles are wide"
   CHECK(made.mesh.tetrahedra.size() < 5 * made.mesh.triangles.size());
 }
 
+TEST_CASE("surface first: a bolt through a plate that is thinner than triangles are wide", "[mesh][surface]") {
+  // One region: in the bolt there is room for sizes, in the plate there is none.
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, Rational(1, 200)});
+  add_box(soup, {Rational(1, 4), Rational(1, 4), -1}, {Rational(1, 2), Rational(1, 2), 1});
+  Case c(soup);
+  c.show(c.unite());
+  TetrahedraOptions options;
+  options.surface_first = true;
+  options.size = 0.5;
+  const TetrahedralMesh made = tetrahedra(c.view(), options);
+  Rational volume = 0;
+  for (const RegionTetrahedra& region : made.regions) volume += region.volume;
+  CHECK(to_double(volume) == Approx(1.0 / 200 + 1.0 / 8 - 1.0 / 3200).epsilon(1e-12));
+  CHECK(made.mesh.tetrahedra.size() < 5 * made.mesh.triangles.size());
+}
+
 TEST_CASE("surface: very many triangles have the area of their faces", "[mesh][surface]") {
   Soup soup;
   add_sheet(soup, {{0, 0, 2}, {6, 0, 2}, {6, 4, 2}, {0, 4, 2}});
