@@ -37,8 +37,9 @@ double Moves::squared(Index a, Index b) const {
 
 const std::vector<Index>& Moves::at_edge(Index a, Index b) {
   at_edge_.clear();
-  for (const Index t : mesh_.star(a))
-    if (mesh_.at(t).has(b)) at_edge_.push_back(t);
+  const bool first = mesh_.star(a).size() <= mesh_.star(b).size();
+  for (const Index t : mesh_.star(first ? a : b))
+    if (mesh_.at(t).has(first ? b : a)) at_edge_.push_back(t);
   return at_edge_;
 }
 
@@ -263,9 +264,9 @@ bool Moves::collapse(Index a, Index b, double enough, double longest) {
   return true;
 }
 
-Index Moves::split(Index a, Index b) {
+Index Moves::split(Index a, Index b, double part) {
   const Point &p = mesh_.point(a), &q = mesh_.point(b);
-  const Point m{p[0] + (q[0] - p[0]) / 2, p[1] + (q[1] - p[1]) / 2, p[2] + (q[2] - p[2]) / 2};
+  const Point m{p[0] + (q[0] - p[0]) * part, p[1] + (q[1] - p[1]) * part, p[2] + (q[2] - p[2]) * part};
   const std::int32_t line = mesh_.line(a, b);
   old_ = at_edge(a, b);
   std::int32_t facet = Stars::kNone;
