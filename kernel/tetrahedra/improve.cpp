@@ -60,7 +60,7 @@ constexpr int kSpare = 2;
 constexpr double kGood = 0.01;
 /// Halves come first where the part that is bad is between these. Below few vertices are missing; above nearly all
 /// tetrahedra lead from small features to far ones, and there is room for vertices between.
-constexpr double kLittle = 0.1, kMuch = 0.5;
+constexpr double kLittle = 0.2, kMuch = 0.5;
 /// New vertices are put in while a part is bad that is so much smaller than a round before.
 constexpr double kLess = 0.95;
 constexpr int kInsertRounds = 30;

@@ -37,9 +37,8 @@ double Moves::squared(Index a, Index b) const {
 
 const std::vector<Index>& Moves::at_edge(Index a, Index b) {
   at_edge_.clear();
-  const bool first = mesh_.star(a).size() <= mesh_.star(b).size();
-  for (const Index t : mesh_.star(first ? a : b))
-    if (mesh_.at(t).has(first ? b : a)) at_edge_.push_back(t);
+  for (const Index t : mesh_.star(a))
+    if (mesh_.at(t).has(b)) at_edge_.push_back(t);
   return at_edge_;
 }
 

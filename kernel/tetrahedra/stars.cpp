@@ -297,11 +297,11 @@ bool Stars::ring(Index a, Index b, Ring& out) const {
   };
   auto& links = PerThread<Links>::own().list;
   links.clear();
-  for (const Index t : stars_[stars_[a].size() <= stars_[b].size() ? a : b]) {
+  for (const Index t : stars_[a]) {
     const Tetrahedron& tet = tetrahedra_[t];
-    const int i = tet.place(a), j = tet.place(b);
-    if (i < 0 || j < 0) continue;
-    const auto& [c, d] = kOthers.of[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    const int j = tet.place(b);
+    if (j < 0) continue;
+    const auto& [c, d] = kOthers.of[static_cast<std::size_t>(tet.place(a))][static_cast<std::size_t>(j)];
     links.push_back({tet.corners[static_cast<std::size_t>(c)], tet.corners[static_cast<std::size_t>(d)], t});
   }
   out.around.clear(), out.tetrahedra.clear();
