@@ -46,7 +46,7 @@ struct Edges {
 };
 
 /// Refinement ends when so many rounds in turn have left no smaller part bad.
-constexpr int kPatience = 3;
+constexpr int kPatience = 5;
 /// And when there are so many times the tetrahedra of the mesh that was kept last: where a bound is too much for
 /// halves, each round doubles what is bad, and all of it would be made in vain.
 constexpr std::size_t kMostGrowth = 8;
@@ -58,9 +58,9 @@ constexpr double kSaved = 0.9;
 constexpr int kSpare = 2;
 /// Where no larger part is bad, the mesh is good.
 constexpr double kGood = 0.01;
-/// Halves come first where the part that is bad is between these. Below few vertices are missing; above nearly all
-/// tetrahedra lead from small features to far ones, and there is room for vertices between.
-constexpr double kLittle = 0.2, kMuch = 0.5;
+/// Where a larger part is bad nearly all tetrahedra may lead from small features to far ones, with room for
+/// vertices between.
+constexpr double kMuch = 0.5;
 /// New vertices are put in while a part is bad that is so much smaller than a round before.
 constexpr double kLess = 0.95;
 constexpr int kInsertRounds = 30;
@@ -364,11 +364,10 @@ class Improver {
   }
   bool has_bad_shape(Index t) const { return mesh_.at(t).region >= 0 && mesh_.at(t).shape < cube(options_.shape); }
 
-  /// New vertices where there is room for them make good meshes of few points at once, or if the input is sharp
-  /// none in any number of rounds. Then halves come first: there are more of them, and more that are good.
+  /// New vertices where there is room for them make a good mesh of few points at once, if any do. Else halves come
+  /// first: there are more of them, and more that are good.
   void to_shape() {
-    const double bad = bad_shapes();
-    if (bad > kGood && (bad < kLittle || bad > kMuch)) {
+    if (bad_shapes() > kMuch) {
       const ConformingTetrahedra before = mesh_.mesh();
       std::size_t left = options_.points;
       set_halvings();

@@ -3,7 +3,7 @@
 // That is as far from the other vertices as a place there can be, so one vertex does for a whole fan of thin
 // tetrahedra, of which each would have to be halved by itself. All around whose corners there is a sphere with the
 // new vertex inside go (bowyer1981), as far as no facet is between; if one is, the vertex goes on the facet, in
-// the middle of the circle around its triangle (shewchuk1998). Then those stay that would give way to what is
+// the middle of the circle around its triangle. Then those stay that would give way to what is
 // turned wrong or is no better than the bad one (klingner2007), and if too few are left there is no new vertex. So
 // the worst shape gets better with each, whatever angles the input has.
 #pragma once
