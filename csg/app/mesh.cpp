@@ -69,7 +69,9 @@ std::string bad_ones(const MeshQuality& quality) {
     for (const std::string& name : bad.nodes) nodes += (nodes.empty() ? "" : ", ") + name;
     table.add_row({shape_text(bad.measures.shape), decimal(bad.measures.dihedral, "%.2g"), at, nodes, bad.why});
   }
-  return "the worst shapes of " + std::to_string(quality.bad) + " below 0.1:\n" + table.text();
+  const std::string forced = forced_text(quality);
+  return "the worst shapes of " + std::to_string(quality.bad) + " below 0.1:\n" + table.text() + forced +
+         (forced.empty() ? "" : "\n");
 }
 
 /// A row per region and one for all. `bent`: of a mesh of second order.

@@ -63,6 +63,7 @@ class Explainer {
     }
     std::sort(faces_.begin(), faces_.end());
     sort_unique(faces_at_);
+    set_lines();
   }
 
   MeshQuality::Bad explain(const Mesh::Simplex<4>& t) const {
@@ -78,6 +79,33 @@ class Explainer {
     for (std::size_t k = 0; k < 4; ++k)
       if (const auto f = face(t, k)) name({2, *f, 0}, bad.nodes);
     return bad;
+  }
+  /// Does the model meet in it at less than MeshQuality::kForced: two faces at an edge, two edges or an edge and a
+  /// face at a corner?
+  bool is_forced(const Mesh::Simplex<4>& t) const {
+    std::array<Vector, 4> p;
+    std::array<bool, 4> on_face;  // by the opposite corner
+    for (std::size_t k = 0; k < 4; ++k) p[k] = mesh_.points[t.points[k]], on_face[k] = face(t, k).has_value();
+    for (std::size_t e = 0; e < 6; ++e) {
+      const auto& [k, l] = kOthers[e];
+      if (on_face[k] && on_face[l] && dihedral(p, e) < MeshQuality::kForced) return true;
+    }
+    const double sine = std::sin(MeshQuality::kForced * std::numbers::pi / 180);
+    for (std::size_t v = 0; v < 4; ++v) {
+      for (std::size_t a = 0; a < 4; ++a) {
+        if (a == v || !is_line(t.points[v], t.points[a])) continue;
+        const Vector d = minus(p[a], p[v]);
+        for (std::size_t b = a + 1; b < 4; ++b) {
+          if (b == v || !is_line(t.points[v], t.points[b])) continue;
+          const Vector e = minus(p[b], p[v]);
+          if (dot(d, e) > 0 && length(cross(d, e)) < sine * length(d) * length(e)) return true;
+        }
+        if (!on_face[a]) continue;
+        const Vector &o = p[(a + 1) % 4], n = cross(minus(p[(a + 2) % 4], o), minus(p[(a + 3) % 4], o));
+        if (std::fabs(dot(d, n)) < sine * length(d) * length(n)) return true;
+      }
+    }
+    return false;
   }
   /// Of a triangle on a face.
   std::vector<std::string> nodes_of(const Mesh::Simplex<3>& t) const {
@@ -99,6 +127,41 @@ class Explainer {
   std::vector<Cell> cell_;                                     // of each point, the lowest
   std::vector<std::pair<std::array<Index, 3>, Index>> faces_;  // sorted
   std::vector<std::pair<Index, Index>> faces_at_;              // by points on edges and vertices
+  std::vector<std::array<Index, 2>> lines_;                    // of segments, and between facets; sorted
+
+  bool is_line(Index a, Index b) const {
+    return std::binary_search(lines_.begin(), lines_.end(), std::array{std::min(a, b), std::max(a, b)});
+  }
+  /// Segments, and sides of triangles of one face that are in two planes.
+  void set_lines() {
+    constexpr double kOnePlane = 1e-9;  // the sine between normals that rounding makes at most
+    for (const auto& s : mesh_.segments) {
+      auto ends = s.points;
+      std::sort(ends.begin(), ends.end());
+      lines_.push_back(ends);
+    }
+    struct Side {
+      std::array<Index, 2> ends;
+      std::size_t triangle;
+    };
+    std::vector<Side> sides;
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      const auto& t = mesh_.triangles[i].points;
+      for (std::size_t k = 0; k < 3; ++k)
+        sides.push_back({{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}, i});
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.ends < b.ends; });
+    const auto normal = [&](const Side& side) {
+      const auto& t = mesh_.triangles[side.triangle].points;
+      return cross(minus(mesh_.points[t[1]], mesh_.points[t[0]]), minus(mesh_.points[t[2]], mesh_.points[t[0]]));
+    };
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+      if (sides[i].ends != sides[i + 1].ends) continue;
+      const Vector m = normal(sides[i]), n = normal(sides[i + 1]);
+      if (!(length(cross(m, n)) <= kOnePlane * length(m) * length(n))) lines_.push_back(sides[i].ends);
+    }
+    sort_unique(lines_);
+  }
 
   std::optional<Index> face(const Mesh::Simplex<4>& t, std::size_t opposite) const {
     std::array<Index, 3> f{t.points[(opposite + 1) % 4], t.points[(opposite + 2) % 4],
@@ -231,11 +294,19 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
   const std::size_t shown = std::min(bad.size(), MeshQuality::kShown);
   std::partial_sort(bad.begin(), bad.begin() + std::ptrdiff_t(shown), bad.end());
   const Explainer explainer(mesh, leaves);
+  for (const auto& [shape, i] : bad) out.forced += explainer.is_forced(mesh.tetrahedra[i]);
   for (std::size_t i = 0; i < shown; ++i) {
     out.worst_ones.push_back(explainer.explain(mesh.tetrahedra[bad[i].second]));
     out.worst_ones.back().tetrahedron = bad[i].second;
   }
   return out;
+}
+
+std::string forced_text(const MeshQuality& quality) {
+  if (quality.forced == 0) return {};
+  return std::to_string(quality.forced) + (quality.forced == 1 ? " of them is" : " of them are") +
+         " where faces or edges of the model meet at less than " + short_text(MeshQuality::kForced) +
+         " degrees: no tetrahedron there has a shape of 0.1";
 }
 
 std::string larger_text(const MeshQuality& quality) {

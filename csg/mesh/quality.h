@@ -21,6 +21,9 @@ TetrahedronMeasures measures_of(const std::array<std::array<double, 3>, 4>& corn
 struct MeshQuality {
   static constexpr double kBad = 0.1;  ///< a shape below is counted as bad
   static constexpr std::size_t kShown = 10;
+  /// Degrees. A tetrahedron is bad if two of its faces, two of its edges or a face and an edge meet at less:
+  /// shapes are below 0.098 then.
+  static constexpr double kForced = 0.9;
   struct Region {
     std::size_t bad = 0;
     double worst = 1, median = 1;  ///< shapes
@@ -35,6 +38,7 @@ struct MeshQuality {
   };
   std::vector<Region> regions;  ///< as the mesh's entities of dimension 3
   std::size_t bad = 0;
+  std::size_t forced = 0;  ///< of them where the model is sharper than `kForced`: whatever else is there is bad
   std::size_t beyond = 0;  ///< whose ratio of circumradius to shortest edge is larger than asked for
   std::size_t larger = 0;  ///< whose volume is larger than asked for
   double largest = 0;      ///< volume of all
@@ -49,6 +53,9 @@ struct MeshQuality {
 /// `leaves`: their names, by number; `radius_edge`, `volume`: the largest that were asked for, 0: none.
 MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves, double radius_edge = 0,
                        double volume = 0);
+
+/// `2 of them are where faces or edges of the model meet at less than 0.9 degrees: ...`; empty where none is.
+std::string forced_text(const MeshQuality& quality);
 
 /// `6 tetrahedra are larger than --max-volume, the largest 0.167`; empty where none is.
 std::string larger_text(const MeshQuality& quality);

@@ -267,9 +267,8 @@ std::string mesh_page(const Result& result, const TetrahedralMesh& made, const C
                  decimal(bad.measures.radius_edge, "%.3g"), place_text(bad.at), list_of(bad.nodes), bad.why});
     }
     body += "<section><h2>The worst shapes</h2>\n<p class=\"note\">" + grouped(q.worst_ones.size()) + " of " +
-            grouped(q.bad) +
-            " below 0.1, at the middle of each tetrahedron, with the nodes that meet there.</p>\n" + table.text() +
-            "</section>\n";
+            grouped(q.bad) + " below 0.1, at the middle of each tetrahedron, with the nodes that meet there. " +
+            (q.forced > 0 ? forced_text(q) + "." : "") + "</p>\n" + table.text() + "</section>\n";
   }
   return whole_page(options, facts, body);
 }

@@ -7,6 +7,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
+#include "kernel/tetrahedra/insertion.h"
 #include "kernel/tetrahedra/moves.h"
 
 namespace cnrg {
@@ -45,7 +46,7 @@ struct Edges {
 };
 
 /// Refinement ends when so many rounds in turn have left no smaller part bad.
-constexpr int kPatience = 10;
+constexpr int kPatience = 5;
 /// And when there are so many times the tetrahedra of the mesh that was kept last: where a bound is too much for
 /// halves, each round doubles what is bad, and all of it would be made in vain.
 constexpr std::size_t kMostGrowth = 8;
@@ -55,6 +56,18 @@ constexpr std::size_t kFew = 25'000;
 constexpr double kSaved = 0.9;
 /// Halvings more than a bad shape needs at least.
 constexpr int kSpare = 2;
+/// Where no larger part is bad, the mesh is good.
+constexpr double kGood = 0.01;
+/// Where a larger part is bad nearly all tetrahedra may lead from small features to far ones, with room for
+/// vertices between.
+constexpr double kMuch = 0.5;
+/// New vertices are put in while a part is bad that is so much smaller than a round before.
+constexpr double kLess = 0.95;
+constexpr int kInsertRounds = 30;
+/// Of a line in the way: it gets a vertex beside the corner over it if that is so many times as far from its ends
+/// as from the line; else so many times as far from its end as the corner, if it is twice as long; else in the
+/// middle, if it is so many times as long as the shortest edge of what is bad.
+constexpr double kBeside = 2, kAway = 6, kLongLine = 3;
 
 constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
@@ -65,6 +78,7 @@ class Improver {
         watch_(watch),
         mesh_(mesh, watch),
         moves_(mesh_, options.fixed, options.keep_boundary),
+        insertion_(mesh_, options.fixed, options.keep_boundary),
         begin_(std::chrono::steady_clock::now()) {
     if (options_.size) {
       for (Index v = 0; v < mesh_.point_count(); ++v) {
@@ -98,11 +112,13 @@ class Improver {
   const Watch& watch_;
   Stars mesh_;
   Moves moves_;
+  Insertion insertion_;
   const std::chrono::steady_clock::time_point begin_;
-  std::vector<double> wanted_;     // by vertex
-  std::vector<int> halvings_;      // by vertex
-  double gain_of_bad_ = kNotable;  // in the next sweep
-  std::string stage_;              // of a walk through all tetrahedra: how many of them it takes nobody knows
+  std::vector<double> wanted_;        // by vertex
+  std::vector<int> halvings_;         // by vertex
+  std::vector<std::uint64_t> tried_;  // by tetrahedron: when no new vertex made it better
+  double gain_of_bad_ = kNotable;     // in the next sweep
+  std::string stage_;                 // of a walk through all tetrahedra: how many of them it takes nobody knows
   std::size_t steps_ = 0;
   bool over_ = false;
 
@@ -338,7 +354,99 @@ class Improver {
     return now;
   }
 
+  double bad_shapes() const {
+    std::size_t all = 0, bad = 0;
+    for (Index t = 0; t < mesh_.size(); ++t) {
+      if (!mesh_.alive(t)) continue;
+      ++all, bad += has_bad_shape(t);
+    }
+    return static_cast<double>(bad) / static_cast<double>(std::max<std::size_t>(all, 1));
+  }
+  bool has_bad_shape(Index t) const { return mesh_.at(t).region >= 0 && mesh_.at(t).shape < cube(options_.shape); }
+
+  /// New vertices where there is room for them make a good mesh of few points at once, if any do. Else halves come
+  /// first: there are more of them, and more that are good.
   void to_shape() {
+    if (bad_shapes() > kMuch) {
+      const ConformingTetrahedra before = mesh_.mesh();
+      std::size_t left = options_.points;
+      set_halvings();
+      insert(left, true);
+      if (bad_shapes() <= kGood) insert_on(true);
+      else set_mesh(before);
+    }
+    halve_on();
+    for (const bool on_lines : {false, true})
+      if (bad_shapes() > kGood) insert_on(on_lines);
+  }
+  void set_mesh(const ConformingTetrahedra& mesh) {
+    mesh_ = Stars(mesh, watch_);
+    tried_.clear();
+  }
+
+  /// Rounds of new vertices, also on lines, as long as they help. The last one is kept if it does.
+  void insert_on(bool on_lines) {
+    std::size_t left = options_.points;
+    set_halvings();
+    tried_.clear();
+    double least = bad_shapes();
+    for (int round = 0; round < kInsertRounds && least > 0 && !over(); ++round) {
+      ConformingTetrahedra before = mesh_.mesh();
+      if (!insert(left, on_lines)) break;
+      const double bad = bad_shapes();
+      if (bad > least) set_mesh(before);
+      if (bad > kLess * least) break;
+      least = bad;
+    }
+  }
+
+  /// A new vertex for each that has a bad shape, where there is a place, or on the line that is in its way.
+  bool insert(std::size_t& left, bool on_lines) {
+    begin("mesh: shapes, new vertices");
+    bool any = false;
+    const auto all = static_cast<Index>(mesh_.size());
+    tried_.resize(all, 0);
+    for (Index t = 0; t < all && !over(t) && left > 0; ++t) {
+      if (!mesh_.alive(t) || !has_bad_shape(t) || !mesh_.changed_since(t, tried_[t])) continue;
+      tried_[t] = mesh_.changes();
+      const bool done = insertion_.insert(t, kNotable) != Stars::kNoTetrahedron || (on_lines && split_line(t));
+      halvings_.resize(mesh_.point_count(), 0);
+      if (!done) continue;
+      any = true, --left;
+    }
+    if (any) sweep(cube(kRough * options_.good));
+    return any;
+  }
+
+  bool split_line(Index t) {
+    const auto [a, b, over] = insertion_.in_the_way();
+    if (a == b || is_forced(t)) return false;
+    const int halvings = std::min(halvings_[a], halvings_[b]);
+    if (halvings == 0) return false;
+    const Point along = minus(mesh_.point(b), mesh_.point(a)), to = minus(mesh_.point(over), mesh_.point(a));
+    const double length = std::sqrt(dot(along, along)), foot = dot(along, to) / length;
+    const double height = std::sqrt(std::max(0.0, dot(to, to) - foot * foot));
+    const double near = std::min(foot, length - foot), side = std::sqrt(near * near + height * height);
+    double part = 0.5;
+    if (near > kBeside * height) part = foot / length;
+    else if (length > 2 * kAway * side)
+      part = foot < length / 2 ? kAway * side / length : 1 - kAway * side / length;
+    else if (length < kLongLine * shortest_edge(t)) return false;
+    const Index v = moves_.split(a, b, part);
+    halvings_.resize(mesh_.point_count(), halvings - 1);
+    return v != Stars::kNoTetrahedron;
+  }
+
+  double shortest_edge(Index t) const {
+    const auto& c = mesh_.at(t).corners;
+    double shortest = kInfinite;
+    for (const auto& [i, j] : kEdges)
+      shortest = std::min(shortest, moves_.squared(c[std::size_t(i)], c[std::size_t(j)]));
+    return std::sqrt(shortest);
+  }
+
+  /// Rounds of halves. Keeps the mesh of which the smallest part was bad.
+  void halve_on() {
     std::size_t left = options_.points;
     set_halvings();
     ConformingTetrahedra best;
@@ -357,7 +465,7 @@ class Improver {
       }
       const bool in_vain = patience == 0 || (options_.volume == 0 && now.all > kMostGrowth * std::max(size, kFew));
       if (round == kShapeRounds || in_vain || over() || !halve(now.worst, left)) {
-        if (now.bad > saved) mesh_ = Stars(best);
+        if (now.bad > saved) set_mesh(best);
         return;
       }
       sweep(cube(kRough * options_.good));
@@ -373,12 +481,9 @@ class Improver {
       if (over() || left == 0) break;
       if (!mesh_.alive(t) || !is_bad(t) || is_forced(t)) continue;
       const auto [a, b] = longest_edge(t);
-      const auto corners = mesh_.at(t).corners;
-      double shortest = kInfinite;
-      for (const auto& [i, j] : kEdges)
-        shortest = std::min(shortest, moves_.squared(corners[std::size_t(i)], corners[std::size_t(j)]));
       const int halvings = std::min(halvings_[a], halvings_[b]);
-      if (!is_large(t) && (halvings == 0 || moves_.squared(a, b) < shortest * square(kStretched))) continue;
+      if (!is_large(t) && (halvings == 0 || moves_.squared(a, b) < square(kStretched * shortest_edge(t))))
+        continue;
       const Index v = moves_.split(a, b);
       halvings_.resize(mesh_.point_count(), std::max(halvings - 1, 0));
       if (v == Stars::kNoTetrahedron) continue;

@@ -28,8 +28,9 @@ class Moves {
   /// Pulls `a` into `b`. All shapes must be above `enough` or above the worst that there was.
   /// `longest`: no new edge is longer (squared length).
   bool collapse(Index a, Index b, double enough, double longest);
-  /// A new vertex in the middle of an edge; its number, or kNoTetrahedron where something would turn.
-  Index split(Index a, Index b);
+  /// A new vertex on an edge, after that part of the way from a to b; its number, or kNoTetrahedron where
+  /// something would turn.
+  Index split(Index a, Index b, double part = 0.5);
   /// Moves a vertex so that the worst shape around it, to the third power, gets more than `gain` times as good.
   bool smooth(Index v, double gain);
 

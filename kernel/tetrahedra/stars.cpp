@@ -217,6 +217,10 @@ Index Stars::add_point(const Point& p, std::int32_t facet) {
   return static_cast<Index>(points_.size() - 1);
 }
 
+void Stars::drop_point() {
+  points_.pop_back(), stars_.pop_back(), lines_.pop_back(), facet_of_.pop_back(), last_change_.pop_back();
+}
+
 Index Stars::add(const Tetrahedron& t) {
   Index i;
   if (free_.empty()) {
@@ -325,8 +329,10 @@ bool Stars::ring(Index a, Index b, Ring& out) const {
 
 Index Stars::across(Index t, int k) const {
   const auto& c = tetrahedra_[t].corners;
-  const Index p = c[static_cast<std::size_t>((k + 1) % 4)], q = c[static_cast<std::size_t>((k + 2) % 4)],
-              r = c[static_cast<std::size_t>((k + 3) % 4)];
+  Index p = c[static_cast<std::size_t>((k + 1) % 4)], q = c[static_cast<std::size_t>((k + 2) % 4)],
+        r = c[static_cast<std::size_t>((k + 3) % 4)];
+  if (stars_[q].size() < stars_[p].size()) std::swap(p, q);
+  if (stars_[r].size() < stars_[p].size()) std::swap(p, r);
   for (const Index u : stars_[p]) {
     if (u != t && tetrahedra_[u].has(q) && tetrahedra_[u].has(r)) return u;
   }

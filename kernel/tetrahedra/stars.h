@@ -55,6 +55,7 @@ class Stars {
   const Point& point(Index v) const { return points_[v]; }
   std::size_t point_count() const { return points_.size(); }
   Index add_point(const Point& p, std::int32_t facet);
+  void drop_point();  ///< the last one, which nothing uses
   /// The caller measures the star again.
   void move(Index v, const Point& p) { points_[v] = p; }
 
@@ -74,8 +75,11 @@ class Stars {
   void settle(Index t) { settled_[t] = changes_; }
   /// Other moves are tried from now on.
   void unsettle() { std::ranges::fill(settled_, 0); }
-  bool is_settled(Index t) const {
-    return std::ranges::all_of(tetrahedra_[t].corners, [&](Index v) { return last_change_[v] <= settled_[t]; });
+  bool is_settled(Index t) const { return !changed_since(t, settled_[t]); }
+  /// How many changes there were, and whether one since then was in the stars of the corners.
+  std::uint64_t changes() const { return changes_; }
+  bool changed_since(Index t, std::uint64_t changes) const {
+    return std::ranges::any_of(tetrahedra_[t].corners, [&](Index v) { return last_change_[v] > changes; });
   }
 
   /// The cube of the shape 12 (3 V)^(2/3) / (sum of squared edges), which is 1 of a regular tetrahedron (liu1994):

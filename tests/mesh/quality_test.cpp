@@ -56,6 +56,68 @@ double dihedral(const Corners& p) {
 
 }  // namespace
 
+namespace {
+
+/// A tetrahedron in which two edges (0), an edge and a face (1) or two faces (2) meet at so many radians.
+Corners sharp(int kind, double angle, const std::array<double, 6>& x) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  if (kind == 0) return {{{0, 0, 0}, {x[0], 0, 0}, {x[1] * c, x[1] * s, 0}, {x[2], x[3], x[4]}}};
+  if (kind == 1)
+    return {{{0, 0, 0},
+             {x[0], 0, 0},
+             {x[1], x[2], 0},
+             {x[3] * c * std::cos(x[4]), x[3] * c * std::sin(x[4]), x[3] * s}}};
+  return {{{0, 0, 0}, {x[0], 0, 0}, {x[1], x[2], 0}, {x[3], x[4] * c, x[4] * s}}};
+}
+
+}  // namespace
+
+// By climbing from random places: the best is an edge beside a face.
+TEST_CASE("no shape is 0.1 where a tetrahedron is as sharp as what counts as forced", "[mesh][quality]") {
+  std::mt19937_64 random(7);
+  const double angle = MeshQuality::kForced * M_PI / 180;
+  std::normal_distribution<double> normal;
+  for (int kind = 0; kind < 3; ++kind) {
+    double best = 0;
+    for (int start = 0; start < 40; ++start) {
+      std::array<double, 6> at;
+      for (double& x : at) x = normal(random);
+      double shape = measures_of(sharp(kind, angle, at)).shape;
+      for (double step = 1; step > 1e-5; step *= 0.99) {
+        auto next = at;
+        for (double& x : next) x += step * normal(random);
+        const double there = measures_of(sharp(kind, angle, next)).shape;
+        if (there > shape) shape = there, at = next;
+      }
+      best = std::max(best, shape);
+    }
+    INFO("kind " << kind << " best " << best);
+    CHECK(best > 0.06);
+    CHECK(best < 0.98 * MeshQuality::kBad);
+  }
+}
+
+TEST_CASE("what the model forces is counted", "[mesh][quality]") {
+  const auto counts = [](const std::string& nodes) {
+    const TetrahedralMesh made = meshed("cnrg: 1\nnodes:\n  rock: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n" +
+                                        nodes + "  model: {union: [rock, a]}\nresult: model\n");
+    return std::array{made.quality.forced, made.quality.bad};
+  };
+  // A corner of half a degree on one sheet; the same of two degrees; none.
+  const auto needle = counts("  a: {polygon: [[1, 5, 5], [9, 5, 5], [9, 5.07, 5]]}\n");
+  CHECK(needle[0] >= 2);
+  CHECK(needle[0] <= needle[1]);
+  CHECK(counts("  a: {polygon: [[1, 5, 5], [9, 5, 5], [9, 5.28, 5]]}\n")[0] == 0);
+  CHECK(counts("  a: {polygon: [[1, 5, 5], [9, 5, 5], [9, 9, 5]]}\n")[0] == 0);
+  // A solid wedge of half a degree.
+  const TetrahedralMesh wedge = meshed(
+      "cnrg: 1\nnodes:\n  model: {prism: {base: [[0, 0, 0], [8, 0, 0], [8, 0.07, 0]], vector: [0, 0, 1]}}\n"
+      "result: model\n");
+  CHECK(wedge.quality.forced > 0);
+  CHECK(forced_text(wedge.quality).find("meet at less than 0.9 degrees") != std::string::npos);
+  CHECK(forced_text({}).empty());
+}
+
 TEST_CASE("measures of tetrahedra that are known", "[mesh][quality]") {
   const auto regular = measures_of({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}});
   CHECK(regular.shape == Approx(1));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kernel/exact/predicates.h"
+#include "kernel/tetrahedra/insertion.h"
 #include "kernel/tetrahedra/moves.h"
 #include "tests/scenes/seeds.h"
 #include "tests/tetrahedra/random_triangles.h"
@@ -211,6 +212,67 @@ TEST_CASE("improved tetrahedra have the regions, facets and lines that they had"
   }
   CHECK(made * 10 > (end - begin) * 9);
   CHECK(share_after * 2 < share_before);
+}
+
+TEST_CASE("new vertices keep regions, facets and lines, and are corners of better shapes only", "[tetrahedra]") {
+  const auto [begin, end] = scenes::seeds(20);
+  std::size_t inside = 0, on_facets = 0;
+  for (std::uint64_t seed = begin; seed < end; ++seed) {
+    INFO("seed " << seed);
+    Index fixed = 0;
+    const Mesh before = random_mesh(seed, fixed);
+    if (before.tetrahedra.empty()) continue;
+    Stars stars(before);
+    const bool keep = seed % 4 == 3;
+    Insertion insertion(stars, fixed, keep);
+    for (Index t = 0; t < stars.size(); ++t) {
+      if (!stars.alive(t) || stars.at(t).shape >= 0.1) continue;
+      const double shape = stars.at(t).shape;
+      const Index v = insertion.insert(t, 1.05);
+      if (v == Stars::kNoTetrahedron) continue;
+      REQUIRE(!stars.star(v).empty());
+      for (const Index u : stars.star(v)) REQUIRE(stars.at(u).shape > 1.05 * shape);
+      (stars.facet(v) == Stars::kNone ? inside : on_facets) += 1;
+      REQUIRE((!keep || stars.facet(v) == Stars::kNone));
+    }
+    require_same(before, stars.mesh());
+  }
+  CHECK(inside > 0);
+  CHECK(on_facets > 0);
+}
+
+// A hundred short pieces in a box a hundred times as wide: each is an edge of tetrahedra to its far corners.
+TEST_CASE("a fine wire in a wide box gets good tetrahedra, not many", "[tetrahedra]") {
+  PointTable t;
+  Constraints constraints;
+  constexpr int kPieces = 100;
+  for (int i = 0; i <= kPieces; ++i) {
+    t.add(std::cos(0.3 * i), std::sin(0.3 * i), 0.1 * i);
+    if (i > 0) constraints.segments.push_back({VertexId(std::size_t(i) - 1), VertexId(std::size_t(i))});
+  }
+  for (int i = 0; i < 8; ++i) t.add((i & 1) != 0 ? 99 : -101, (i & 2) != 0 ? 99 : -101, (i & 4) != 0 ? 99 : -101);
+  const auto fixed = static_cast<Index>(t.size());
+  const ConstrainedTetrahedra made = constrained_tetrahedra(t, constraints, {});
+  Mesh mesh;
+  for (std::size_t i = 0; i < t.size(); ++i) mesh.points.push_back(t.nearest(VertexId(i)));
+  for (const auto& c : made.tetrahedra)
+    mesh.tetrahedra.push_back(
+        {Index(c[0].index()), Index(c[1].index()), Index(c[2].index()), Index(c[3].index())});
+  mesh.region.assign(mesh.tetrahedra.size(), 0);
+  for (const auto& [ends, of] : made.segments) {
+    mesh.segments.push_back({Index(ends[0].index()), Index(ends[1].index())});
+    mesh.line.push_back(std::int32_t(of));
+  }
+  REQUIRE(turned_right(mesh));
+  const Mesh before = mesh;
+  CHECK(bad(before) * 2 > before.tetrahedra.size());
+  ImproveOptions options;
+  options.fixed = fixed;
+  options.points = 5000;
+  improve(mesh, options, {});
+  require_same(before, mesh);
+  CHECK(bad(mesh) * 100 < mesh.tetrahedra.size());
+  CHECK(mesh.tetrahedra.size() < 100 * kPieces);
 }
 
 TEST_CASE("tetrahedra get the lengths that are wanted", "[tetrahedra]") {
