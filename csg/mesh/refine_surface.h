@@ -19,10 +19,11 @@
 //     theory (miller2003);
 //   * where parts of the result nearly touch, points are rationed. A strip takes as many as it is longer than
 //     wide, and a corner beside a line some for each time that its distance is halved: nothing of that is bounded
-//     by the size of the input. So first all gets its points but what is narrow: flatter than 1/64 of a side of facets,
-//     as these are on the average. Then what is narrow, the wider before the narrower, so that a ration that ends
-//     has mended all that is wider than something; last long gaps (the only ones that grow dear at once), from the
-//     widest on, and only those for which what is left suffices, since half a gap is mended nowhere;
+//     by the size of the input. So first all gets its points but what is narrow: flatter than 1/64 of a side of
+//     facets, as these are on the average. Then what is narrow, the wider before the narrower, so that a ration
+//     that ends has mended all that is wider than something; last long gaps (the only ones that grow dear at
+//     once), from the widest on, and only those for which what is left suffices, since half a gap is mended
+//     nowhere;
 //   * where lines are nearer than digits, and in gaps that stay as they are, they are only split as finely as what
 //     they nearly touch, so that triangles between them are short and do not lie upon each other by thousands.
 #pragma once
