@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <unordered_map>
 #include <unordered_set>
@@ -102,11 +101,12 @@ class Snapper {
     double cell = unit_ * kSnapFirstCell;
     for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
       State state = moved(start_, first, everywhere, cell);
-      std::size_t fewest = std::numeric_limits<std::size_t>::max();
+      std::size_t fewest = first.crossings;
       for (int patience = kSnapPatience; patience > 0;) {
         begin_round(++rounds);
         Refined refined = refine(state);
         if (refined.crossings == 0) return finish(state, refined, rounds);
+        if (refined.crossings > 2 * fewest + kSnapFewCrossings) break;
         const bool halved = 2 * refined.crossings <= fewest;
         everywhere = everywhere || !halved;
         patience = halved ? kSnapPatience : patience - 1;

@@ -14,11 +14,10 @@
 //   * That is done near the crossings, and everywhere where they are many or do not become fewer: then surfaces
 //     nearly coincide, and where a part of one moves, its neighbours cross the other surface next.
 //   * The first grid is 64 units in the last place of the largest coordinate: surfaces that should coincide, and
-//   have
-//     been rounded, are some units apart. When the crossings do not become
-//     fewer on a grid, the next one is 16 times as coarse and begins with the first rounding again (lazard2025
-//     coarsens its grid, too). No proof bounds the number of rounds: devillers2018 has an algorithm with a proof,
-//     of high degree. After the last grid there is an error.
+//     have been rounded, are some units apart. When the crossings do not become fewer on a grid, or grow, the next
+//     one is 16 times as coarse and begins with the first rounding again (lazard2025 coarsens its grid, too). No
+//     proof bounds the number of rounds: devillers2018 has an algorithm with a proof, of high degree. After the
+//     last grid there is an error.
 //
 // A vertex that moves takes the triangles around it along; a point of a triangle moves no farther than its corners
 // do, so no point of the drawing moves farther than the largest moves of all rounds together.
@@ -33,8 +32,10 @@ namespace cnrg {
 /// how many there are.
 inline constexpr double kSnapFirstCell = 64, kSnapGrowth = 16;
 inline constexpr int kSnapGrids = 9;
-/// A grid is given up after so many rounds that did not halve the number of crossings.
+/// A grid is given up after so many rounds that did not halve the number of crossings, and at once when there are
+/// more than twice the fewest and kSnapFewCrossings: from there on they multiply.
 inline constexpr int kSnapPatience = 3;
+inline constexpr std::size_t kSnapFewCrossings = 32;
 
 /// The drawing must not be empty. Throws InputError when it does not become stable, and for coordinates beyond the
 /// range of doubles; Stopped, as the watch asks. Each vertex of the complex is three doubles then.

@@ -380,6 +380,36 @@ TEST_CASE("snap: two triangulations of one plane become one", "[snap]") {
   }
 }
 
+// On the first grids the crossings multiply; those are given up.
+TEST_CASE("snap: two sheets of two triangles in one oblique plane", "[snap]") {
+  Soup soup;
+  add_box(soup, {Rational(-1, 5), Rational(-1, 5), Rational(-1, 5)}, {1, 1, 1});
+  const auto add = [&](const std::array<std::array<double, 3>, 4>& corners, const int(&faces)[2][3]) {
+    const LeafId leaf = soup.add_leaf(Fill::none);
+    std::array<PointId, 4> p;
+    for (std::size_t i = 0; i < 4; ++i) p[i] = soup.add_point(corners[i][0], corners[i][1], corners[i][2]);
+    for (std::uint32_t f = 0; f < 2; ++f)
+      soup.add_triangle(leaf, p[std::size_t(faces[f][0])], p[std::size_t(faces[f][1])],
+                        p[std::size_t(faces[f][2])], f, f);
+  };
+  add({{{-0.6704076791806961, 0.2417719069204161, 0.9281445924685663},
+        {0.9439702721230823, -0.21589294544540463, 1.200773852184369},
+        {-0.2039702721230823, 1.0358929454454047, -0.500773852184369},
+        {1.410407679180696, 0.5782280930795839, -0.22814459246856633}}},
+      {{0, 1, 3}, {0, 3, 2}});
+  add({{{-0.36476437924979094, 0.01131747209088041, 1.2138133762136725},
+        {1.3038154631215295, -0.10097447333454102, 0.9084745011507791},
+        {-0.5638154631215296, 0.9209744733345409, -0.20847450115077915},
+        {1.104764379249791, 0.8086825279091197, -0.5138133762136725}}},
+      {{0, 1, 2}, {1, 3, 2}});
+  Case c(soup);
+  c.show(c.unite());
+  REQUIRE(!plainly_embedded(c.view()));
+  const SnappedResult snapped(c.view(), false);
+  check_snapped(c.view(), snapped);
+  CHECK(snapped.report().displacement < 1e-6);
+}
+
 TEST_CASE("snap: a region without bounds stays one", "[snap]") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {1, 1, 1});
