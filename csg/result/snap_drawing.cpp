@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -17,6 +20,7 @@
 #include "kernel/base/point_hash.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
+#include "kernel/exact/triangulate.h"
 
 namespace cnrg {
 namespace {
@@ -61,6 +65,42 @@ bool has_doubles(const PointTable& table, VertexId v) {
   return is_double(p[0]) && is_double(p[1]) && is_double(p[2]);
 }
 
+Xyz on_grid(Xyz p, double cell) {
+  for (double& c : p) c = std::nearbyint(c / cell) * cell + 0.0;
+  return p;
+}
+
+using Cells = std::set<Xyz>;  // of the grid, by their centers
+
+/// The first of the given cells that the point lies in or on; nothing if there is none.
+std::optional<Xyz> cell_of(const Xyz& p, const Cells& cells, double size) {
+  std::array<Xyz, 2> near;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double at = p[k] / size, first = std::ceil(at - 0.5), last = std::floor(at + 0.5);
+    near[0][k] = first * size + 0.0;
+    near[1][k] = last * size + 0.0;
+  }
+  for (unsigned i = 0; i < 8; ++i) {
+    const Xyz center{near[i >> 2][0], near[i >> 1 & 1][1], near[i & 1][2]};
+    if (cells.contains(center)) return center;
+  }
+  return {};
+}
+
+void add_box(Soup& soup, LeafId leaf, const Xyz& center, double half) {
+  PointId p[8];
+  for (int i = 0; i < 8; ++i) {
+    p[i] = soup.add_point(center[0] + (i & 1 ? half : -half), center[1] + (i & 2 ? half : -half),
+                          center[2] + (i & 4 ? half : -half));
+  }
+  constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  for (const auto& f : kFaces) {
+    const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
+    soup.add_face(leaf, std::span(&loop, 1), 0, 0);
+  }
+}
+
 class Snapper {
  public:
   Snapper(const PointTable& table, const NumberedDrawing& drawing, const Watch& asked)
@@ -95,27 +135,12 @@ class Snapper {
   MovedDrawing run() {
     Refined first = refine(start_);
     if (first.crossings == 0) return finish(start_, first, 1);
-    // Where surfaces nearly coincide crossings are many, and what is near them is nearly all.
-    bool everywhere = kManyCrossings * first.crossings > start_.triangles.size();
     int rounds = 1;
-    double cell = unit_ * kSnapFirstCell;
-    for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
-      State state = moved(start_, first, everywhere, cell);
-      std::size_t fewest = first.crossings;
-      for (int patience = kSnapPatience; patience > 0;) {
-        begin_round(++rounds);
-        Refined refined = refine(state);
-        if (refined.crossings == 0) return finish(state, refined, rounds);
-        if (refined.crossings > 2 * fewest + kSnapFewCrossings) break;
-        const bool halved = 2 * refined.crossings <= fewest;
-        everywhere = everywhere || !halved;
-        patience = halved ? kSnapPatience : patience - 1;
-        fewest = std::min(fewest, refined.crossings);
-        if (patience > 0) state = moved(state, refined, everywhere, cell);
-      }
-    }
+    std::optional<MovedDrawing> done = by_routes(first, rounds);
+    if (!done) done = by_boxes(first, rounds);
+    if (done) return std::move(*done);
     std::string last;
-    append(last, cell / kSnapGrowth);
+    append(last, unit_ * kSnapFirstBox * std::pow(kSnapGrowth, kSnapGrids - 1));
     throw InputError("rounding to doubles makes facets cross, and snapping vertices to a grid of " + last +
                      " still does; move the model nearer to the origin, write .json, which is exact, or give "
                      "--no-snap");
@@ -159,6 +184,46 @@ class Snapper {
   Lists lists_;
   State start_;      // each point rounded by itself
   double unit_ = 1;  // one unit in the last place of the largest coordinate
+
+  std::optional<MovedDrawing> by_routes(const Refined& first, int& rounds) {
+    // Where surfaces nearly coincide crossings are many, and what is near them is nearly all.
+    bool everywhere = kManyCrossings * first.crossings > start_.triangles.size();
+    double cell = unit_ * kSnapFirstCell;
+    for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
+      State state = routed(start_, first, everywhere, cell);
+      std::size_t fewest = first.crossings;
+      for (int patience = kSnapPatience; patience > 0;) {
+        begin_round(++rounds);
+        Refined refined = refine(state);
+        if (refined.crossings == 0) return finish(state, refined, rounds);
+        if (refined.crossings > 2 * fewest + kSnapFewCrossings) break;
+        const bool halved = 2 * refined.crossings <= fewest;
+        everywhere = everywhere || !halved;
+        patience = halved ? kSnapPatience : patience - 1;
+        fewest = std::min(fewest, refined.crossings);
+        if (patience > 0) state = routed(state, refined, everywhere, cell);
+      }
+    }
+    return {};
+  }
+
+  std::optional<MovedDrawing> by_boxes(const Refined& first, int& rounds) {
+    double cell = unit_ * kSnapFirstBox;
+    for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
+      State state = boxed(start_, first, cell);
+      std::size_t fewest = std::numeric_limits<std::size_t>::max();
+      for (int patience = kSnapBoxPatience; patience > 0;) {
+        begin_round(++rounds);
+        Refined refined = refine(state);
+        if (refined.crossings == 0) return finish(state, refined, rounds);
+        patience = refined.crossings < fewest ? kSnapBoxPatience : patience - 1;
+        fewest = std::min(fewest, refined.crossings);
+        if (refined.crossings > 8 * fewest + 64) break;
+        if (patience > 0) state = boxed(state, refined, cell);
+      }
+    }
+    return {};
+  }
 
   void begin_round(int number) { watch_ = part_of(asked_, "snap, round " + std::to_string(number)); }
 
@@ -219,8 +284,8 @@ class Snapper {
     for (Index& p : state.at) p = p == kNone ? kNone : number[p];
   }
 
-  /// Source i is triangle i.
-  ComplexDraft complex_of(const State& state) const {
+  /// Source i is triangle i; the cells of the grid come after them.
+  ComplexDraft complex_of(const State& state, const Cells& cells = {}, double cell = 0) const {
     Soup soup;
     const LeafId leaf = soup.add_leaf(Fill::none);
     for (const Xyz& p : state.xyz) soup.add_point(p[0], p[1], p[2]);
@@ -242,6 +307,7 @@ class Snapper {
     for (const Index p : drawing_.isolated) {
       if (!held[state.at[p]]) soup.add_isolated(leaf, PointId(state.at[p]));
     }
+    for (const Xyz& center : cells) add_box(soup, leaf, center, cell / 2);
     RefineOptions options;
     options.watch = watch_;
     return ComplexDraft(soup, options);
@@ -280,7 +346,7 @@ class Snapper {
   }
 
   /// The drawing with all that passes through a hot cell drawn to its center.
-  State moved(const State& state, const Refined& refined, bool everywhere, double size) {
+  State routed(const State& state, const Refined& refined, bool everywhere, double size) {
     const Complex& complex = *refined.complex;
     std::vector<Index> faces, edges;
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) faces.push_back(faces_on(state, complex, f));
@@ -303,6 +369,110 @@ class Snapper {
       for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
         add_piece(next, to[chain[k].index()], to[chain[k + 1].index()], edges[e.index()]);
       }
+    }
+    for (const Index p : state.at) next.at.push_back(p == kNone ? kNone : to[p]);
+    return next;
+  }
+
+  static void triangulate_face(const Complex& complex, FaceId f, std::vector<std::array<VertexId, 3>>& out) {
+    std::vector<std::vector<VertexId>> walks;
+    for (const LoopId l : complex.face_loops[f]) {
+      auto& walk = walks.emplace_back();
+      for (const HalfEdge h : complex.loop[l]) walk.push_back(complex.origin(h));
+    }
+    const auto isolated = complex.face_vertices[f];
+    if (walks.size() == 1 && walks[0].size() == 3 && isolated.empty()) {
+      out.push_back({walks[0][0], walks[0][1], walks[0][2]});
+      return;
+    }
+    out = triangulate(complex.points, complex.sheet_projection[complex.face_sheet[f]], walks, isolated);
+  }
+
+  /// The cells of the grid that hold new vertices or corners of triangles that were cut.
+  static Cells cells_of(const State& state, const Refined& refined, double size) {
+    const Complex& complex = *refined.complex;
+    Cells cells;
+    std::vector<char> corner(state.xyz.size(), 0);
+    for (const VertexId v : complex.vertices) {
+      if (!refined.settled[v.index()]) cells.insert(on_grid(nearest_doubles(complex.points, v), size));
+    }
+    for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+      bool cut = false;
+      for (const LoopId l : complex.face_loops[f]) {
+        for (const HalfEdge h : complex.loop[l]) cut = cut || !refined.settled[complex.origin(h).index()];
+      }
+      for (const VertexId v : complex.face_vertices[f]) cut = cut || !refined.settled[v.index()];
+      if (!cut) continue;
+      for (const Cover& cover : complex.cover(f)) {
+        for (const Index p : state.triangles[cover.source.index()].points) corner[p] = 1;
+      }
+    }
+    for (Index p = 0; p < corner.size(); ++p) {
+      if (corner[p]) cells.insert(on_grid(state.xyz[p], size));
+    }
+    return cells;
+  }
+
+  /// The drawing, cut on the boundaries of hot cells, with all that lies in these drawn together in their centers.
+  State boxed(const State& state, const Refined& refined, double size) {
+    const Cells cells = cells_of(state, refined, size);
+    const ComplexDraft draft = complex_of(state, cells, size);
+    const Complex& complex = *draft;
+    std::vector<Index> faces, edges;
+    std::vector<char> used(complex.points.size(), 0);
+    for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+      if (f.index() % kUnchecked == 0) watch_.check();
+      faces.push_back(faces_on(state, complex, f));
+      if (lists_[faces.back()].empty()) continue;
+      for (const LoopId l : complex.face_loops[f]) {
+        for (const HalfEdge h : complex.loop[l]) used[complex.origin(h).index()] = 1;
+      }
+      for (const VertexId v : complex.face_vertices[f]) used[v.index()] = 1;
+    }
+    for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+      edges.push_back(edges_on(state, complex, e));
+      if (lists_[edges.back()].empty()) continue;
+      for (const VertexId v : complex.edge_ends[e]) used[v.index()] = 1;
+    }
+    for (const Index p : drawing_.isolated) used[state.at[p]] = 1;
+
+    std::vector<Xyz> there(complex.points.size());
+    std::vector<double> moves(complex.points.size(), 0);
+    for_each_of(complex.vertices, [&](VertexId v) {
+      if (v.index() % kUnchecked == 0) watch_.check();
+      if (!used[v.index()]) return;
+      const Xyz here = nearest_doubles(complex.points, v);
+      const std::optional<Xyz> center = cell_of(here, cells, size);
+      there[v.index()] = center ? *center : here;
+      if (there[v.index()] != here || !complex.points.is_double(v)) {
+        moves[v.index()] = distance_above(complex.points, v, there[v.index()]);
+      }
+    });
+
+    State next;
+    next.displacement = state.displacement + *std::max_element(moves.begin(), moves.end());
+    std::vector<Index> to(complex.points.size(), kNone);
+    Numbering numbers(next.xyz);
+    for (const VertexId v : complex.vertices) {
+      if (used[v.index()]) to[v.index()] = numbers(there[v.index()]);
+    }
+    std::vector<std::vector<std::array<VertexId, 3>>> made(complex.face_count());
+    for_each_index(
+        made.size(),
+        [&](std::size_t f) {
+          watch_.check();
+          if (!lists_[faces[f]].empty()) triangulate_face(complex, FaceId(f), made[f]);
+        },
+        64);
+    for (std::size_t f = 0; f < made.size(); ++f) {
+      for (const auto& [a, b, c] : made[f]) {
+        next.triangles.push_back({{to[a.index()], to[b.index()], to[c.index()]}, faces[f]});
+      }
+    }
+    for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+      if (lists_[edges[e.index()]].empty()) continue;
+      const auto& [a, b] = complex.edge_ends[e];
+      add_piece(next, to[a.index()], to[b.index()], edges[e.index()]);
     }
     for (const Index p : state.at) next.at.push_back(p == kNone ? kNone : to[p]);
     return next;
