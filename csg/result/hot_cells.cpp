@@ -5,6 +5,7 @@
 
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg {
 namespace {
@@ -28,12 +29,6 @@ std::vector<Box> boxes_around(const std::vector<Xyz>& centers, double half) {
     }
   }
   return boxes;
-}
-
-Xyz difference(const Xyz& a, const Xyz& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Xyz& a, const Xyz& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Xyz cross(const Xyz& a, const Xyz& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 bool segment_meets(const Xyz& from, const Xyz& way, const Box& box) {
@@ -81,11 +76,11 @@ std::optional<std::size_t> HotCells::cell_of(const Xyz& p) const {
 
 std::vector<HotCells::Pass> HotCells::along(const Xyz& a, const Xyz& b) const {
   std::vector<Pass> passes;
-  const Xyz way = difference(b, a);
+  const Xyz way = minus(b, a);
   const double squared = dot(way, way);
   tree_.query([&](const Box& box) { return segment_meets(a, way, box); },
               [&](std::uint32_t cell) {
-                const double t = dot(difference(centers_[cell], a), way) / squared;
+                const double t = dot(minus(centers_[cell], a), way) / squared;
                 if (0 < t && t < 1) passes.push_back({cell, t, {}});
               });
   std::sort(passes.begin(), passes.end(), [](const Pass& p, const Pass& q) { return p.along < q.along; });
@@ -97,14 +92,14 @@ std::vector<HotCells::Pass> HotCells::along(const Xyz& a, const Xyz& b) const {
 
 std::vector<HotCells::Pass> HotCells::across(const Xyz& a, const Xyz& b, const Xyz& c) const {
   std::vector<Pass> passes;
-  const Xyz normal = cross(difference(b, a), difference(c, a));
+  const Xyz normal = cross(minus(b, a), minus(c, a));
   const double squared = dot(normal, normal);
   if (!(squared > 0)) return passes;
   Box around;
   for (const Xyz& p : {a, b, c}) around.extend(p, p);
   tree_.query([&](const Box& box) { return box.meets(around) && plane_meets(a, normal, box); },
               [&](std::uint32_t cell) {
-                const double height = dot(difference(centers_[cell], a), normal) / squared;
+                const double height = dot(minus(centers_[cell], a), normal) / squared;
                 Xyz foot = centers_[cell];
                 for (std::size_t k = 0; k < 3; ++k) foot[k] -= height * normal[k];
                 passes.push_back({cell, 0, foot});
@@ -124,13 +119,13 @@ std::vector<Xyz> where_near(const std::vector<std::array<Xyz, 2>>& segments, dou
   for_each_index(segments.size(), [&](std::size_t s) {
     if (s % kUnchecked == 0) watch.check();
     const auto& [a, b] = segments[s];
-    const Xyz p = difference(b, a);
+    const Xyz p = minus(b, a);
     tree.query([&](const Box& box) { return segment_meets(a, p, box); },
                [&](std::uint32_t t) {
                  if (t <= s) return;
                  const auto& [c, d] = segments[t];
                  if (a == c || a == d || b == c || b == d) return;
-                 const Xyz q = difference(d, c), r = difference(a, c);
+                 const Xyz q = minus(d, c), r = minus(a, c);
                  const double pp = dot(p, p), qq = dot(q, q), pq = dot(p, q), pr = dot(p, r), qr = dot(q, r);
                  const double area = pp * qq - pq * pq;
                  if (area <= within * within * std::max(pp, qq)) return;  // an end is as near

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "kernel/base/progress.h"
@@ -27,7 +26,7 @@ class HotCells {
   /// The cells that hold the points; `size`: the length of an edge of a cell, a power of two (units of the model).
   HotCells(const std::vector<Xyz>& points, double size);
 
-  std::size_t size() const { return centers_.size(); }
+  const std::vector<Xyz>& centers() const { return centers_; }
   const Xyz& center(std::size_t cell) const { return centers_[cell]; }
   /// The first of the cells that the point lies in or on; nothing if there is none.
   std::optional<std::size_t> cell_of(const Xyz& p) const;

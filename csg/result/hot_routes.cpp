@@ -25,10 +25,6 @@ constexpr std::size_t kUnchecked = 1024;  // edges and faces between two looks a
 
 Ends ends_of(VertexId a, VertexId b) { return a < b ? Ends{a, b} : Ends{b, a}; }
 
-struct HashXyz {
-  std::size_t operator()(const Xyz& p) const { return hash_of_point(p.data()); }
-};
-
 class Router {
  public:
   Router(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size,
@@ -39,7 +35,7 @@ class Router {
         here_(doubles_of_points()),
         broken_(broken_places(settled, size)),
         cells_(candidates(settled, size), size),
-        hot_(cells_.size(), 0) {
+        hot_(cells_.centers().size(), 0) {
     cell_.assign(here_.size(), kNoCell);
     for (const VertexId v : complex_.vertices) {
       if (const auto cell = cells_.cell_of(here_[v.index()])) cell_[v.index()] = *cell;
@@ -101,11 +97,7 @@ class Router {
       boxes.push_back(box);
     };
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
-      bool broken = false;
-      for (const LoopId l : complex_.face_loops[f])
-        for (const HalfEdge h : complex_.loop[l]) broken = broken || !settled[complex_.origin(h).index()];
-      for (const VertexId v : complex_.face_vertices[f]) broken = broken || !settled[v.index()];
-      if (broken) add(box_of(f));
+      if (is_crossed(complex_, f, settled)) add(box_of(f));
     }
     for (const VertexId v : complex_.vertices) {
       if (settled[v.index()]) continue;
@@ -233,7 +225,7 @@ class Router {
 
   /// What goes to one place is one corner there; edges are between these.
   void number_goals() {
-    std::unordered_map<Xyz, std::uint32_t, HashXyz> number;
+    std::unordered_map<Xyz, std::uint32_t, HashPoint> number;
     for (const Xyz& p : routes_.to)
       goal_.push_back(number.try_emplace(p, std::uint32_t(number.size())).first->second);
     joined_.resize(number.size());
@@ -437,6 +429,15 @@ class Router {
 };
 
 }  // namespace
+
+bool is_crossed(const Complex& complex, FaceId f, const std::vector<char>& settled) {
+  const auto isolated = complex.face_vertices[f];
+  return std::any_of(isolated.begin(), isolated.end(), [&](VertexId v) { return !settled[v.index()]; }) ||
+         std::ranges::any_of(complex.face_loops[f], [&](LoopId l) {
+           return std::ranges::any_of(complex.loop[l],
+                                      [&](HalfEdge h) { return !settled[complex.origin(h).index()]; });
+         });
+}
 
 HotRoutes route(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size,
                 const Watch& watch) {

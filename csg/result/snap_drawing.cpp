@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -30,10 +29,6 @@ using Xyz = std::array<double, 3>;
 constexpr Index kNone = 0xffffffffu;
 constexpr std::size_t kManyCrossings = 100;  // one of so many triangles
 constexpr std::size_t kUnchecked = 4096;     // points and triangles between two looks at the watch
-
-struct HashXyz {
-  std::size_t operator()(const Xyz& p) const { return hash_of_point(p.data()); }
-};
 
 std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
 
@@ -63,28 +58,6 @@ bool has_doubles(const PointTable& table, VertexId v) {
   if (table.is_double(v)) return true;
   const RationalPoint p = table.rational(v);
   return is_double(p[0]) && is_double(p[1]) && is_double(p[2]);
-}
-
-Xyz on_grid(Xyz p, double cell) {
-  for (double& c : p) c = std::nearbyint(c / cell) * cell + 0.0;
-  return p;
-}
-
-using Cells = std::set<Xyz>;  // of the grid, by their centers
-
-/// The first of the given cells that the point lies in or on; nothing if there is none.
-std::optional<Xyz> cell_of(const Xyz& p, const Cells& cells, double size) {
-  std::array<Xyz, 2> near;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double at = p[k] / size, first = std::ceil(at - 0.5), last = std::floor(at + 0.5);
-    near[0][k] = first * size + 0.0;
-    near[1][k] = last * size + 0.0;
-  }
-  for (unsigned i = 0; i < 8; ++i) {
-    const Xyz center{near[i >> 2][0], near[i >> 1 & 1][1], near[i & 1][2]};
-    if (cells.contains(center)) return center;
-  }
-  return {};
 }
 
 void add_box(Soup& soup, LeafId leaf, const Xyz& center, double half) {
@@ -175,7 +148,7 @@ class Snapper {
 
    private:
     std::vector<Xyz>& xyz_;
-    std::unordered_map<Xyz, Index, HashXyz> number_;
+    std::unordered_map<Xyz, Index, HashPoint> number_;
   };
 
   const Watch& asked_;
@@ -185,44 +158,56 @@ class Snapper {
   State start_;      // each point rounded by itself
   double unit_ = 1;  // one unit in the last place of the largest coordinate
 
-  std::optional<MovedDrawing> by_routes(const Refined& first, int& rounds) {
-    // Where surfaces nearly coincide crossings are many, and what is near them is nearly all.
-    bool everywhere = kManyCrossings * first.crossings > start_.triangles.size();
-    double cell = unit_ * kSnapFirstCell;
+  /// A way to move the drawing, on one grid after the other. Its rules compare the crossings of a round with the
+  /// fewest before.
+  struct Way {
+    double first_cell;   // in units
+    int patience;        // rounds without progress
+    std::size_t fewest;  // before the first round of a grid
+    bool (*is_progress)(std::size_t now, std::size_t fewest);
+    bool (*is_growth)(std::size_t now, std::size_t fewest);  // then the grid is given up
+  };
+  /// `next(state, refined, cell, progress)`: the state of the next round.
+  template <class Next>
+  std::optional<MovedDrawing> on_grids(const Refined& first, const Way& way, int& rounds, const Next& next) {
+    double cell = unit_ * way.first_cell;
     for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
-      State state = routed(start_, first, everywhere, cell);
-      std::size_t fewest = first.crossings;
-      for (int patience = kSnapPatience; patience > 0;) {
+      State state = next(start_, first, cell, true);
+      std::size_t fewest = way.fewest;
+      for (int patience = way.patience; patience > 0;) {
         begin_round(++rounds);
         Refined refined = refine(state);
         if (refined.crossings == 0) return finish(state, refined, rounds);
-        if (refined.crossings > 2 * fewest + kSnapFewCrossings) break;
-        const bool halved = 2 * refined.crossings <= fewest;
-        everywhere = everywhere || !halved;
-        patience = halved ? kSnapPatience : patience - 1;
+        const bool progress = way.is_progress(refined.crossings, fewest);
+        patience = progress ? way.patience : patience - 1;
         fewest = std::min(fewest, refined.crossings);
-        if (patience > 0) state = routed(state, refined, everywhere, cell);
+        if (way.is_growth(refined.crossings, fewest)) break;
+        if (patience > 0) state = next(state, refined, cell, progress);
       }
     }
     return {};
   }
 
+  std::optional<MovedDrawing> by_routes(const Refined& first, int& rounds) {
+    // Where surfaces nearly coincide crossings are many, and what is near them is nearly all.
+    bool everywhere = kManyCrossings * first.crossings > start_.triangles.size();
+    const Way way{kSnapFirstCell, kSnapPatience, first.crossings,
+                  [](std::size_t now, std::size_t fewest) { return 2 * now <= fewest; },
+                  [](std::size_t now, std::size_t fewest) { return now > 2 * fewest + kSnapFewCrossings; }};
+    return on_grids(first, way, rounds,
+                    [&](const State& state, const Refined& refined, double cell, bool progress) {
+                      everywhere = everywhere || !progress;
+                      return routed(state, refined, everywhere, cell);
+                    });
+  }
+
   std::optional<MovedDrawing> by_boxes(const Refined& first, int& rounds) {
-    double cell = unit_ * kSnapFirstBox;
-    for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
-      State state = boxed(start_, first, cell);
-      std::size_t fewest = std::numeric_limits<std::size_t>::max();
-      for (int patience = kSnapBoxPatience; patience > 0;) {
-        begin_round(++rounds);
-        Refined refined = refine(state);
-        if (refined.crossings == 0) return finish(state, refined, rounds);
-        patience = refined.crossings < fewest ? kSnapBoxPatience : patience - 1;
-        fewest = std::min(fewest, refined.crossings);
-        if (refined.crossings > 8 * fewest + 64) break;
-        if (patience > 0) state = boxed(state, refined, cell);
-      }
-    }
-    return {};
+    const Way way{kSnapFirstBox, kSnapBoxPatience, std::numeric_limits<std::size_t>::max(),
+                  [](std::size_t now, std::size_t fewest) { return now < fewest; },
+                  [](std::size_t now, std::size_t fewest) { return now > 8 * fewest + 64; }};
+    return on_grids(first, way, rounds, [&](const State& state, const Refined& refined, double cell, bool) {
+      return boxed(state, refined, cell);
+    });
   }
 
   void begin_round(int number) { watch_ = part_of(asked_, "snap, round " + std::to_string(number)); }
@@ -285,7 +270,7 @@ class Snapper {
   }
 
   /// Source i is triangle i; the cells of the grid come after them.
-  ComplexDraft complex_of(const State& state, const Cells& cells = {}, double cell = 0) const {
+  ComplexDraft complex_of(const State& state, const std::vector<Xyz>& centers = {}, double cell = 0) const {
     Soup soup;
     const LeafId leaf = soup.add_leaf(Fill::none);
     for (const Xyz& p : state.xyz) soup.add_point(p[0], p[1], p[2]);
@@ -307,7 +292,7 @@ class Snapper {
     for (const Index p : drawing_.isolated) {
       if (!held[state.at[p]]) soup.add_isolated(leaf, PointId(state.at[p]));
     }
-    for (const Xyz& center : cells) add_box(soup, leaf, center, cell / 2);
+    for (const Xyz& center : centers) add_box(soup, leaf, center, cell / 2);
     RefineOptions options;
     options.watch = watch_;
     return ComplexDraft(soup, options);
@@ -388,35 +373,30 @@ class Snapper {
     out = triangulate(complex.points, complex.sheet_projection[complex.face_sheet[f]], walks, isolated);
   }
 
-  /// The cells of the grid that hold new vertices or corners of triangles that were cut.
-  static Cells cells_of(const State& state, const Refined& refined, double size) {
+  /// New vertices and corners of triangles that were cut.
+  static std::vector<Xyz> at_crossings(const State& state, const Refined& refined) {
     const Complex& complex = *refined.complex;
-    Cells cells;
+    std::vector<Xyz> points;
     std::vector<char> corner(state.xyz.size(), 0);
     for (const VertexId v : complex.vertices) {
-      if (!refined.settled[v.index()]) cells.insert(on_grid(nearest_doubles(complex.points, v), size));
+      if (!refined.settled[v.index()]) points.push_back(nearest_doubles(complex.points, v));
     }
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
-      bool cut = false;
-      for (const LoopId l : complex.face_loops[f]) {
-        for (const HalfEdge h : complex.loop[l]) cut = cut || !refined.settled[complex.origin(h).index()];
-      }
-      for (const VertexId v : complex.face_vertices[f]) cut = cut || !refined.settled[v.index()];
-      if (!cut) continue;
+      if (!is_crossed(complex, f, refined.settled)) continue;
       for (const Cover& cover : complex.cover(f)) {
         for (const Index p : state.triangles[cover.source.index()].points) corner[p] = 1;
       }
     }
     for (Index p = 0; p < corner.size(); ++p) {
-      if (corner[p]) cells.insert(on_grid(state.xyz[p], size));
+      if (corner[p]) points.push_back(state.xyz[p]);
     }
-    return cells;
+    return points;
   }
 
   /// The drawing, cut on the boundaries of hot cells, with all that lies in these drawn together in their centers.
   State boxed(const State& state, const Refined& refined, double size) {
-    const Cells cells = cells_of(state, refined, size);
-    const ComplexDraft draft = complex_of(state, cells, size);
+    const HotCells cells(at_crossings(state, refined), size);
+    const ComplexDraft draft = complex_of(state, cells.centers(), size);
     const Complex& complex = *draft;
     std::vector<Index> faces, edges;
     std::vector<char> used(complex.points.size(), 0);
@@ -442,8 +422,8 @@ class Snapper {
       if (v.index() % kUnchecked == 0) watch_.check();
       if (!used[v.index()]) return;
       const Xyz here = nearest_doubles(complex.points, v);
-      const std::optional<Xyz> center = cell_of(here, cells, size);
-      there[v.index()] = center ? *center : here;
+      const auto cell = cells.cell_of(here);
+      there[v.index()] = cell ? cells.center(*cell) : here;
       if (there[v.index()] != here || !complex.points.is_double(v)) {
         moves[v.index()] = distance_above(complex.points, v, there[v.index()]);
       }

@@ -17,12 +17,11 @@
 //     have been rounded, are some units apart. When the crossings do not become fewer on a grid, or grow, the next
 //     one is 16 times as coarse and begins with the first rounding again (lazard2025 coarsens its grid, too). No
 //     proof bounds the number of rounds: devillers2018 has an algorithm with a proof, of high degree.
-//   * Some drawings whose crossings multiply on all grids come to rest in another way, which is the slower one:
-//   the
-//     boxes of the cells that hold new vertices, or corners of triangles that were cut, are refined together with
-//     the drawing, so that all is cut on their boundaries, and what is in a cell goes to its center. Where
-//     surfaces nearly coincide the corners of the cuts, which are no doubles, cross again. After its last grid
-//     there is an error.
+//   * Some drawings whose crossings multiply on all grids come to rest in another way, the slower one: boxes of
+//     the cells that hold new vertices, or corners of triangles that were cut, are refined together with the
+//     drawing, so that all is cut on their boundaries, and what is in a cell goes to its center. Where surfaces
+//     nearly coincide the corners of the cuts, which are no doubles, cross again. After its last grid there is an
+//     error.
 //
 // A vertex that moves takes the triangles around it along; a point of a triangle moves no farther than its corners
 // do, so no point of the drawing moves farther than the largest moves of all rounds together.

@@ -2,7 +2,9 @@
 // is put in the order of hashes.
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace cnrg {
@@ -16,5 +18,9 @@ inline std::uint64_t hash_of_point(const double* xyz) {
   }
   return hash;
 }
+
+struct HashPoint {
+  std::size_t operator()(const std::array<double, 3>& p) const { return hash_of_point(p.data()); }
+};
 
 }  // namespace cnrg

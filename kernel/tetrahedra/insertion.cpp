@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "kernel/base/vectors.h"
-#include "kernel/tetrahedra/tetrahedra.h"
 
 namespace cnrg {
 namespace {
@@ -20,15 +19,18 @@ constexpr double kFlat = 0.9;
 
 Point plus(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
-/// From a corner to the middle of the sphere around a tetrahedron, by its edges from there.
-Point to_center(const Point& u, const Point& v, const Point& w) {
+/// From the first corner to the middle of the sphere around a tetrahedron.
+Point to_center(const Stars& mesh, const Tetrahedron& t) {
+  const Point& a = mesh.point(t.corners[0]);
+  const Point u = minus(mesh.point(t.corners[1]), a), v = minus(mesh.point(t.corners[2]), a),
+              w = minus(mesh.point(t.corners[3]), a);
   const Point vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
   const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w), twice = 2 * dot(u, vw);
   Point c;
   for (std::size_t k = 0; k < 3; ++k) c[k] = (uu * vw[k] + vv * wu[k] + ww * uv[k]) / twice;
   return c;
 }
-/// Likewise of the circle around a triangle.
+/// From a corner to the middle of the circle around a triangle, by its edges from there.
 Point to_center(const Point& u, const Point& v) {
   const Point n = cross(u, v), vn = cross(v, n), nu = cross(n, u);
   const double uu = dot(u, u), vv = dot(v, v), twice = 2 * dot(n, n);
@@ -42,12 +44,7 @@ bool finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) 
 
 /// Walks from the tetrahedron to the middle of its sphere.
 bool Insertion::find(Index t, Place& place) {
-  {
-    const auto& c = mesh_.at(t).corners;
-    const Point& a = mesh_.point(c[0]);
-    place.at =
-        plus(a, to_center(minus(mesh_.point(c[1]), a), minus(mesh_.point(c[2]), a), minus(mesh_.point(c[3]), a)));
-  }
+  place.at = plus(mesh_.point(mesh_.at(t).corners[0]), to_center(mesh_, mesh_.at(t)));
   if (!finite(place.at)) return false;
   place.facet = Stars::kNone;
   Index at = t;
@@ -57,10 +54,9 @@ bool Insertion::find(Index t, Place& place) {
     const Tetrahedron& here = mesh_.at(at);
     int out = -1;
     for (int k = 0; k < 4 && out < 0; ++k) {
-      const auto& f = Tetrahedra::kFace[static_cast<std::size_t>(k)];
-      const Point& a = mesh_.point(here.corners[static_cast<std::size_t>(f[0])]);
-      const Point n = cross(minus(mesh_.point(here.corners[static_cast<std::size_t>(f[1])]), a),
-                            minus(mesh_.point(here.corners[static_cast<std::size_t>(f[2])]), a));
+      const auto [p, q, r] = here.face(k);
+      const Point& a = mesh_.point(p);
+      const Point n = cross(minus(mesh_.point(q), a), minus(mesh_.point(r), a));
       const double there = dot(n, minus(place.at, a)),
                    inside = dot(n, minus(mesh_.point(here.corners[static_cast<std::size_t>(k)]), a));
       if (there * inside < 0) out = k;
@@ -80,9 +76,7 @@ bool Insertion::find(Index t, Place& place) {
 bool Insertion::find_on_facet(Index t, int k, Place& place) {
   if (keep_) return false;
   place.facet = mesh_.at(t).facets[static_cast<std::size_t>(k)];
-  std::array<Index, 3> f;
-  for (std::size_t i = 0; i < 3; ++i)
-    f[i] = mesh_.at(t).corners[static_cast<std::size_t>(Tetrahedra::kFace[static_cast<std::size_t>(k)][i])];
+  std::array<Index, 3> f = mesh_.at(t).face(k);
   const Point& n = mesh_.normal(place.facet);
   {
     const Point& a = mesh_.point(f[0]);
@@ -144,11 +138,8 @@ void Insertion::grow(const Place& place) {
       if (between(mesh_.at(hole_[i]).facets[static_cast<std::size_t>(k)], place)) continue;
       const Index u = mesh_.across(hole_[i], k);
       if (u == Stars::kNoTetrahedron || in_hole(u)) continue;
-      const auto& c = mesh_.at(u).corners;
-      const Point& a = mesh_.point(c[0]);
-      const Point m =
-          to_center(minus(mesh_.point(c[1]), a), minus(mesh_.point(c[2]), a), minus(mesh_.point(c[3]), a));
-      const Point off = minus(minus(place.at, a), m);
+      const Point m = to_center(mesh_, mesh_.at(u));
+      const Point off = minus(minus(place.at, mesh_.point(mesh_.at(u).corners[0])), m);
       if (finite(m) && dot(off, off) >= dot(m, m)) continue;
       hole_.push_back(u);
       mark_[u] = round_;
@@ -249,9 +240,7 @@ bool Insertion::set_facets(Index v, std::int32_t facet) {
       if (here.facets[static_cast<std::size_t>(k)] != facet) continue;
       const Index u = mesh_.across(h, k);
       if (u != Stars::kNoTetrahedron && h > u) continue;
-      std::array<Index, 3> f;
-      for (std::size_t j = 0; j < 3; ++j)
-        f[j] = here.corners[static_cast<std::size_t>(Tetrahedra::kFace[static_cast<std::size_t>(k)][j])];
+      const std::array<Index, 3> f = here.face(k);
       for (std::size_t j = 0; j < 3; ++j)
         sides_.push_back({std::min(f[j], f[(j + 1) % 3]), std::max(f[j], f[(j + 1) % 3])});
     }

@@ -7,7 +7,6 @@
 #include "kernel/base/error.h"
 #include "kernel/base/per_thread.h"
 #include "kernel/base/vectors.h"
-#include "kernel/tetrahedra/tetrahedra.h"
 
 namespace cnrg {
 namespace {
@@ -145,9 +144,7 @@ bool Moves::swap_face(Index t, int k) {
   const Index u = mesh_.across(t, k);
   if (u == Stars::kNoTetrahedron) return false;
   const Tetrahedron& o = mesh_.at(u);
-  std::array<Index, 3> f;  // corner k is in front
-  for (std::size_t i = 0; i < 3; ++i)
-    f[i] = s.corners[static_cast<std::size_t>(Tetrahedra::kFace[static_cast<std::size_t>(k)][i])];
+  const std::array<Index, 3> f = s.face(k);
   const Index d = s.corners[static_cast<std::size_t>(k)];
   Index e = d;
   for (const Index v : o.corners)
@@ -391,12 +388,9 @@ bool Moves::smooth(Index v, double gain) {
     Index bad = Stars::kNoTetrahedron;
     for (const Index i : mesh_.star(v))
       if (bad == Stars::kNoTetrahedron || mesh_.at(i).shape < mesh_.at(bad).shape) bad = i;
-    const auto& c = mesh_.at(bad).corners;
     // d(det)/dv is the normal of the opposite face, d(sum of squares)/dv = 2 (3 v - a - b - c).
-    const auto at = static_cast<std::size_t>(mesh_.at(bad).place(v));
-    const Point &p = mesh_.point(c[static_cast<std::size_t>(Tetrahedra::kFace[at][0])]),
-                &q = mesh_.point(c[static_cast<std::size_t>(Tetrahedra::kFace[at][1])]),
-                &r = mesh_.point(c[static_cast<std::size_t>(Tetrahedra::kFace[at][2])]);
+    const auto opposite = mesh_.at(bad).face(mesh_.at(bad).place(v));
+    const Point &p = mesh_.point(opposite[0]), &q = mesh_.point(opposite[1]), &r = mesh_.point(opposite[2]);
     const Point normal = cross(minus(q, p), minus(r, p)), arm = minus(here, p);
     const double det = dot(normal, arm);
     double squares = 0;

@@ -8,6 +8,7 @@
 #include "kernel/base/per_thread.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
+#include "kernel/tetrahedra/tetrahedra.h"
 
 namespace cnrg {
 namespace {
@@ -205,6 +206,13 @@ ConformingTetrahedra Stars::mesh() const {
       out.line.push_back(line.line);
     }
   }
+  return out;
+}
+
+std::array<Index, 3> Stars::Tetrahedron::face(int k) const {
+  std::array<Index, 3> out;
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = corners[static_cast<std::size_t>(Tetrahedra::kFace[static_cast<std::size_t>(k)][i])];
   return out;
 }
 

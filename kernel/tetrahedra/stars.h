@@ -35,6 +35,7 @@ class Stars {
       return -1;
     }
     bool has(Index v) const { return place(v) >= 0; }
+    std::array<Index, 3> face(int k) const;  ///< opposite to corner k, which is in front
     std::int32_t facet_opposite(Index v) const { return facets[static_cast<std::size_t>(place(v))]; }
   };
   struct Line {
