@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "csg/result/rounding.h"
 #include "kernel/base/parallel.h"
@@ -121,7 +123,7 @@ class Router {
       const auto& [a, b] = complex_.edge_ends[e];
       if (is_near_broken(box_of(e))) edges.push_back({here_[a.index()], here_[b.index()]});
     }
-    std::vector<Xyz> places = where_near(edges, size / 4, watch_);
+    std::vector<Xyz> places = where_near(edges, size / 2, watch_);
     for (const VertexId v : complex_.vertices) {
       Box box;
       extend(box, v);
@@ -267,39 +269,50 @@ class Router {
         64);
   }
 
-  /// Edges of the drawing that will run along the face, from corner to corner of it: the face is to have them, or
-  /// it would cross them. Of those that cross here some are left to a later round.
+  /// What the face is to have besides its boundary. Chords between corners that go to one place come first: a
+  /// narrow face, or a narrow part of one, is closed there, and no diagonal passes by. Then the edges of the
+  /// drawing that will run along the face, from corner to corner of it, or it would cross them. Of those that
+  /// cross here some are left to a later round.
   std::vector<Ends> edges_across(FaceId f, const Walks& walks, const std::vector<VertexId>& isolated) const {
-    std::map<std::uint32_t, VertexId> at;  // corners by goals
-    std::vector<Ends> all;
+    std::map<std::uint32_t, std::vector<VertexId>> at;  // corners by goals
+    std::vector<Ends> all, across;
+    const auto wish = [&](VertexId v, VertexId w) { across.push_back(ends_of(v, w)); };
+    const auto take_fresh = [&] {
+      sort_unique(across);
+      std::erase_if(across, [&](const Ends& e) { return std::binary_search(all.begin(), all.end(), e); });
+      return std::exchange(across, {});
+    };
     for (const auto& walk : walks) {
       for (std::size_t k = 0; k < walk.size(); ++k) {
-        at.try_emplace(goal_[walk[k].index()], walk[k]);
+        at[goal_[walk[k].index()]].push_back(walk[k]);
         all.push_back(ends_of(walk[k], walk[(k + 1) % walk.size()]));
       }
     }
     for (const VertexId v : isolated) {
-      at.try_emplace(goal_[v.index()], v);
+      at[goal_[v.index()]].push_back(v);
       all.push_back({v, v});
     }
     sort_unique(all);
-    std::vector<Ends> across;
-    for (const auto& [goal, v] : at) {
-      if (!is_hot(v)) continue;
+    for (auto& [goal, corners] : at) {
+      std::sort(corners.begin(), corners.end(), [&](auto v, auto w) { return compare_lex(table_, v, w) < 0; });
+      corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+      for (std::size_t k = 0; k + 1 < corners.size(); ++k) wish(corners[k], corners[k + 1]);
+    }
+    const std::vector<Ends> chords = take_fresh();
+    for (const auto& [goal, corners] : at) {
+      if (!is_hot(corners[0])) continue;
       for (const std::uint32_t other : joined_[goal]) {
-        const auto found = at.find(other);
-        if (found == at.end()) continue;
-        const Ends ends = ends_of(v, found->second);
-        if (!std::binary_search(all.begin(), all.end(), ends)) across.push_back(ends);
+        if (const auto found = at.find(other); found != at.end()) wish(corners[0], found->second[0]);
       }
     }
-    if (across.empty()) return across;
-    sort_unique(across);
-    all.insert(all.end(), across.begin(), across.end());
+    const std::vector<Ends> edges = take_fresh();
+    if (chords.empty() && edges.empty()) return {};
+    const std::size_t given = all.size();
+    all.insert(all.end(), chords.begin(), chords.end());
+    all.insert(all.end(), edges.begin(), edges.end());
     std::vector<Box> boxes;
     for (const Ends& ends : all) boxes.push_back(box(ends));
     const BoxTree tree(boxes);
-    const std::size_t given = all.size() - across.size();
     std::vector<char> taken(all.size(), 0);
     std::fill_n(taken.begin(), given, 1);
     std::vector<Ends> imprinted;
@@ -369,6 +382,7 @@ class Router {
       passes.insert(passes.end(), found.begin(), found.end());
     }
     if (passes.empty()) return passes;
+    std::stable_sort(passes.begin(), passes.end(), [](const auto& p, const auto& q) { return p.cell < q.cell; });
     std::vector<std::size_t> known;
     for (const auto& t : triangles)
       for (const VertexId v : t) known.push_back(cell_[v.index()]);
@@ -382,15 +396,17 @@ class Router {
   /// The new corners in the interior of a face.
   std::vector<VertexId> corners_in(FaceId f, const Triangles& triangles,
                                    const std::vector<HotCells::Pass>& passes) {
-    std::map<std::array<Rational, 2>, std::size_t> places;  // as the projection shows them
-    for (const HotCells::Pass& pass : passes) {
-      const Projection projection = axes(f);
-      places.try_emplace({from_double(pass.foot[projection.u]), from_double(pass.foot[projection.v])}, pass.cell);
-    }
+    const auto [u, v] = axes(f);
+    std::set<std::array<Rational, 2>> places;  // as the projection shows them
     std::vector<VertexId> corners;
-    for (const auto& [place, cell] : places) {
+    std::size_t done = kNoCell;
+    for (const HotCells::Pass& pass : passes) {  // ascending by cells
+      if (pass.cell == done) continue;           // the triangles of a face have nearly the same foot there
+      const std::array<Rational, 2> place{from_double(pass.foot[u]), from_double(pass.foot[v])};
       const RationalPoint at = on_plane(f, place);
-      if (is_inside(f, triangles, at)) corners.push_back(add(corner(at, cell)));
+      if (!is_inside(f, triangles, at)) continue;
+      done = pass.cell;
+      if (places.insert(place).second) corners.push_back(add(corner(at, pass.cell)));
     }
     return corners;
   }

@@ -172,7 +172,7 @@ class Snapper {
   std::optional<MovedDrawing> on_grids(const Refined& first, const Way& way, int& rounds, const Next& next) {
     double cell = unit_ * way.first_cell;
     for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
-      State state = next(start_, first, cell, true);
+      State state = next(start_, first, cell, grid == 0);
       std::size_t fewest = way.fewest;
       for (int patience = way.patience; patience > 0;) {
         begin_round(++rounds);

@@ -183,7 +183,8 @@ void make_delaunay(const Plane2& plane, const std::map<Edge, unsigned>& walked, 
   }
 }
 
-/// Two triangles of a quad, or none if neither diagonal works; of two that work the shorter one.
+/// Two triangles of a quad, or none if neither diagonal works; of two that work the Delaunay one, or the shorter
+/// one.
 std::vector<Triangle> split_quad(const Plane2& plane, const std::vector<VertexId>& q) {
   const auto split = [&](int k) {
     return std::array<Triangle, 2>{{{q[k], q[k + 1], q[k + 2]}, {q[k], q[k + 2], q[(k + 3) % 4]}}};
@@ -198,8 +199,13 @@ std::vector<Triangle> split_quad(const Plane2& plane, const std::vector<VertexId
   const auto first = split(0), second = split(1);
   const bool first_fits = fits(first), second_fits = fits(second);
   if (!first_fits && !second_fits) return {};
-  const bool take_first = first_fits && (!second_fits || length(q[0], q[2]) <= length(q[1], q[3]));
-  const auto& chosen = take_first ? first : second;
+  const auto take_first = [&] {
+    if (!first_fits || !second_fits) return first_fits;
+    if (certainly_in_circle(plane, first[0], q[3])) return false;
+    if (certainly_in_circle(plane, second[0], q[0])) return true;
+    return length(q[0], q[2]) <= length(q[1], q[3]);
+  };
+  const auto& chosen = take_first() ? first : second;
   return {chosen.begin(), chosen.end()};
 }
 
