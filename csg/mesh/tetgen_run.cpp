@@ -6,6 +6,7 @@
 #include "csg/mesh/tetgen_run.h"
 
 #include <algorithm>
+#include <charconv>
 #include <new>
 
 #define TETLIBRARY
@@ -157,6 +158,20 @@ void require_done(const ChildEnd& end) {
   }
 }
 
+/// As TetGen's manual has them.
+std::string letters(const TetgenSwitches& switches) {
+  std::string text = "pAQMJ";
+  if (switches.keep_boundary) text += "Y";
+  if (switches.quality > 0) {
+    char buffer[32];
+    text += "q";
+    text.append(buffer,
+                std::to_chars(buffer, buffer + sizeof buffer, switches.quality, std::chars_format::fixed).ptr);
+  }
+  if (switches.volumes) text += "a";
+  return text;
+}
+
 template <std::size_t N>
 void read_tuples(const MemoryFile& file, std::vector<std::array<Index, N>>& tuples) {
   std::vector<std::int32_t> numbers;
@@ -186,12 +201,12 @@ PlcMesh read_result(const MemoryFile& file) {
 
 }  // namespace
 
-PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, const TetgenTime& time,
+PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame frame, const TetgenTime& time,
                    const TooLarge& too_large, const std::stop_token& stop, const LookedAt& looked_at) {
   const MemoryFile result("TetGen");
   const SharedCount looked;
   const ChildLimits limits{.seconds = std::size_t(std::max(time.seconds, 0))};
-  const auto work = [&] { return mesh(plc, "pAQMJ" + switches, frame, too_large, looked, result); };
+  const auto work = [&] { return mesh(plc, letters(switches), frame, too_large, looked, result); };
   const Deadline deadline(Watch{{}, stop}, time.clock);
   std::function<void()> meanwhile;
   if (looked_at) meanwhile = [&] { looked_at(looked.value()); };

@@ -108,6 +108,9 @@ struct MeshForecast {
   double least = 0, most = 0;  ///< of tetrahedra: what nearly all meshes lie between that were made to find out
   double bytes = 0;            ///< of memory that making it takes
   double seconds = 0;          ///< that making it takes
+  /// Good shapes everywhere would take so many, but points that nobody asks for are rationed; 0: they need no
+  /// more.
+  double for_shapes = 0;
 };
 
 /// What is asked of the tetrahedra that fill a result.
