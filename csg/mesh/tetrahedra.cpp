@@ -292,7 +292,7 @@ class TetrahedraMaker {
       }
     }
     if (options_.surface_first)
-      refused = refused.substr(0, refused.find(';')) + "; leave out --surface-first, or give other sizes";
+      refused = refused.substr(0, refused.find(';')) + "; leave out --surface-first, give other sizes, or join what nearly touches by --join";
     return refused;
   }
 
