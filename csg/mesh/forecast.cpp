@@ -348,10 +348,12 @@ MeshForecast unbounded(const ResultView& view, const FlatComplex& flat, const Ro
   const std::size_t begun = std::max(points.xyz.size(), complex_points);
   const double all = kPerPoint * double(begun + points_for_shapes(begun)), n = std::min(for_shapes, all);
   const double fewest = fewest_of(flat);
-  MeshForecast mesh =
-      of_unbounded(n, kept ? fewest : std::max(fewest, kLeastOfNothing * n),
-                   std::max(std::min(kMostOfNothing * for_shapes + kAddedForShapes, all), kMostOfFewest * fewest));
-  if (n < for_shapes) mesh.for_shapes = for_shapes;
+  const bool scarce = n < for_shapes;  // points may run out, or do no good
+  const double least = kept || scarce ? fewest : std::max(fewest, kLeastOfNothing * n);
+  const double most =
+      std::max(std::min(kMostOfNothing * for_shapes + kAddedForShapes, all), kMostOfFewest * fewest);
+  MeshForecast mesh = of_unbounded(n, least, most);
+  if (scarce) mesh.for_shapes = for_shapes;
   return mesh;
 }
 
