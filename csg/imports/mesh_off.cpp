@@ -27,8 +27,6 @@ std::string_view after_header(TextCursor& cursor, std::string_view token) {
   return token.substr(at + 3);
 }
 
-constexpr const char* kEnds = ": it is truncated, or its counts are wrong";
-
 std::uint32_t count(TextCursor& cursor, long long value, const char* what) {
   if (value < 0 || value > 1000000000) {
     cursor.fail("the number of " + std::string(what) + " is " + std::to_string(value) +
@@ -72,15 +70,14 @@ MeshData read_off(const std::string& path, const std::string& text, bool decimal
   const std::string vertex_end = std::to_string(vertices) + " vertices";
   for (std::uint32_t i = 0; i < vertices; ++i) {
     if (!cursor.more()) {
-      cursor.fail_at_end("the file ends after " + std::to_string(i) + " of " + vertex_end + kEnds);
+      cursor.fail_at_end("the file ends after " + std::to_string(i) + " of " + vertex_end);
     }
     cursor.coordinates(mesh, decimal);
     cursor.next_line();
   }
   for (std::uint32_t i = 0; i < faces; ++i) {
     if (!cursor.more()) {
-      cursor.fail_at_end("the file ends after " + std::to_string(i) + " of " + std::to_string(faces) + " faces" +
-                         kEnds);
+      cursor.fail_at_end("the file ends after " + std::to_string(i) + " of " + std::to_string(faces) + " faces");
     }
     const long long corners = cursor.integer("the number of corners of a face");
     if (corners < 1)

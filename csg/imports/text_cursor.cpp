@@ -67,9 +67,7 @@ int TextCursor::tokens_left(int most) {
 }
 
 std::string_view TextCursor::token(const char* wanted) {
-  if (!more())
-    fail_at_end(std::string("the file ends where ") + wanted +
-                " is expected: it is truncated, or a count is wrong");
+  if (!more()) fail_at_end(std::string("the file ends where ") + wanted + " is expected");
   return token_in_line();
 }
 
