@@ -246,7 +246,8 @@ int run(int argc, char** argv) {
         return text.empty() ? std::string("it is empty; give criteria, such as '{dimension: 2}'") : std::string();
       });
   constexpr const char* kSnap =
-      "What is done in any case: where rounding to doubles would break the result, move vertices until it does "
+      "What is done without --no-snap: where rounding to doubles would break the result, move vertices until it "
+      "does "
       "not, and say how "
       "far";
   constexpr const char* kNoSnap = "Do not move vertices where rounding to doubles breaks the result: ";
