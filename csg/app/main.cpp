@@ -246,7 +246,9 @@ int run(int argc, char** argv) {
         return text.empty() ? std::string("it is empty; give criteria, such as '{dimension: 2}'") : std::string();
       });
   constexpr const char* kSnap =
-      "The rule: where rounding to doubles would break the result, move vertices until it does not, and say how "
+      "What is done without --no-snap: where rounding to doubles would break the result, move vertices until it "
+      "does "
+      "not, and say how "
       "far";
   constexpr const char* kNoSnap = "Do not move vertices where rounding to doubles breaks the result: ";
   CLI::Option* const snap = sub->add_flag("--snap", eval.snap, kSnap);
@@ -340,7 +342,9 @@ int run(int argc, char** argv) {
   MeshArguments mesh;
   sub = program.add_subcommand(
       "mesh",
-      "Fills the regions with tetrahedra that conform to every face, wire and point, or meshes these alone");
+      "Fills the regions with tetrahedra that conform to every face, wire and point; with --surface meshes faces "
+      "and "
+      "wires alone. Nothing has to be asked for: shapes are as good as some thousand points more make them");
   add_tree(sub, mesh);
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N")->check(name_fault);
   sub->add_option("-o", mesh.files,
@@ -367,7 +371,9 @@ int run(int argc, char** argv) {
           ->check(number_check(0, HUGE_VAL, "a positive number"));
   CLI::Option* const quality =
       sub->add_option("--quality", mesh.options.quality,
-                      "Largest ratio of circumradius to shortest edge, from 1.1; below 1.4 may take very long")
+                      "Largest ratio of circumradius to shortest edge, from 1.1: 2 is usual, below 1.4 may take "
+                      "very long; thin "
+                      "regions take as many tetrahedra as that needs, without it they are as flat as they are")
           ->type_name("Q")
           ->check(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
   sub->add_option(
@@ -376,9 +382,10 @@ int run(int argc, char** argv) {
          "no bound. Without it TetGen has 150 for each way to ask it, shapes 150, --surface 600")
       ->type_name("S")
       ->check(CLI::Range(0, 1'000'000));
-  CLI::Option* const keep_boundary =
-      sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
-                    "No new points on faces and edges, so that the meshes of neighbours fit");
+  CLI::Option* const keep_boundary = sub->add_flag(
+      "-Y,--keep-boundary", mesh.options.keep_boundary,
+      "No new points on faces and edges, so that the meshes of neighbours fit; inside only is there room for "
+      "--size, --max-volume and --quality, and what they miss is said");
   CLI::Option* const constrained =
       sub->add_flag("--constrained", mesh.options.constrained,
                     "Not by TetGen: exact constrained tetrahedra, improved; without it these are made only where "
@@ -392,16 +399,19 @@ int run(int argc, char** argv) {
   CLI::Option* const surface =
       sub->add_flag("--surface", mesh.surface,
                     "Triangles on all faces and segments on edges and wires, without volumes: no angle below 25 "
-                    "degrees but where the result has smaller ones");
+                    "degrees but where the result has smaller ones or is very narrow");
   for (CLI::Option* const option : {curved, max_volume, quality, keep_boundary, constrained})
     surface->excludes(option);
-  sub->add_option("--max-points", mesh.max_points, "Of --surface: no points are added beyond N")
+  sub->add_option("--max-points", mesh.max_points,
+                  "Of --surface: no points are added beyond N; parts that are very narrow get a fiftieth of them")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
       ->capture_default_str()
       ->needs(surface);
   sub->add_flag("--surface-first", mesh.options.surface_first,
-                "Begin with the triangles that --surface makes, and keep them as the boundary of the tetrahedra")
+                "Begin with the triangles that --surface makes, and keep them as the boundary of the tetrahedra: "
+                "faces are as "
+                "good as there; where TetGen cannot fill that, it is an error")
       ->excludes(surface)
       ->excludes(keep_boundary)
       ->excludes(constrained)

@@ -29,17 +29,20 @@ std::string decimal(double x, const char* format) {
   return buffer;
 }
 
-std::string shape_text(double x) { return decimal(x, x < 0.01 ? "%.1e" : "%.2f"); }
+std::string shape_text(double x) { return decimal(x, x < 0.01 ? "%.2g" : "%.2f"); }
 
-/// A histogram in one line: a block for each bar, as high as it is beside the highest; a dot where there is none.
+/// A histogram in one line: a block for each bar, as high as it is beside the highest; blank where there is none.
 template <std::size_t N>
 std::string bars(const std::array<std::size_t, N>& counts) {
   static constexpr const char* kBlocks[] = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
   const std::size_t most = *std::max_element(counts.begin(), counts.end());
   std::string out;
-  for (const std::size_t n : counts) out += n == 0 ? "·" : kBlocks[n * 7 / most];
+  for (const std::size_t n : counts) out += n == 0 ? " " : kBlocks[n * 7 / most];
   return out;
 }
+
+/// Of histograms.
+constexpr const char* kLegend = "(a block is as high as its count beside the highest of the line; blank: none)\n";
 
 /// How shapes are spread.
 std::string spread_of(const MeshQuality& q) {
@@ -51,7 +54,7 @@ std::string spread_of(const MeshQuality& q) {
   table.add_row({"shape", "0", bars(q.shapes), "1"});
   table.add_row({"smallest dihedral angle", "0", bars(q.dihedrals), "90 degrees"});
   table.add_row({"circumradius to shortest edge", "0.6", bars(q.ratios), "3.6 and more"});
-  return table.text();
+  return table.text() + kLegend;
 }
 
 /// Where shapes are bad, and why.
@@ -202,7 +205,7 @@ std::string table_of(const SurfaceTriangles& made, bool quads) {
     spread.add_column("triangles", Table::Align::left);
     spread.add_column("to", Table::Align::left);
     spread.add_row({"smallest angle", "0", bars(triangle_quality_of(mesh, {}).angles), "60 degrees"});
-    rows = table.text() + spread.text();
+    rows = table.text() + spread.text() + kLegend;
   }
   return rows + std::to_string(mesh.points.size()) + " points, " +
          (quads ? std::to_string(mesh.quads.size()) + " quadrilaterals and " : "") +
@@ -272,10 +275,18 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
     });
   }
   if (!arguments.quiet) std::cout << table_of(made, arguments.quads) << std::flush;
-  const std::string notice =
-      made.kept == 0 ? ""
-                     : std::to_string(made.kept) + (made.kept == 1 ? " facet keeps its" : " facets keep their") +
-                           " own triangles: with smaller ones doubles would cross what is near";
+  std::string notice = made.kept == 0 ? ""
+                                      : std::to_string(made.kept) +
+                                            (made.kept == 1 ? " facet keeps its" : " facets keep their") +
+                                            " own triangles: with smaller ones doubles would cross what is near";
+  std::size_t rationed = 0;
+  for (const FaceTriangles& of : made.groups) rationed += of.why[std::size_t(SmallAngle::bound)];
+  if (rationed > 0 && made.mesh.points.size() < arguments.max_points) {
+    notice += (notice.empty() ? "" : "; ") + counted(rationed, "triangle stays", "triangles stay") +
+              " thin in parts that are very narrow, which get a fiftieth of the points of --max-points; a greater "
+              "one than " +
+              std::to_string(arguments.max_points) + " mends more of them";
+  }
   write_files(arguments, result, made.mesh, made.rounding, snapped, notice, {},
               [&](const MeshPageOptions& options) { return mesh_page(result, made, options); });
   return kDone;
@@ -305,10 +316,10 @@ int run_mesh(const MeshArguments& arguments) {
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
   else tell_uncertain(tree, evaluation, arguments.quiet);
-  if (arguments.surface) return mesh_surface(arguments, tree, node, evaluation.result(node));
-  TetrahedralMesh made;
   Result result = evaluation.result(node);
   if (!arguments.join.empty()) result = joined(tree, node, result, arguments.join, arguments.quiet);
+  if (arguments.surface) return mesh_surface(arguments, tree, node, std::move(result));
+  TetrahedralMesh made;
   SnapReport snapped;
   std::optional<CurvedReport> bent;
   {

@@ -198,7 +198,7 @@ class GocadReader {
     const long long number = cursor_.integer("the number of a vertex");
     if (const auto found = vertices_.find(number); found != vertices_.end()) {
       cursor_.fail("the vertex " + std::to_string(number) + " was given in line " +
-                   std::to_string(found->second.line) + ": numbers of vertices are distinct within an object");
+                   std::to_string(found->second.line) + ": give it another number within this object");
     }
     return number;
   }

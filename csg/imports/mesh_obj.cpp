@@ -88,11 +88,11 @@ class ObjReader {
       long long index = 0;
       const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
       if (error != std::errc() || (end != token.data() + token.size() && *end != '/')) {
-        cursor_.fail(quoted(token) + " is no vertex index, such as 7, 7/1 or 7/1/3");
+        cursor_.fail(quoted(token) + " is no vertex index, such as 7, 7/1 or 7/1/3: correct it");
       }
       const long long known = static_cast<long long>(mesh_.point_count());
       const long long absolute = index < 0 ? known + index : index - 1;
-      if (index == 0) cursor_.fail("the vertex index 0: indices count from 1 (or from -1 backwards)");
+      if (index == 0) cursor_.fail("the vertex index 0, but they count from 1 (or from -1 backwards): correct it");
       if (absolute < 0) {
         cursor_.fail("the vertex index " + std::to_string(index) + ", but only " + std::to_string(known) +
                      " vertices came before: correct it");

@@ -1,6 +1,7 @@
 // Object File Format (Geomview, "OFF"): a header word, three counts, one line for each vertex and each face.
 // [ST][C][N]OFF add texture, colour and normal to a vertex's line, which are skipped, as are colours of faces.
 #include <algorithm>
+#include <charconv>
 #include <string_view>
 
 #include "csg/imports/text_cursor.h"
@@ -29,9 +30,19 @@ std::string_view after_header(TextCursor& cursor, std::string_view token) {
 std::uint32_t count(TextCursor& cursor, long long value, const char* what) {
   if (value < 0 || value > 1000000000) {
     cursor.fail("the number of " + std::string(what) + " is " + std::to_string(value) +
-                ": it must be between 0 and 10^9");
+                ", but must be between 0 and 10^9: correct it");
   }
   return static_cast<std::uint32_t>(value);
+}
+
+/// The number of vertices, in a word that is read.
+long long whole(const TextCursor& cursor, std::string_view word) {
+  long long value = 0;
+  const char* last = word.data() + word.size();
+  const auto [end, error] = std::from_chars(word.data(), last, value);
+  if (error != std::errc() || end != last)
+    cursor.fail(quoted(word) + " is no whole number, the number of vertices is expected: correct it");
+  return value;
 }
 
 }  // namespace
@@ -43,16 +54,9 @@ MeshData read_off(const std::string& path, const std::string& text, bool decimal
   if (rest.empty()) {
     const std::string_view next = cursor.token("the number of vertices");
     if (next == "BINARY") cursor.fail("binary OFF is not read: convert it to text, or to PLY or STL");
-    TextCursor number(path, next, 0);
-    if (next.find_first_not_of("0123456789") != std::string_view::npos) {
-      cursor.fail(quoted(next) + " is no whole number, the number of vertices is expected");
-    }
-    first = number.integer("the number of vertices");
+    first = whole(cursor, next);
   } else {
-    if (rest.find_first_not_of("0123456789") != std::string_view::npos) {
-      cursor.fail(quoted(rest) + " follows OFF: the number of vertices is expected");
-    }
-    first = TextCursor(path, rest, 0).integer("the number of vertices");
+    first = whole(cursor, rest);
   }
   const std::uint32_t vertices = count(cursor, first, "vertices");
   const std::uint32_t faces = count(cursor, cursor.integer("the number of faces"), "faces");

@@ -73,7 +73,8 @@ class PlyReader {
         {"float", Type::float32},  {"float32", Type::float32}, {"double", Type::float64},
         {"float64", Type::float64}};
     const auto found = kTypes.find(name);
-    if (found == kTypes.end()) cursor_.fail(quoted(name) + " is no type of PLY, such as int, uchar or float");
+    if (found == kTypes.end())
+      cursor_.fail(quoted(name) + " is no type of PLY, such as int, uchar or float: correct the header");
     return found->second;
   }
 
@@ -107,14 +108,15 @@ class PlyReader {
         std::string_view name = cursor_.token_in_line();
         if (name == "list") {
           property.count = type(cursor_.token_in_line());
-          if (*property.count >= Type::float32) cursor_.fail("the length of a list must be a whole number");
+          if (*property.count >= Type::float32)
+            cursor_.fail("the length of a list must be a whole number: correct its type");
           name = cursor_.token_in_line();
         }
         property.type = type(name);
         property.name = cursor_.token_in_line();
         elements_.back().properties.push_back(std::move(property));
       } else if (word != "comment" && word != "obj_info") {
-        cursor_.fail(quoted(word) + " is unknown in the header of PLY");
+        cursor_.fail(quoted(word) + " is unknown in the header of PLY: correct it");
       }
       cursor_.next_line();
     }
@@ -155,7 +157,8 @@ class PlyReader {
                               ? static_cast<double>(cursor_.integer("the length of a list"))
                               : value(*property.count);
     if (length < 0 || length > static_cast<double>(text_.size())) {
-      fail("a list of " + std::to_string(static_cast<long long>(length)) + " values: the file is damaged");
+      fail("a list of " + std::to_string(static_cast<long long>(length)) +
+           " values: the file is damaged, write it again");
     }
     return static_cast<std::uint64_t>(length);
   }

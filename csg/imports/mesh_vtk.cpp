@@ -78,8 +78,9 @@ class VtkReader {
     cursor_.next_line();  // the title
     const std::string form = lower(cursor_.token("ASCII or BINARY"));
     if (form != "ascii" && form != "binary")
-      cursor_.fail(quoted(form) + " is found where ASCII or BINARY is expected");
-    if (lower(cursor_.token("DATASET")) != "dataset") cursor_.fail("the key DATASET is expected here");
+      cursor_.fail(quoted(form) + " is found where ASCII or BINARY is expected: correct the file");
+    if (lower(cursor_.token("DATASET")) != "dataset")
+      cursor_.fail("the key DATASET is expected here: correct the file");
     const std::string set = lower(cursor_.token("the kind of the data set"));
     if (set != "polydata" && set != "unstructured_grid") {
       cursor_.fail("a data set " + quoted(set) + " is no surface: write its surface as POLYDATA");
@@ -208,9 +209,11 @@ class VtkReader {
   void read_arrays(std::size_t n, std::size_t size, Cells& cells) {
     if (n == 0) return;
     const auto array = [&](const char* key, std::size_t length) {
-      if (lower(cursor_.token(key)) != lower(key)) fail(std::string("the key ") + key + " is expected here");
+      if (lower(cursor_.token(key)) != lower(key))
+        fail(std::string("the key ") + key + " is expected here: correct the file");
       const ArrayType of = type();
-      if (of.kind != ArrayType::numbers || !is_whole(of.number)) fail("cells are lists of whole numbers");
+      if (of.kind != ArrayType::numbers || !is_whole(of.number))
+        fail("cells are lists of whole numbers: correct the type of the array");
       return numbers(length, of.number).integers;
     };
     cells.list.offsets = array("OFFSETS", n);
@@ -324,7 +327,8 @@ class VtkReader {
     const std::string name(cursor_.token("a name"));
     const ArrayType of = type();
     components_ = cursor_.more_in_line() ? count("the number of components") : 1;
-    if (lower(cursor_.token("LOOKUP_TABLE")) != "lookup_table") fail("the key LOOKUP_TABLE is expected here");
+    if (lower(cursor_.token("LOOKUP_TABLE")) != "lookup_table")
+      fail("the key LOOKUP_TABLE is expected here: correct the file");
     cursor_.token("the name of a lookup table");
     take(name, n, of, of_cells);
   }

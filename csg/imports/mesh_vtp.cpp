@@ -315,7 +315,8 @@ class VtpReader {
     const std::string name = array.attribute("type"), format = array.attribute("format", "ascii");
     const auto type =
         std::find_if(std::begin(kTypes), std::end(kTypes), [&](const auto& t) { return t.first == name; });
-    if (type == std::end(kTypes)) fail(array, quoted(name) + " is no type of numbers, such as Int32 or Float64");
+    if (type == std::end(kTypes))
+      fail(array, quoted(name) + " is no type of numbers, such as Int32 or Float64: correct it");
     if (format == "ascii") return numbers_of_text(array, is_whole(type->second));
     if (format != "binary" && format != "appended") {
       fail(array,

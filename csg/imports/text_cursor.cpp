@@ -83,7 +83,7 @@ long long TextCursor::integer(const char* wanted) {
   const char* first = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
   const auto [end, error] = std::from_chars(first, text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) {
-    fail(quoted(text) + " is no whole number, " + wanted + " is expected");
+    fail(quoted(text) + " is no whole number, " + wanted + " is expected: correct it");
   }
   return value;
 }
@@ -102,10 +102,10 @@ double TextCursor::parse(std::string_view text, const char* wanted, Rational* ex
     fail(quoted(text) + " is no finite number, " + wanted + " is expected: correct the file");
   }
   if (whole && error == std::errc() && !exact) return value;
-  if (!whole && !exact) fail(quoted(text) + " is no number, " + wanted + " is expected");
+  if (!whole && !exact) fail(quoted(text) + " is no number, " + wanted + " is expected: correct it");
   // Exact decimals, and numbers beyond the range of double (tiny ones are 0).
   NumberText number = read_number(text);
-  if (!number.value) fail(quoted(text) + number.fault + ": " + wanted + " is expected");
+  if (!number.value) fail(quoted(text) + number.fault + ", " + wanted + " is expected: correct it");
   value = to_double(*number.value);
   if (!std::isfinite(value))
     fail(quoted(text) + " is beyond the largest double (1.8e308): use a larger unit of length");

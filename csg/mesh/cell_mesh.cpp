@@ -166,4 +166,49 @@ void take_points(Mesh& mesh, const std::vector<std::array<double, 3>>& points) {
   });
 }
 
+void prove_sides(const Mesh& mesh, const FlatComplex& flat, const std::vector<Mesh::Index>& region_entity,
+                 const Watch& watch) {
+  struct Side {
+    std::array<Index, 3> points;
+    Index region, face;  // one of them, the other kNone
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> sides;
+  for (const auto& t : mesh.tetrahedra) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::array<Index, 3> points{t.points[(k + 1) % 4], t.points[(k + 2) % 4], t.points[(k + 3) % 4]};
+      std::sort(points.begin(), points.end());
+      sides.push_back({points, t.entity, kNone});
+    }
+  }
+  for (const auto& t : mesh.triangles) {
+    auto points = t.points;
+    std::sort(points.begin(), points.end());
+    sides.push_back({points, kNone, t.entity});
+  }
+  watch.check();
+  std::sort(sides.begin(), sides.end());
+  watch.check();
+  std::vector<Index> found, expected;
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    found.clear(), expected.clear();
+    std::size_t faces = 0;
+    for (; end < sides.size() && sides[end].points == sides[i].points; ++end) {
+      if (sides[end].face == kNone) {
+        found.push_back(sides[end].region);
+        continue;
+      }
+      ++faces;
+      for (const Index r : flat.faces[sides[end].face].regions) {
+        if (flat.active(r)) expected.push_back(region_entity[r]);
+      }
+    }
+    std::sort(expected.begin(), expected.end());
+    const bool right = faces == 1   ? found == expected
+                       : faces == 0 ? found.size() == 2 && found[0] == found[1]
+                                    : false;
+    require(right, "tetrahedra: the mesher returns tetrahedra on the wrong side of a face");
+  }
+}
+
 }  // namespace cnrg

@@ -42,6 +42,10 @@ void sort_by_entity(Simplices& simplices) {
 void prove_edges(const Mesh& mesh, const FlatComplex& flat);
 /// The boundary of the triangles of a face over Z/2 is that of the face. After `prove_edges`.
 void prove_faces(const Mesh& mesh, const FlatComplex& flat);
+/// On the two sides of a triangle are the regions of its face; a wall is where regions differ. `region_entity`: of
+/// each region of the result that of the mesh, or kNone. Throws InvariantError; Stopped.
+void prove_sides(const Mesh& mesh, const FlatComplex& flat, const std::vector<Mesh::Index>& region_entity,
+                 const Watch& watch);
 
 /// The points that simplices use, in their order, become the points of the mesh.
 void take_points(Mesh& mesh, const std::vector<std::array<double, 3>>& points);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <queue>
 
+#include "csg/mesh/improved.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
@@ -48,11 +49,13 @@ class Forecast {
         sizes_(sizes),
         regions_(regions),
         maker_(maker),
-        density_(max_volume > 0 ? (maker == Maker::own ? kPerVolumeOfOurs : kPerVolume) / max_volume : 0),
-        per_cube_(maker == Maker::own ? kPerCubeOfOurs : kPerCube),
-        per_thickness_(maker == Maker::own ? kPerThicknessOfOurs : kPerThickness),
-        for_growth_(maker == Maker::own ? for_growth_of_ours(sizes.field.growth())
-                                        : for_growth_of_tetgen(sizes.field.growth())) {}
+        density_(max_volume > 0 ? (maker == Maker::tetgen ? kPerVolume : kPerVolumeOfOurs) / max_volume : 0),
+        per_cube_(maker == Maker::tetgen ? kPerCube : kPerCubeOfOurs),
+        per_thickness_(maker == Maker::tetgen ? kPerThickness
+                       : maker == Maker::own  ? kPerThicknessOfOurs
+                                              : HUGE_VAL),
+        for_growth_(maker == Maker::tetgen ? for_growth_of_tetgen(sizes.field.growth())
+                                           : for_growth_of_ours(sizes.field.growth())) {}
 
   double run(const std::vector<Vector>& points) {
     if (points.empty()) return 0;
@@ -119,7 +122,7 @@ class Forecast {
         size == sizes_.field.overall() || (region < sizes_.regions.size() && size == sizes_.regions[region]);
     const double thick = cell.narrow ? std::max(regions_.thickness(p, size), least_) : size;
     size = std::min(size, per_thickness_ * thick);
-    const double flat = maker_ == Maker::own ? for_flatness(thick / size) : 1;
+    const double flat = maker_ == Maker::tetgen ? 1 : for_flatness(thick / size);
     const double by_sizes = count(cell.half, size, size, std::min(size, thick));
     if (density_ > 0 && by_sizes <= volume_of(cell.half) * density_) return by_sizes;  // the volumes' bound counts
     return by_sizes * flat * (bounded ? 1 : for_growth_);
@@ -240,6 +243,8 @@ namespace {
 constexpr double kGrowthOfNothing = 2, kLeastOfNothing = 0.3, kMostOfNothing = 3, kAddedForShapes = 10'000;
 // Facets that nearly touch everywhere, those of 442 faults, have 16 times as many as they touch at least.
 constexpr double kMostOfFewest = 20;
+// Of each point of a mesh, those on faces and of flat tetrahedra included.
+constexpr double kPerPoint = 7;
 
 // Meshes of 10,000 to 2 million tetrahedra on one core: memory at its peak, with that of TetGen; seconds of all of
 // the meshing, the proof and the writing of a .vtu.
@@ -333,35 +338,45 @@ MeshForecast of_unbounded(double tetrahedra, double least, double most) {
 }
 
 /// Where nothing is bounded there are as many as facets and pieces need that are met by good shapes, and edges
-/// grow fast from there. The improver adds some thousand points for shapes however few there are.
+/// grow fast from there. The improver adds some thousand points for shapes however few there are, and no more than
+/// some for each point: thin regions stay flat.
 MeshForecast unbounded(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points, bool kept,
-                       const Watch& watch) {
+                       std::size_t complex_points, const Watch& watch) {
   const MeshSizes features = mesh_sizes(view, flat, points, {0, kGrowthOfNothing, true});
-  const double n =
+  const double for_shapes =
       expected_tetrahedra(flat, points, features, RegionLocator(flat, points), Maker::own, 0, watch, true);
+  const std::size_t begun = std::max(points.xyz.size(), complex_points);
+  const double all = kPerPoint * double(begun + points_for_shapes(begun)), n = std::min(for_shapes, all);
   const double fewest = fewest_of(flat);
-  return of_unbounded(n, kept ? fewest : std::max(fewest, kLeastOfNothing * n),
-                      std::max(kMostOfNothing * n + kAddedForShapes, kMostOfFewest * fewest));
+  const bool scarce = n < for_shapes;  // points may run out, or do no good
+  const double least = kept || scarce ? fewest : std::max(fewest, kLeastOfNothing * n);
+  const double most =
+      std::max(std::min(kMostOfNothing * for_shapes + kAddedForShapes, all), kMostOfFewest * fewest);
+  MeshForecast mesh = of_unbounded(n, least, most);
+  if (scarce) mesh.for_shapes = for_shapes;
+  return mesh;
 }
 
 }  // namespace
 
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options, const Watch& watch) {
+                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points) {
   constexpr double kLeast = 0.7, kMost = 1.3;
   const double volume = options.max_volume, strict = for_quality(options.quality);
   const bool by_shapes = sizes.empty() && volume == 0;
-  if (by_shapes && options.quality == 0) return unbounded(view, flat, points, options.keep_boundary, watch);
+  if (by_shapes && options.quality == 0)
+    return unbounded(view, flat, points, options.keep_boundary, complex_points, watch);
   if (options.keep_boundary) {  // what is asked for holds where faces leave room for it
     TetrahedraOptions free = options;
     free.keep_boundary = false;
     MeshForecast mesh = forecast(view, flat, points, sizes, regions, maker, free, watch);
-    const MeshForecast kept = unbounded(view, flat, points, true, watch);
-    return of_unbounded(mesh.tetrahedra, kept.least, std::max(mesh.most, kept.most));
+    const MeshForecast kept = unbounded(view, flat, points, true, complex_points, watch);
+    const double most = mesh.most > kMostTetrahedra ? HUGE_VAL : std::max(mesh.most, kept.most);
+    return of_unbounded(mesh.tetrahedra, kept.least, most);
   }
-  if (by_shapes && maker == Maker::own) return {};
-  if (sizes.empty() && maker == Maker::own) {  // as many at least; for shapes there may be many more
+  if (by_shapes && maker != Maker::tetgen) return {};
+  if (sizes.empty() && maker != Maker::tetgen) {  // as many at least; for shapes there may be many more
     const double n = expected_of_volume(volume_of(flat, points), volume);
     return with_costs(n, kLeast * n, HUGE_VAL, maker, false);
   }
@@ -377,20 +392,26 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
   return with_costs(n, kLeast * n, kMost * strict * n, maker, !sizes.empty());
 }
 
-void require_possible(const MeshForecast& mesh, double memory) {
-  constexpr const char* kLess =
-      "; ask for a larger --size, a larger `size` of the smallest nodes, a larger --growth, --max-volume or "
-      "--quality";
+std::string impossible_text(const MeshForecast& mesh, double memory) {
   if (mesh.tetrahedra > kMostTetrahedra) {
-    throw InputError("what is asked for takes " + count_text(mesh.tetrahedra) + " tetrahedra, and at most " +
-                     grouped(std::size_t(kMostTetrahedra)) + " are made" + kLess);
+    return count_text(mesh.tetrahedra) + " tetrahedra, and at most " + grouped(std::size_t(kMostTetrahedra)) +
+           " are made";
   }
   const double least = kBytes + kBytesEach * mesh.least;
   if (memory > 0 && least > memory) {
-    throw InputError("what is asked for takes " + count_text(mesh.tetrahedra) + " tetrahedra and with them " +
-                     memory_text(least) + " of memory at least, and the machine has " + memory_text(memory) +
-                     kLess);
+    return count_text(mesh.tetrahedra) + " tetrahedra and with them " + memory_text(least) +
+           " of memory at least, and the machine has " + memory_text(memory);
   }
+  return {};
+}
+
+void require_possible(const MeshForecast& mesh, double memory) {
+  const std::string text = impossible_text(mesh, memory);
+  if (text.empty()) return;
+  throw InputError(
+      "what is asked for takes " + text +
+      "; ask for a larger --size, a larger `size` of the smallest nodes, a larger --growth or "
+      "--max-volume, or leave out --quality and --constrained: then thin regions are filled as flat as they are");
 }
 
 }  // namespace cnrg

@@ -22,8 +22,9 @@
 
 namespace cnrg {
 
-/// Who makes tetrahedra to sizes: TetGen, or the improver out of constrained ones (kernel/tetrahedra/improve.h).
-enum class Maker : std::uint8_t { tetgen, own };
+/// Who makes tetrahedra to sizes: TetGen, or the improver out of constrained ones (kernel/tetrahedra/improve.h),
+/// or the improver out of those that TetGen fills thin regions with, and leaves them as flat as they have to be.
+enum class Maker : std::uint8_t { tetgen, own, flat };
 
 /// Of the mesh of a result, together, within 30 % where it is meshed by sizes or by a bound of volumes (0: none)
 /// and has thousands; bounds of shapes are not seen. Takes some milliseconds, and up to a second for meshes of
@@ -49,16 +50,20 @@ MeshForecast with_costs(double tetrahedra, double least, double most, Maker make
 
 /// What is foretold of the mesh that the options ask for; of none where nothing can be told. `sizes` are those of
 /// the options, and `regions` are there where sizes are. `most` may be infinite: then only the least is known.
-/// Throws Stopped by `watch`, not by that of the options.
+/// `complex_points`: of what the mesh is begun with, where that has more points than the result. Throws Stopped by
+/// `watch`, not by that of the options.
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options, const Watch& watch);
+                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points = 0);
 
 /// More than that are refused.
 inline constexpr double kMostTetrahedra = 2e8;
 
-/// Throws InputError, with what helps, if they are more than kMostTetrahedra, or the fewest that are expected need
-/// more memory (bytes, 0: unknown) than there is.
+/// Empty, or what it takes if that is more than kMostTetrahedra, or if the fewest that are expected need more
+/// memory (bytes, 0: unknown) than there is.
+std::string impossible_text(const MeshForecast& mesh, double memory);
+
+/// Throws InputError, with what helps, if it is impossible.
 void require_possible(const MeshForecast& mesh, double memory);
 
 /// Is its count told within 30 %? Else it is a range, and bytes and seconds are those of the most.

@@ -95,9 +95,10 @@ class Refiner {
   const std::chrono::steady_clock::time_point begin_;
   double shortest_ = 0, cosine_ = 0, off_center_ = 0;
   /// What is flatter than this part of the sides of facets, as they are on the average, is narrow; what is narrow
-  /// has so many points, or as many as all else, if that is more; gaps that are so many times longer than wide
-  /// have a part of all points, or as many as all else, and in fact as many times what is counted.
-  static constexpr double kWide = 1.0 / 64, kNarrowPart = 0.02, kShortGap = 16, kGapPart = 0.1, kGapPoints = 4;
+  /// has that part of all points, or as many as all else, if that is more; so have gaps that are so many times
+  /// longer than wide, by an estimate, and in fact as many times what is counted.
+  static constexpr double kWide = 1.0 / 64, kNarrowPart = 0.02, kShortGap = 16, kGapPoints = 4;
+  static constexpr double kAsWide = 1 - 1e-6;  // widths that rounding tells apart
   double wide_ = 0, narrow_ = 0;  // what is flatter than the first counts as narrow; than the second it stays
   double least_gap_ = HUGE_VAL;   // long gaps that are narrower stay
   double ration_ = 0;             // points for what is narrow that are left
@@ -186,7 +187,7 @@ class Refiner {
   /// sides.
   void treat_long_gaps() {
     if (has_narrow_) return;
-    double left = std::max(kGapPart * double(options_.max_points), double(mesh_.points().size()));
+    double left = std::max(kNarrowPart * double(options_.max_points), double(mesh_.points().size()));
     while (true) {
       std::vector<std::array<double, 2>> gaps;  // width and ratio
       for (Index t = 0; t < mesh_.triangles().size(); ++t) {
@@ -199,7 +200,13 @@ class Refiner {
       std::sort(gaps.rbegin(), gaps.rend());
       double sum = 0;
       std::size_t taken = 0;
-      while (taken < gaps.size() && sum + gaps[taken][1] <= left) sum += gaps[taken++][1];
+      while (taken < gaps.size()) {  // those that are as wide are open together
+        double together = 0;
+        std::size_t end = taken;
+        for (; end < gaps.size() && gaps[end][0] >= kAsWide * gaps[taken][0]; ++end) together += gaps[end][1];
+        if (sum + together > left) break;
+        sum += together, taken = end;
+      }
       has_narrow_ = taken < gaps.size();
       if (taken == 0) return;
       least_gap_ = std::min(gaps[taken - 1][0], least_gap_ / 2);

@@ -173,7 +173,7 @@ Vector RoundedResult::seed(Index region) const {
   }
   throw InputError(format_ +
                    " needs a point of doubles inside of every region, and one region is too thin for "
-                   "that; make it thicker, or move the model nearer to the origin");
+                   "that; make it thicker, let it vanish by --join, or move the model nearer to the origin");
 }
 
 }  // namespace cnrg

@@ -6,6 +6,7 @@
 #include "csg/mesh/tetgen_run.h"
 
 #include <algorithm>
+#include <charconv>
 #include <new>
 
 #define TETLIBRARY
@@ -134,15 +135,15 @@ void require_done(const ChildEnd& end) {
   using Kind = ChildEnd::Kind;
   constexpr int kNoMemory = 1;  // TetGen's own number for it
   constexpr const char* kCoarser =
-      "; features of the model are too small beside its size: remove slivers, move nearly touching parts apart or "
-      "together, or try --keep-boundary";
+      "; features of the model are too small beside its size: join what nearly touches by --join, remove slivers, or "
+      "try --keep-boundary";
   const std::string words = end.said.empty() ? "" : ": `" + end.said + "`";
   if (end.kind == Kind::done && end.number == 0) return;
   if (end.kind == Kind::memory || (end.kind == Kind::done && end.number == kNoMemory)) throw std::bad_alloc();
   if (end.kind == Kind::time) {
     throw InputError(
         "TetGen did not end in its time; give it more by --seconds, or a larger --quality or --max-volume, try "
-        "--keep-boundary, or remove slivers and move nearly touching parts apart or together");
+        "--keep-boundary, remove slivers, or join what nearly touches by --join");
   }
   if (end.kind == Kind::signal) {
     throw InputError("TetGen was stopped by a fault of its own (signal " + std::to_string(end.number) + ")" +
@@ -155,6 +156,20 @@ void require_done(const ChildEnd& end) {
     case 5: throw InputError("TetGen finds two facets too close to each other (5)" + words + kCoarser);
     default: throw InputError("TetGen gave up (" + std::to_string(end.number) + ")" + words + kCoarser);
   }
+}
+
+/// As TetGen's manual has them.
+std::string letters(const TetgenSwitches& switches) {
+  std::string text = "pAQMJ";
+  if (switches.keep_boundary) text += "Y";
+  if (switches.quality > 0) {
+    char buffer[32];
+    text += "q";
+    text.append(buffer,
+                std::to_chars(buffer, buffer + sizeof buffer, switches.quality, std::chars_format::fixed).ptr);
+  }
+  if (switches.volumes) text += "a";
+  return text;
 }
 
 template <std::size_t N>
@@ -186,12 +201,12 @@ PlcMesh read_result(const MemoryFile& file) {
 
 }  // namespace
 
-PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, const TetgenTime& time,
+PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame frame, const TetgenTime& time,
                    const TooLarge& too_large, const std::stop_token& stop, const LookedAt& looked_at) {
   const MemoryFile result("TetGen");
   const SharedCount looked;
   const ChildLimits limits{.seconds = std::size_t(std::max(time.seconds, 0))};
-  const auto work = [&] { return mesh(plc, "pAQMJ" + switches, frame, too_large, looked, result); };
+  const auto work = [&] { return mesh(plc, letters(switches), frame, too_large, looked, result); };
   const Deadline deadline(Watch{{}, stop}, time.clock);
   std::function<void()> meanwhile;
   if (looked_at) meanwhile = [&] { looked_at(looked.value()); };

@@ -24,14 +24,20 @@ struct TetgenTime {
   double clock = 0;  ///< seconds by the clock; 0 or infinite: no bound
 };
 
+/// What it is asked for.
+struct TetgenSwitches {
+  bool keep_boundary = false;  ///< no new points on facets and segments
+  double quality = 0;          ///< largest ratio of circumradius to shortest edge; 0: no bound
+  bool volumes = false;        ///< those of the complex are bounds
+};
+
 /// Told meanwhile how many tetrahedra it has looked at whether they have to be split.
 using LookedAt = std::function<void(std::size_t)>;
 
-/// Fills the box, all of it, with tetrahedra. Runs TetGen's library with these switches besides `pAQMJ`.
-/// `too_large`, if there is one, is asked of each tetrahedron while the mesh is refined. Throws InputError with
-/// what TetGen said and what helps, also where its time is over, std::bad_alloc when it runs out of memory,
-/// Stopped.
-PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, const TetgenTime& time,
+/// Fills the box, all of it, with tetrahedra. `too_large`, if there is one, is asked of each tetrahedron while the
+/// mesh is refined. Throws InputError with what TetGen said and what helps, also where its time is over,
+/// std::bad_alloc when it runs out of memory, Stopped.
+PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame frame, const TetgenTime& time,
                    const TooLarge& too_large = {}, const std::stop_token& stop = {},
                    const LookedAt& looked_at = {});
 

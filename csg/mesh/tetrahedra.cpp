@@ -8,7 +8,6 @@
 #include "csg/mesh/tetrahedra.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -22,6 +21,7 @@
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
 #include "csg/text/input_file.h"
+#include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/predicates.h"
@@ -33,23 +33,8 @@ using Index = Mesh::Index;
 using Vector = std::array<double, 3>;
 constexpr Index kNone = FlatComplex::kNone;
 constexpr std::size_t kUnchecked = 1 << 16;  // tetrahedra that are proven between two looks at the watch
-constexpr double kLongest = 1.4;     // times the size that is wanted may the longest edge of a tetrahedron be
-constexpr double kSizedQuality = 2;  // of tetrahedra that are to have a size, where no quality is asked for
-
-std::string number_text(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed).ptr};
-}
-
-/// TetGen refines for sizes only where it refines for quality.
-std::string switches_of(const TetrahedraOptions& options, bool sized) {
-  std::string switches;
-  if (options.keep_boundary || options.surface_first) switches += "Y";
-  if (options.quality > 0) switches += "q" + number_text(options.quality);
-  else if (sized) switches += "q" + number_text(kSizedQuality);
-  if (options.max_volume > 0) switches += "a";  // that of regions
-  return switches;
-}
+constexpr double kSizedQuality = 2;          // where no quality is asked for; it refines for sizes only with some
+constexpr double kLongest = 1.4;  // times the size that is wanted may the longest edge of a tetrahedron be
 
 class TetrahedraMaker {
  public:
@@ -75,8 +60,10 @@ class TetrahedraMaker {
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
     of_tetgen_ = !options_.constrained && refused.empty() && !thin_;
     if (options_.constrained || !refused.empty()) {
+      surface_first_ = options_.surface_first;
       if (keeps_boundary()) throw InputError(refused);  // constrained tetrahedra need points on it
-      if (!refused.empty() && bounded()) foretell(rounded, Maker::own);  // once more: it makes others than TetGen
+      if (!refused.empty() && bounded())
+        foretell(rounded, thin_ ? Maker::flat : Maker::own);  // once more: it makes others than TetGen
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
       watch_.begin("mesh: constrained tetrahedra");
       out_ = run_constrained(plc_, flat_, watch_);
@@ -86,12 +73,8 @@ class TetrahedraMaker {
         result_.notice = refused.substr(0, refused.find(';')) + "; these are constrained tetrahedra, improved";
       }
     }
-    if (thin_) {
-      to_sizes_ = true;
-      result_.notice =
-          "some regions are thinner than the triangles around them are wide; as these are kept, tetrahedra there "
-          "are as flat as they have to be";
-    }
+    if (thin_) to_sizes_ = sized();
+    tell(flat_text_);
     improve_shapes();
     result_.rounding = rounded.report();
     result_.expected = expected_;
@@ -99,7 +82,8 @@ class TetrahedraMaker {
     std::vector<std::string> leaves;
     for (const LeafInfo& leaf : *view_.leaves) leaves.push_back(leaf.name);
     result_.quality = quality_of(mesh(), leaves, options_.quality, options_.max_volume);
-    tell_larger();
+    tell_rationed();
+    tell_larger(rounded);
     return std::move(result_);
   }
 
@@ -115,9 +99,8 @@ class TetrahedraMaker {
                                           {PlcFacets::planar, TetgenFrame::even},
                                           {PlcFacets::planar, TetgenFrame::uneven}};
 
-  /// Points that are added at most: to keep bounds that are asked for, and for shapes alone, of which each point
-  /// of the mesh may have some.
-  static constexpr std::size_t kPointsForBounds = 3'000'000, kPoints = 2'000, kPointsEach = 4;
+  /// Points that are added at most to keep bounds that are asked for.
+  static constexpr std::size_t kPointsForBounds = 3'000'000;
 
   const ResultView& view_;
   const TetrahedraOptions options_;
@@ -125,6 +108,7 @@ class TetrahedraMaker {
   const Watch& watch_;  // of the deadline
   const FlatComplex flat_;
   Plc plc_;
+  Plc surface_;  // of surfaces, where these come first
   PlcMesh out_;
   TetrahedralMesh result_;
   std::vector<Index> region_entity_;  // of each region of the result, or kNone
@@ -132,7 +116,10 @@ class TetrahedraMaker {
   std::optional<RegionLocator> regions_;
   TooLarge too_large_;  // where sizes are asked for
   double expected_ = 0;
+  double for_shapes_ = 0;  // as many would be made if points that nobody asks for were not rationed
+  bool surface_first_ = options_.surface_first;
   bool thin_ = false;       // TetGen fills the regions and no more, since it would not end
+  std::string flat_text_;   // why
   bool of_tetgen_ = false;  // it has made the mesh, to all bounds
   bool to_sizes_ = false;   // the improver makes them
   double afterwards_ = 0;   // seconds that are kept for what follows the improver, for each tetrahedron
@@ -143,26 +130,47 @@ class TetrahedraMaker {
   /// What the mesh is to be, and how many tetrahedra that takes.
   void ask_for_sizes(const RoundedResult& rounded) {
     sizes_ = mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth});
-    if (sizes_.empty()) return foretell(rounded, options_.constrained ? Maker::own : Maker::tetgen);
-    regions_.emplace(flat_, rounded.points());
-    too_large_ = [this, least = sizes_.least_in_regions()](const std::array<Vector, 4>& corners) {
-      return is_too_large(corners, least);
-    };
-    thin_ = is_thin(rounded.points());
-    if (!thin_) foretell(rounded, options_.constrained ? Maker::own : Maker::tetgen);
+    if (!sizes_.empty()) {
+      regions_.emplace(flat_, rounded.points());
+      too_large_ = [this, least = sizes_.least_in_regions()](const std::array<Vector, 4>& corners) {
+        return is_too_large(corners, sizes_, least);
+      };
+    }
+    if (surface_first_ && !bounded()) surface_ = surface_complex(rounded);
+    find_thin(rounded.points());
+    foretell(rounded, options_.constrained ? Maker::own : thin_ ? Maker::flat : Maker::tetgen);
   }
 
   /// Are there regions in which TetGen would need far more tetrahedra than we do? It refines until no edge is much
   /// longer than the region is thick, and where triangles on the boundary are, and have to stay, without an end.
-  bool is_thin(const RoundedPoints& points) const {
+  /// That is for a quality of which nobody has said anything: it is left out where it cannot be had.
+  void find_thin(const RoundedPoints& points) {
     constexpr double kFar = 3;
-    if (!options_.surface_first || options_.quality > 0 || options_.max_volume > 0) return false;
-    return forecast_of(points, Maker::tetgen).tetrahedra > kFar * forecast_of(points, Maker::own).tetrahedra;
+    if (options_.quality > 0 || options_.keep_boundary || options_.constrained || !bounded()) return;
+    const MeshForecast told = forecast_of(points, Maker::tetgen);
+    const double good = told.tetrahedra;
+    if (surface_first_ && sized() && options_.max_volume == 0 &&
+        good > kFar * forecast_of(points, Maker::own).tetrahedra) {
+      keep_flat();
+    } else if (!impossible_text(told, double(memory_of_machine())).empty() &&
+               good > kFar * forecast_of(points, Maker::flat).tetrahedra) {
+      thin_ = true;
+      surface_first_ = sized();  // edges of that size have room on faces, and none inside
+      flat_text_ = count_text(good) +
+                   " tetrahedra of a good shape would fill regions that are very thin; since no "
+                   "--quality was asked for, those there are as flat as they have to be";
+    }
+  }
+  void keep_flat() {
+    thin_ = true;
+    flat_text_ =
+        "some regions are thinner than the triangles around them are wide; as these are kept, tetrahedra there "
+        "are as flat as they have to be";
   }
 
   MeshForecast forecast_of(const RoundedPoints& points, Maker maker) const {
     watch_.begin("mesh: forecast");
-    return forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_);
+    return forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_, surface_.points.size());
   }
 
   void foretell(const RoundedResult& rounded, Maker maker) {
@@ -171,12 +179,13 @@ class TetrahedraMaker {
     if (!options_.keep_boundary) require_possible(mesh, double(memory_of_machine()));  // else few may do
     if (std::isinf(mesh.most)) return;
     expected_ = mesh.tetrahedra;
+    for_shapes_ = mesh.for_shapes;
     if (options_.foretold) options_.foretold(mesh);
   }
 
   /// Its longest edge is much longer than edges are to be there. The box around the model has no size, which the
   /// last question finds out.
-  bool is_too_large(const std::array<Vector, 4>& corners, double least_in_regions) const {
+  bool is_too_large(const std::array<Vector, 4>& corners, const MeshSizes& sizes, double least_in_regions) const {
     double longest = 0;
     Vector middle{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -187,14 +196,23 @@ class TetrahedraMaker {
       for (std::size_t k = 0; k < 3; ++k) middle[k] += corners[i][k] / 4;
     }
     longest = std::sqrt(longest) / kLongest;
-    if (longest <= sizes_.field.at(middle) && longest <= least_in_regions) return false;
+    if (longest <= sizes.field.at(middle) && longest <= least_in_regions) return false;
     const Index region = regions_->at(middle);
-    return flat_.active(region) && longest > sizes_.at(middle, region);
+    return flat_.active(region) && longest > sizes.at(middle, region);
   }
 
-  bool keeps_boundary() const { return options_.keep_boundary || options_.surface_first; }
+  bool keeps_boundary() const { return options_.keep_boundary || surface_first_; }
   bool refines() const { return sized() && !thin_; }
   bool bounded() const { return options_.quality > 0 || options_.max_volume > 0 || sized(); }
+
+  TetgenSwitches switches() const {
+    if (thin_) return {.keep_boundary = keeps_boundary()};
+    return {keeps_boundary(),
+            options_.quality > 0 ? options_.quality
+            : sized()            ? kSizedQuality
+                                 : 0,
+            options_.max_volume > 0};
+  }
 
   /// For one way to ask it. There are models on which it never ends. Where only a mesh is wanted it takes a second
   /// for some ten thousand points, and to wait long is of no use, since there is another way to a mesh.
@@ -227,15 +245,19 @@ class TetrahedraMaker {
     };
   }
 
+  /// Without what features ask for by themselves.
+  MeshSizes said_sizes(const RoundedResult& rounded) const {
+    return mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth, false, true});
+  }
+
   /// The triangles of surfaces as facets.
-  Plc refined_complex(const RoundedResult& rounded) const {
+  Plc surface_complex(const RoundedResult& rounded) const {
     SurfaceOptions asked;
     if (options_.seconds) asked.seconds = 0;  // the watch knows
     asked.watch = watch_;
     if (sizes_.empty()) return refined_plc(flat_, rounded.points(), asked);
     asked.size = [&](const Vector& p) { return kLongest * sizes_.field.at(p); };
-    const MeshSizes said =
-        mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth, false, true});
+    const MeshSizes said = said_sizes(rounded);
     return refined_plc(flat_, rounded.points(), asked,
                        [&](const Vector& p) { return kLongest * said.field.at(p); });
   }
@@ -243,23 +265,23 @@ class TetrahedraMaker {
   /// Empty once there is a mesh; else why there is none.
   std::string ask_tetgen(const RoundedResult& rounded) {
     std::string refused;
-    const Plc refined = options_.surface_first ? refined_complex(rounded) : Plc{};
+    if (surface_first_ && surface_.facets.empty()) surface_ = surface_complex(rounded);
     // Each triangle has a tetrahedron: if there are more than were foretold, the surface is finer than the sizes
     // inside, which TetGen would refine for without an end.
-    if (options_.surface_first && sized() && options_.quality == 0 && options_.max_volume == 0 && expected_ > 0 &&
-        double(refined.facets.size()) > expected_)
-      thin_ = true;
+    if (surface_first_ && sized() && options_.quality == 0 && options_.max_volume == 0 && expected_ > 0 &&
+        !thin_ && double(surface_.facets.size()) > expected_)
+      keep_flat();
     for (const Attempt& attempt : kAttempts) {
       if (keeps_boundary() && attempt.facets == PlcFacets::all) continue;
       try {
-        plc_ = options_.surface_first ? refined : plc_of(view_, flat_, rounded, attempt.facets);
+        plc_ = surface_first_ ? surface_ : plc_of(view_, flat_, rounded, attempt.facets);
         plc_.max_volume = options_.max_volume;
         set_seeds(plc_, rounded);
         const TetgenTime time = time_of_tetgen();
         const std::string stage = stage_of_tetgen(time);
         watch_.begin(stage);
-        out_ = run_tetgen(plc_, switches_of(options_, refines()), attempt.frame, time,
-                          refines() ? too_large_ : TooLarge(), watch_.stop, looked_at(stage));
+        out_ = run_tetgen(plc_, switches(), attempt.frame, time, refines() ? too_large_ : TooLarge(), watch_.stop,
+                          looked_at(stage));
         take(watch_);
         return {};
       } catch (const InputError& e) {
@@ -270,7 +292,7 @@ class TetrahedraMaker {
       }
     }
     if (options_.surface_first)
-      refused = refused.substr(0, refused.find(';')) + "; leave out --surface-first, or give other sizes";
+      refused = refused.substr(0, refused.find(';')) + "; leave out --surface-first, give other sizes, or join what nearly touches by --join";
     return refused;
   }
 
@@ -284,7 +306,7 @@ class TetrahedraMaker {
       asked.radius_edge = options_.quality;
       asked.volume = options_.max_volume;
     }
-    asked.points = bounded() && !thin_ ? kPointsForBounds : kPoints + kPointsEach * out_.points.size();
+    asked.points = bounded() && !thin_ ? kPointsForBounds : points_for_shapes(out_.points.size());
     asked.seconds = deadline_.bounded() ? std::max(1e-3, deadline_.seconds_left())
                     : options_.seconds  ? 0
                                         : TetrahedraOptions::kPartSeconds;
@@ -295,25 +317,48 @@ class TetrahedraMaker {
         if (!sizes_.regions.empty()) asked.region_size.push_back(sizes_.regions[region.region]);
       }
     }
-    std::string notice = std::move(result_.notice);
+    const std::string notice = std::move(result_.notice);
     // There is a mesh: when time is over it is proven and kept as it is then.
     bool in_time = true;
     out_ = improved(plc_, flat_, out_, asked, deadline_.asked(), &in_time);
     take(deadline_.asked());
-    if (!in_time) notice += (notice.empty() ? "" : "; ") + unfinished(asked);
-    result_.notice = std::move(notice);
+    result_.notice = notice;
+    if (!in_time) tell(unfinished(asked));
+  }
+
+  /// One more thing that the user should know.
+  void tell(const std::string& text) {
+    if (!text.empty()) result_.notice += (result_.notice.empty() ? "" : "; ") + text;
+  }
+
+  /// What stays bad since nobody has asked for more.
+  void tell_rationed() {
+    if (bounded() || for_shapes_ == 0 || result_.quality.bad == 0) return;
+    tell("good shapes everywhere would take " + count_text(for_shapes_) +
+         " tetrahedra, since some parts are very thin; where no --quality is asked for, the points that are added "
+         "for shapes are 2,000 and four for each point of the model at most");
   }
 
   /// What is larger than asked for. Without new points on the boundary there may be no way to halve it.
-  void tell_larger() {
-    std::string text = larger_text(result_.quality);
-    if (text.empty()) return;
-    if (keeps_boundary()) {
-      text += ": without new points on faces and edges they are not divided; leave out " +
-              std::string(options_.keep_boundary ? "--keep-boundary" : "--surface-first") +
-              ", or ask for larger ones";
-    }
-    result_.notice += (result_.notice.empty() ? "" : "; ") + text;
+  void tell_larger(const RoundedResult& rounded) {
+    const bool kept = options_.keep_boundary || options_.surface_first;
+    const std::string why = kept
+                                ? ": without new points on faces and edges they are not divided; leave out " +
+                                      std::string(options_.keep_boundary ? "--keep-boundary" : "--surface-first") +
+                                      ", or ask for larger ones"
+                                : "";
+    const std::string larger = larger_text(result_.quality);
+    if (!larger.empty()) return tell(larger + why);
+    if (!options_.keep_boundary || !sized()) return;
+    const MeshSizes said = said_sizes(rounded);  // what features ask for they do by themselves
+    const double least = said.least_in_regions();
+    const auto n = std::count_if(mesh().tetrahedra.begin(), mesh().tetrahedra.end(), [&](const auto& t) {
+      const auto& p = mesh().points;
+      return is_too_large({p[t.points[0]], p[t.points[1]], p[t.points[2]], p[t.points[3]]}, said, least);
+    });
+    if (n == 0) return;
+    tell(counted(std::size_t(n), "tetrahedron has", "tetrahedra have") +
+         " an edge of more than 1.4 times the size that is asked for" + why);
   }
 
   /// What the end of time has left undone.
@@ -342,7 +387,7 @@ class TetrahedraMaker {
     prove_edges(mesh(), flat_);
     prove_faces(mesh(), flat_);
     watch.check();
-    prove_sides(watch);
+    prove_sides(mesh(), flat_, region_entity_, watch);
     prove_volumes(watch);
     // What is improved is proven once more, measured and written.
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -419,7 +464,7 @@ class TetrahedraMaker {
 
   /// With `keep_boundary`: nothing but points of the result on faces and edges.
   void prove_boundary_kept() {
-    if (options_.surface_first) return prove_surface_kept();
+    if (surface_first_) return prove_surface_kept();
     if (!options_.keep_boundary) return;
     const auto kept = [&](const auto& simplex) {
       return std::all_of(simplex.points.begin(), simplex.points.end(),
@@ -451,57 +496,12 @@ class TetrahedraMaker {
             "tetrahedra: the mesher does not keep the triangles of surfaces");
   }
 
-  /// On the two sides of a triangle are the regions of its face; a wall is where regions differ.
-  void prove_sides(const Watch& watch) {
-    struct Side {
-      std::array<Index, 3> points;
-      Index region, face;  // one of them, the other kNone
-      auto operator<=>(const Side&) const = default;
-    };
-    std::vector<Side> sides;
-    for (const auto& t : mesh().tetrahedra) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        std::array<Index, 3> points{t.points[(k + 1) % 4], t.points[(k + 2) % 4], t.points[(k + 3) % 4]};
-        std::sort(points.begin(), points.end());
-        sides.push_back({points, t.entity, kNone});
-      }
-    }
-    for (const auto& t : mesh().triangles) {
-      auto points = t.points;
-      std::sort(points.begin(), points.end());
-      sides.push_back({points, kNone, t.entity});
-    }
-    watch.check();
-    std::sort(sides.begin(), sides.end());
-    watch.check();
-    std::vector<Index> found, expected;
-    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-      found.clear(), expected.clear();
-      std::size_t faces = 0;
-      for (; end < sides.size() && sides[end].points == sides[i].points; ++end) {
-        if (sides[end].face == kNone) {
-          found.push_back(sides[end].region);
-          continue;
-        }
-        ++faces;
-        for (const Index r : flat_.faces[sides[end].face].regions) {
-          if (flat_.active(r)) expected.push_back(region_entity_[r]);
-        }
-      }
-      std::sort(expected.begin(), expected.end());
-      const bool right = faces == 1   ? found == expected
-                         : faces == 0 ? found.size() == 2 && found[0] == found[1]
-                                      : false;
-      require(right, "tetrahedra: the mesher returns tetrahedra on the wrong side of a face");
-    }
-  }
-
   /// Of each face, as the mesher has got them: those of the result, or with `surface_first` those of surfaces.
   std::vector<std::vector<std::array<Index, 3>>> given_triangles() const {
     std::vector<std::vector<std::array<Index, 3>>> given(flat_.faces.size());
-    for (Index f = 0; f < given.size() && !options_.surface_first; ++f)
+    for (Index f = 0; f < given.size() && !surface_first_; ++f)
       given[f].assign(flat_.faces[f].triangles.begin(), flat_.faces[f].triangles.end());
-    for (std::size_t i = 0; i < plc_.facets.size() && options_.surface_first; ++i) {
+    for (std::size_t i = 0; i < plc_.facets.size() && surface_first_; ++i) {
       const auto& p = plc_.facets[i].polygons[0];
       given[plc_.facets[i].face].push_back({p[0], p[1], p[2]});
     }

@@ -90,9 +90,12 @@ struct SnapReport {
   double displacement = 0;  ///< no point of the result moved farther (units of the model)
   /// The regions that vanished, a line for each component: `dust, r2, at (1, 2, 3)` (csg/result/vanished.h).
   std::vector<std::string> lost_regions{};
+  /// Those of which what is left is in more pieces than before, a line each: `the region rock is in 3 pieces now
+  /// and was in one, the smallest at (1, 2, 3)`.
+  std::vector<std::string> parted_regions{};
   /// `snapped 3 of 20 vertices, by 1e-16 at most, ...`: one line without its end.
   std::string text() const;
-  /// What nobody may miss, a line each: regions that vanished.
+  /// What nobody may miss, a line each: regions that vanished, and that were parted.
   std::vector<std::string> warnings() const;
 };
 
@@ -108,6 +111,9 @@ struct MeshForecast {
   double least = 0, most = 0;  ///< of tetrahedra: what nearly all meshes lie between that were made to find out
   double bytes = 0;            ///< of memory that making it takes
   double seconds = 0;          ///< that making it takes
+  /// Good shapes everywhere would take so many, but points that nobody asks for are rationed; 0: they need no
+  /// more.
+  double for_shapes = 0;
 };
 
 /// What is asked of the tetrahedra that fill a result.

@@ -26,13 +26,16 @@ SnappedResult::SnappedResult(const ResultView& view, bool raw, const Watch& watc
   report_ = made->report;
   LostRegions lost;
   std::set<Component> left;
+  std::vector<FlatComplex::Index> left_regions;
   for (FlatComplex::Index r = 0; r < flat.regions.size(); ++r) {
     if (!flat.active(r)) continue;
     if (std::binary_search(made->lost_regions.begin(), made->lost_regions.end(), r)) lost.add(view, flat, r, true);
-    else left.insert(flat.regions[r].component);
+    else left.insert(flat.regions[r].component), left_regions.push_back(r);
   }
   report_.lost_regions = lost.lines(left);
   data_ = std::make_unique<Data>(Data{std::move(*made)});
+  const ResultView now = shown(view);
+  report_.parted_regions = parted_warnings(flat, left_regions, now, flatten(now));
 }
 
 SnappedResult::~SnappedResult() = default;
@@ -69,7 +72,9 @@ std::string SnapReport::text() const {
 std::vector<std::string> SnapReport::warnings() const {
   std::string distance;
   append(distance, 2 * displacement);  // what holds a larger ball keeps its middle
-  return vanished_warnings(lost_regions, distance);
+  std::vector<std::string> out = vanished_warnings(lost_regions, distance);
+  out.insert(out.end(), parted_regions.begin(), parted_regions.end());
+  return out;
 }
 
 }  // namespace cnrg

@@ -115,8 +115,8 @@ class Snapper {
     std::string last;
     append(last, unit_ * kSnapFirstBox * std::pow(kSnapGrowth, kSnapGrids - 1));
     throw InputError("rounding to doubles makes facets cross, and snapping vertices to a grid of " + last +
-                     " still does; move the model nearer to the origin, write .json, which is exact, or give "
-                     "--no-snap");
+                     " still does; join what nearly touches by --join, move the model nearer to the origin, write "
+                     ".json, which is exact, or give --no-snap");
   }
 
  private:

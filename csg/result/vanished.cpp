@@ -1,12 +1,16 @@
 #include "csg/result/vanished.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
 
 #include "csg/result/part_text.h"
 #include "csg/result/relabel.h"
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
+#include "kernel/base/vectors.h"
 #include "kernel/selection/canonical.h"
 
 namespace cnrg {
@@ -30,6 +34,45 @@ std::string place_of_region(const ResultView& view, const FlatComplex& flat, Ind
   }
   if (first == FlatComplex::kNone) return "";
   return ", at " + coordinates(view.complex->points.rational(flat.points[first]));
+}
+
+/// In doubles; of a bounded region.
+double rough_volume(const ResultView& view, const FlatComplex& flat, Index r) {
+  const auto at = [&](Index p) {
+    const auto& q = view.complex->points.nearest(flat.points[p]);
+    return DoubleVector{q[0], q[1], q[2]};
+  };
+  double sum = 0;
+  std::optional<DoubleVector> origin;
+  for (const auto& shell : flat.regions[r].shells) {
+    for (const Index side : shell) {
+      for (const auto& t : flat.faces[side / 2].triangles) {
+        if (!origin) origin = at(t[0]);
+        const double six =
+            dot(minus(at(t[0]), *origin), cross(minus(at(t[1]), *origin), minus(at(t[2]), *origin)));
+        sum += side % 2 == 0 ? -six : six;
+      }
+    }
+  }
+  return std::abs(sum) / 6;
+}
+
+/// Regions of a group in the order of the components that it is made of.
+void keep_order(const Components& x, Group& group) {
+  const std::size_t n = group.regions.size();
+  std::vector<Component> from(n, 0);
+  for (std::size_t i = 0; i < group.cells.size(); ++i)
+    from[group.cells[i].second - 1] = x.selection.regions[i].second;
+  std::vector<std::uint32_t> order(n), number(n);
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return from[a] < from[b]; });
+  std::vector<RegionAttributes> regions;
+  for (std::size_t k = 0; k < n; ++k) {
+    number[order[k]] = static_cast<std::uint32_t>(k + 1);
+    regions.push_back(std::move(group.regions[order[k]]));
+  }
+  group.regions = std::move(regions);
+  for (auto& [cell, region] : group.cells) region = number[region - 1];
 }
 
 /// Of each component what number it has, of those that have a cell.
@@ -91,6 +134,29 @@ std::vector<std::string> vanished_warnings(const std::vector<std::string>& lines
   return out;
 }
 
+std::vector<std::string> parted_warnings(const FlatComplex& before, const std::vector<Index>& left,
+                                         const ResultView& view, const FlatComplex& after) {
+  std::map<Component, std::size_t> pieces;
+  for (const Index r : left) ++pieces[before.regions[r].component];
+  std::map<Component, std::vector<Index>> now;
+  for (Index r = 0; r < after.regions.size(); ++r) {
+    if (after.active(r)) now[after.regions[r].component].push_back(r);
+  }
+  std::vector<std::string> out;
+  for (const auto& [component, regions] : now) {
+    const std::size_t was = pieces[component];
+    if (was == 0 || regions.size() <= was) continue;
+    const Index smallest = *std::min_element(regions.begin(), regions.end(), [&](Index r, Index s) {
+      return rough_volume(view, after, r) < rough_volume(view, after, s);
+    });
+    out.push_back("the region " + name_of_region(view, after, smallest) + " is in " +
+                  std::to_string(regions.size()) + " pieces now and was in " +
+                  (was == 1 ? "one" : std::to_string(was)) + ", the smallest" +
+                  place_of_region(view, after, smallest).substr(1));
+  }
+  return out;
+}
+
 std::shared_ptr<const Result::Data> settled(Result::Data data) {
   Components x = data.value->components();
   const std::vector<Component> number = numbers_of_left(x);
@@ -105,8 +171,13 @@ std::shared_ptr<const Result::Data> settled(Result::Data data) {
   renumber(x.selection.regions), renumber(x.selection.faces);
   renumber(x.selection.edges), renumber(x.selection.vertices);
   const Complex& complex = *data.complex;
-  data.value = std::make_shared<const NodeValue>(data.of_group ? NodeValue(complex, group_of(complex, x))
-                                                               : NodeValue(std::move(x)));
+  if (data.of_group) {
+    Group group = group_of(complex, x);
+    keep_order(x, group);
+    data.value = std::make_shared<const NodeValue>(complex, std::move(group));
+  } else {
+    data.value = std::make_shared<const NodeValue>(std::move(x));
+  }
   data.of_group = false;
   const Components parts =
       data.value->is_group() ? components_of(complex, data.value->group()) : data.value->components();

@@ -43,9 +43,16 @@ std::string vanished_text(std::size_t faces, std::size_t wires, std::size_t regi
 /// and has vanished`.
 std::vector<std::string> vanished_warnings(const std::vector<std::string>& lines, const std::string& distance);
 
+/// What nobody may miss, for each component of which what is left is in more pieces than before: `the region rock
+/// is in 3 pieces now and was in one, the smallest at (1, 2, 3)`. `left`: regions of `before` that have not
+/// vanished. `view` flattens to `after`.
+std::vector<std::string> parted_warnings(const FlatComplex& before, const std::vector<FlatComplex::Index>& left,
+                                         const ResultView& view, const FlatComplex& after);
+
 /// A result that has been moved (Relabelled) as any other: without components of which nothing is left, since
 /// files list no others; these keep their order. Of a group a group, in which a region that has been parted is
-/// two; its cells are simplified as those of an operator's value are, so a file that is read back has the same.
+/// two, one after the other; its cells are simplified as those of an operator's value are, so a file that is read
+/// back has the same.
 std::shared_ptr<const Result::Data> settled(Result::Data data);
 
 }  // namespace cnrg

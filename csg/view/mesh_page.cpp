@@ -66,7 +66,7 @@ std::string decimal(double x, const char* format) {
   std::snprintf(buffer, sizeof buffer, format, x);
   return buffer;
 }
-std::string shape_text(double x) { return decimal(x, x < 0.01 ? "%.1e" : "%.2f"); }
+std::string shape_text(double x) { return decimal(x, x < 0.01 ? "%.2g" : "%.2f"); }
 std::string place_text(const std::array<double, 3>& p) {
   return decimal(p[0], "%.6g") + " " + decimal(p[1], "%.6g") + " " + decimal(p[2], "%.6g");
 }

@@ -20,7 +20,7 @@ std::string too_thin(const std::array<double, 3>& p) {
   std::ostringstream text;
   text.precision(9);
   text << "tetrahedra are too thin for doubles near (" << p[0] << " " << p[1] << " " << p[2]
-       << "); move nearly touching parts apart or together there, or join them by `weld`";
+       << "); join what nearly touches there by --join or `weld`, or move it apart";
   return text.str();
 }
 

@@ -236,6 +236,37 @@ TEST_CASE("mesh: surfaces alone, with a row per group of faces", "[app][mesh]") 
   CHECK(!std::filesystem::exists(w.path("bad.msh")));
 }
 
+TEST_CASE("mesh: a thin slab is meshed whatever way is taken, and what it lacks is told", "[app][mesh]") {
+  const Workshop w;
+  w.write("slab.yaml", "cnrg: 1\nnodes:\n  slab: {box: {min: [0, 0, 0], max: [10, 10, 0.0001]}}\nresult: slab\n");
+  for (const std::string way :
+       {"", "-Y", "--constrained", "--surface-first", "--size 5", "--size 5 --surface-first"}) {
+    const Outcome o = w.run("mesh slab.yaml -o s.msh " + way);
+    INFO(way << "\n" << o.out << o.err);
+    CHECK(o.status == 0);
+    CHECK_THAT(o.out, !Contains("e+00"));
+    CHECK_THAT(o.err, Contains("very thin") || Contains("thinner than the triangles"));
+  }
+  Outcome o = w.run("mesh slab.yaml -o s.msh --surface");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, Contains("blank: none"));
+  CHECK_THAT(o.err, Contains("8 triangles stay thin in parts that are very narrow") && Contains("1000000"));
+  o = w.run("mesh slab.yaml -o s.msh --quality 2");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains("leave out --quality"));
+}
+
+TEST_CASE("mesh: surfaces of what is joined", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml",
+          "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
+          "  b: {box: {min: [0, 0, 1.0001], max: [1, 1, 2]}}\n  u: {union: [a, b]}\nresult: u\n");
+  const Outcome o = w.run("mesh t.yaml -o s.msh --surface --join 0.001");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, Contains("wall a | b"));
+  CHECK_THAT(o.err, Contains("joined 4 pairs"));
+}
+
 TEST_CASE("mesh: one error for what cannot be meshed or written", "[app][mesh][errors]") {
   const Workshop w;
   w.write("t.yaml", kPair);

@@ -1,5 +1,6 @@
 // Readers of mesh files: variants that are well-formed, and the errors of those that are not.
 #include <bit>
+#include <cctype>
 #include <cstring>
 
 #include "csg/imports/mesh_file.h"
@@ -117,7 +118,9 @@ TEST_CASE("OFF that is broken") {
              Contains("bad.off:5: error: a face with 0 corners"));
   CHECK_THAT(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n"),
              Contains("bad.off:7: error: there is more data"));
-  CHECK_THAT(error("OFF\n-3 1 0\n"), Contains("is no whole number"));
+  CHECK_THAT(error("OFF\n-3 1 0\n"), Contains("bad.off:2: error: the number of vertices is -3, but must be"));
+  CHECK_THAT(error("\nOFF\n99999999999999999999 1 0\n"),
+             Contains("bad.off:3: error: '99999999999999999999' is no"));
   CHECK_THAT(error("OFF\n999999999 999999999 0\n0 0 0\n"),
              Contains("the file ends after 1 of 999999999 vertices"));
   CHECK_THAT(error("OFF\n3 -1 0\n0 0 0\n"), Contains("the number of faces is -1"));
@@ -257,4 +260,45 @@ TEST_CASE("PLY") {
   std::string infinite = binary;
   infinite.replace(binary.find("end_header\n") + 11, 4, bytes(std::numeric_limits<float>::quiet_NaN()));
   CHECK_THAT(error(infinite), Contains("vertex 0 has a coordinate that is no finite number"));
+}
+
+TEST_CASE("errors of damaged mesh files say where and what to do") {
+  const Files files;
+  const std::pair<const char*, const char*> kDamaged[] = {
+      {"bad.off", "PLY\n"},
+      {"bad.off", "OFF\n-3 1 0\n"},
+      {"bad.off", "OFF\nx 1 0\n"},
+      {"bad.off", "OFFx 1 0\n"},
+      {"bad.off", "OFF\n3 -1 0\n"},
+      {"bad.off", "OFF\n3\n"},
+      {"bad.off", "OFF\n3 1 0\n0 0 0\n"},
+      {"bad.off", "OFF\n1 1 0\n0 0 0\n"},
+      {"bad.off", "OFF\n1 1 0\n0 x 0\n"},
+      {"bad.off", "OFF\n1 1 0\n0 0 0\n3 0 0 1.5\n"},
+      {"bad.obj", "v 0 0 0\nf 0 1 1\n"},
+      {"bad.obj", "v 0 0 0\nf a 1 1\n"},
+      {"bad.obj", "v 0 0 0\nf 1 2 3\n"},
+      {"bad.obj", "v 0 0 0\nf 1 -2 -1\n"},
+      {"bad.obj", "v 0 0\n"},
+      {"bad.obj", "v 0 0 y\n"},
+      {"bad.stl", "solid a\nfoo\n"},
+      {"bad.stl", "solid a\nfacet normal 0 0 1\ninner loop\n"},
+      {"bad.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n"},
+      {"bad.ply", "ply\nformat ascii 1.0\nelement face 1\nproperty list float int vertex_indices\n"},
+      {"bad.ply", "ply\nformat ascii 1.0\nvertices 3\n"},
+      {"bad.vtk", "# vtk DataFile Version 3.0\ntitle\nTEXT\n"},
+      {"bad.vtk", "# vtk DataFile Version 3.0\ntitle\nASCII\nPOLYDATA\n"},
+      {"bad.ts", "GOCAD TSurf 1\nTFACE\nVRTX 1 0 0 0\nVRTX 1 0 0 0\nEND\n"},
+      {"bad.ts", "GOCAD TSurf 1\nTFACE\nVRTX 1 0 0 0\nTRGL 1 2 3\nEND\n"},
+  };
+  for (const auto& [name, text] : kDamaged) {
+    const std::string error = error_of(MeshShape{files.write(name, text), {}, false});
+    INFO(error);
+    const std::size_t at = error.find(": error: ");
+    REQUIRE(at != std::string::npos);
+    CHECK(error.find(std::string(name) + ":") != std::string::npos);
+    CHECK(std::isdigit(static_cast<unsigned char>(error[at - 1])));  // the line
+    const std::string said = error.substr(at + 9);
+    CHECK((said.find(": ") != std::string::npos || said.find("; ") != std::string::npos));
+  }
 }

@@ -193,6 +193,32 @@ TEST_CASE("more tetrahedra than memory holds are refused before they are made", 
   }
 }
 
+TEST_CASE("a slab that good shapes would fill by billions is filled as flat as it is", "[size][forecast]") {
+  const Result slab = result_of("  model: {box: {min: [0, 0, 0], max: [10, 10, 1/10000]}}\n");
+  for (const bool sized : {false, true}) {
+    for (const bool surface_first : {false, true}) {
+      for (const bool bounded : {false, true}) {
+        TetrahedraOptions options;
+        if (sized) options.size = 5;
+        if (bounded) options.max_volume = 1e-3;
+        options.surface_first = surface_first;
+        MeshForecast told;
+        options.foretold = [&](const MeshForecast& mesh) { told = mesh; };
+        const TetrahedralMesh made = tetrahedra(slab, options);
+        INFO(sized << surface_first << bounded << ": " << made.notice);
+        CHECK_THAT(made.notice, Catch::Contains("very thin") || Catch::Contains("thinner than the triangles"));
+        CHECK(made.mesh.tetrahedra.size() < 200'000);
+        CHECK(double(made.mesh.tetrahedra.size()) < (told.most > 0 ? told.most : HUGE_VAL));
+        if (bounded) CHECK(made.quality.larger == 0);
+      }
+    }
+  }
+  // What is asked for counts.
+  TetrahedraOptions options;
+  options.quality = 2;
+  CHECK_THROWS_WITH(tetrahedra(slab, options), Catch::Contains("leave out --quality"));
+}
+
 TEST_CASE("where nothing is bounded the forecast is a wide range", "[forecast]") {
   for (const Model& model : models()) {
     if (model.nodes.find("size:") != std::string::npos) continue;
@@ -241,6 +267,16 @@ TEST_CASE("what is larger than asked for since faces are kept is told", "[mesh][
   CHECK(tetrahedra(result_of(kBlock), options).notice.empty());
   options.max_volume = 1;
   options.keep_boundary = true;
+  CHECK(tetrahedra(result_of(kBlock), options).notice.empty());
+}
+
+TEST_CASE("sizes that kept faces leave no room for are told", "[mesh][size]") {
+  TetrahedraOptions options = sizes(0.1, 0.3);
+  options.keep_boundary = true;
+  CHECK_THAT(tetrahedra(result_of(kBlock), options).notice,
+             Catch::Contains("tetrahedra have an edge of more than 1.4 times the size that is asked for") &&
+                 Catch::Contains("leave out --keep-boundary"));
+  options.size = 2;
   CHECK(tetrahedra(result_of(kBlock), options).notice.empty());
 }
 

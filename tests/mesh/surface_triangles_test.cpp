@@ -310,7 +310,18 @@ TEST_CASE("surface: a gap that would take too many points keeps what it has", "[
   CHECK(made.groups[0].why[std::size_t(SmallAngle::bound)] > 0);
   CHECK(made.groups[0].area == Approx(1.05e-5).epsilon(1e-9));
   // With more points it has them.
-  CHECK(checked(c.view(), {.max_points = 2'000'000}).mesh.points.size() > 100'000);
+  CHECK(checked(c.view(), {.max_points = 10'000'000}).mesh.points.size() > 100'000);
+}
+
+TEST_CASE("surface: gaps of one width are filled together, or not at all", "[mesh][surface]") {
+  // Points suffice for one of the four sides of the slab.
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {10, 10, Rational(1, 10000)});
+  const Case c(soup);
+  const SurfaceTriangles made = surface_triangles(c.view(), {.max_points = 5'000'000});
+  CHECK(made.mesh.triangles.size() == 12);
+  REQUIRE(made.groups.size() == 1);
+  CHECK(made.groups[0].why[std::size_t(SmallAngle::bound)] == 8);
 }
 
 TEST_CASE("surface: long gaps are filled from the widest on, and no point is for nothing", "[mesh][surface]") {
@@ -319,7 +330,7 @@ TEST_CASE("surface: long gaps are filled from the widest on, and no point is for
   Rational wide(1, 100);
   for (int i = 0; i < 6; ++i, wide = wide / 10)
     strips.push_back({{0, i, 0}, {1, i, 0}, {1, i + wide, 0}, {0, i + wide, 0}});
-  const SurfaceTriangles made = surface_triangles(sheets(strips).view(), {.max_points = 100'000});
+  const SurfaceTriangles made = surface_triangles(sheets(strips).view(), {.max_points = 500'000});
   std::vector<std::size_t> triangles(6, 0), small(6, 0);
   for (const auto& t : made.mesh.triangles) {
     const auto strip = std::size_t(made.mesh.points[t.points[0]][1]);

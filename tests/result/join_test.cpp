@@ -362,6 +362,25 @@ TEST_CASE("join: a group is a group again, and its file has the same cells", "[j
   CHECK(active_counts(read.cells()) == active_counts(after.cells()));
 }
 
+TEST_CASE("join: components of a group keep their order", "[join]") {
+  // Numbers follow the leaves, not the places.
+  Soup soup;
+  add_box(soup, {4, 0, 0}, {5, 1, 1});
+  add_box(soup, {1, 0, 0}, {2, 1, 1});
+  add_box(soup, {Rational(2001, 1000), 0, 0}, {3, 1, 1});
+  add_box(soup, {0, 0, 0}, {Rational(999, 1000), 1, 1});
+  Case c(soup, {{{"a", "", {}}}, {{"b", "", {}}}, {{"c", "", {}}}, {{"d", "", {}}}});
+  c.show(c.unite());
+  const Result before = result_of(c), after = join(before, Rational(1, 250));
+  const auto names = [](const Result& result) {
+    std::vector<std::string> out;
+    for (const RegionAttributes& region : result.data().value->group().regions) out.push_back(region.name);
+    return out;
+  };
+  REQUIRE(names(before).size() == 4);
+  CHECK(names(after) == names(before));
+}
+
 TEST_CASE("join: stopped at each stage", "[join]") {
   const Rational thin(1, 100000);
   Soup soup;

@@ -224,6 +224,29 @@ TEST_CASE("snap: regions that vanish are named, and their components are gone", 
   CHECK_THAT(report.lost_regions[0], Catch::Contains(" (2 pieces), r") && Catch::Contains(", at (3, 0, 1)"));
 }
 
+TEST_CASE("snap: a region that is parted is told", "[snap]") {
+  // Two cubes and a neck between them that is thinner than doubles, as one region.
+  Soup soup;
+  const Rational third(1, 3);
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_box(soup, {1, 0, third}, {2, 1, third + kTiny / 2});
+  add_box(soup, {2, 0, 0}, {Rational(5, 2), 1, 1});
+  Case c(soup, {{{"rock", "", {}}}, {{"rock", "", {}}}, {{"rock", "", {}}}});
+  c.show(c.unite());
+  ResultNames names;
+  for (const LeafInfo& info : c.infos) names.leaves.push_back(info.name);
+  const Result one(c.complex, unify(*c.complex, components_of(*c.complex, c.group)).value, names);
+  SnapReport report;
+  snap(one, &report);
+  INFO(report.text());
+  CHECK(report.lost_regions.empty());
+  REQUIRE(report.parted_regions.size() == 1);
+  CHECK_THAT(report.parted_regions[0],
+             Catch::StartsWith("the region ") &&
+                 Catch::EndsWith(" is in 2 pieces now and was in one, the smallest at (2, 0, 0)"));
+  CHECK(report.warnings() == report.parted_regions);
+}
+
 TEST_CASE("snap: crossing sheets, wires and points keep what they came from", "[snap]") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {Rational(1, 3), Rational(1, 3), Rational(1, 3)});
