@@ -247,9 +247,7 @@ int run(int argc, char** argv) {
       });
   constexpr const char* kSnap =
       "What is done without --no-snap: where rounding to doubles would break the result, move vertices until it "
-      "does "
-      "not, and say how "
-      "far";
+      "does not, and say how far";
   constexpr const char* kNoSnap = "Do not move vertices where rounding to doubles breaks the result: ";
   CLI::Option* const snap = sub->add_flag("--snap", eval.snap, kSnap);
   sub->add_flag("--no-snap", eval.no_snap, std::string(kNoSnap) + "write the file, and warn")->excludes(snap);
@@ -343,8 +341,7 @@ int run(int argc, char** argv) {
   sub = program.add_subcommand(
       "mesh",
       "Fills the regions with tetrahedra that conform to every face, wire and point; with --surface meshes faces "
-      "and "
-      "wires alone. Nothing has to be asked for: shapes are as good as some thousand points more make them");
+      "and wires alone. Nothing has to be asked for: shapes are as good as some thousand points more make them");
   add_tree(sub, mesh);
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N")->check(name_fault);
   sub->add_option("-o", mesh.files,
@@ -372,8 +369,8 @@ int run(int argc, char** argv) {
   CLI::Option* const quality =
       sub->add_option("--quality", mesh.options.quality,
                       "Largest ratio of circumradius to shortest edge, from 1.1: 2 is usual, below 1.4 may take "
-                      "very long; thin "
-                      "regions take as many tetrahedra as that needs, without it they are as flat as they are")
+                      "very long; thin regions take as many tetrahedra as that needs, without it they are as flat "
+                      "as they are")
           ->type_name("Q")
           ->check(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
   sub->add_option(
@@ -410,8 +407,7 @@ int run(int argc, char** argv) {
       ->needs(surface);
   sub->add_flag("--surface-first", mesh.options.surface_first,
                 "Begin with the triangles that --surface makes, and keep them as the boundary of the tetrahedra: "
-                "faces are as "
-                "good as there; where TetGen cannot fill that, it is an error")
+                "faces are as good as there; where TetGen cannot fill that, it is an error")
       ->excludes(surface)
       ->excludes(keep_boundary)
       ->excludes(constrained)

@@ -135,7 +135,8 @@ void require_done(const ChildEnd& end) {
   using Kind = ChildEnd::Kind;
   constexpr int kNoMemory = 1;  // TetGen's own number for it
   constexpr const char* kCoarser =
-      "; features of the model are too small beside its size: join what nearly touches by --join, remove slivers, or "
+      "; features of the model are too small beside its size: join what nearly touches by --join, remove slivers, "
+      "or "
       "try --keep-boundary";
   const std::string words = end.said.empty() ? "" : ": `" + end.said + "`";
   if (end.kind == Kind::done && end.number == 0) return;

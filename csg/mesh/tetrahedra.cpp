@@ -292,7 +292,8 @@ class TetrahedraMaker {
       }
     }
     if (options_.surface_first)
-      refused = refused.substr(0, refused.find(';')) + "; leave out --surface-first, give other sizes, or join what nearly touches by --join";
+      refused = refused.substr(0, refused.find(';')) +
+                "; leave out --surface-first, give other sizes, or join what nearly touches by --join";
     return refused;
   }
 
