@@ -42,9 +42,10 @@ std::string number_text(double value) {
 }
 
 /// TetGen refines for sizes only where it refines for quality.
-std::string switches_of(const TetrahedraOptions& options, bool sized) {
+std::string switches_of(const TetrahedraOptions& options, bool sized, bool fills) {
   std::string switches;
   if (options.keep_boundary || options.surface_first) switches += "Y";
+  if (fills) return switches;
   if (options.quality > 0) switches += "q" + number_text(options.quality);
   else if (sized) switches += "q" + number_text(kSizedQuality);
   if (options.max_volume > 0) switches += "a";  // that of regions
@@ -87,10 +88,14 @@ class TetrahedraMaker {
       }
     }
     if (thin_) {
-      to_sizes_ = true;
+      to_sizes_ = sized();
       result_.notice =
           "some regions are thinner than the triangles around them are wide; as these are kept, tetrahedra there "
           "are as flat as they have to be";
+      if (!gave_up_.empty())
+        result_.notice = gave_up_.substr(0, gave_up_.find(';')) +
+                         " with the triangles of the surface; it has "
+                         "filled the regions, and the tetrahedra are improved";
     }
     improve_shapes();
     result_.rounding = rounded.report();
@@ -117,6 +122,8 @@ class TetrahedraMaker {
 
   /// Points that are added at most: to keep bounds that are asked for, and for shapes alone, of which each point
   /// of the mesh may have some.
+  /// So many times as many tetrahedra as are expected, or as are few, are made at most.
+  static constexpr std::size_t kMostOfExpected = 8, kFewTetrahedra = 20'000;
   static constexpr std::size_t kPointsForBounds = 3'000'000, kPoints = 2'000, kPointsEach = 4;
 
   const ResultView& view_;
@@ -132,7 +139,9 @@ class TetrahedraMaker {
   std::optional<RegionLocator> regions_;
   TooLarge too_large_;  // where sizes are asked for
   double expected_ = 0;
+  double in_seconds_ = 0;   // that this takes, at most
   bool thin_ = false;       // TetGen fills the regions and no more, since it would not end
+  std::string gave_up_;     // why: empty where that was known before it was asked
   bool of_tetgen_ = false;  // it has made the mesh, to all bounds
   bool to_sizes_ = false;   // the improver makes them
   double afterwards_ = 0;   // seconds that are kept for what follows the improver, for each tetrahedron
@@ -171,6 +180,7 @@ class TetrahedraMaker {
     if (!options_.keep_boundary) require_possible(mesh, double(memory_of_machine()));  // else few may do
     if (std::isinf(mesh.most)) return;
     expected_ = mesh.tetrahedra;
+    in_seconds_ = mesh.seconds;
     if (options_.foretold) options_.foretold(mesh);
   }
 
@@ -201,6 +211,10 @@ class TetrahedraMaker {
   TetgenTime time_of_tetgen() const {
     const int part = options_.seconds ? 0 : TetrahedraOptions::kPartSeconds;
     const double clock = deadline_.seconds_left() / 3;  // so nearly a third is left after all ways to ask it
+    // It may still fill where it does not come to an end.
+    constexpr double kLeast = 10, kSlow = 20;
+    const int patience = int(std::min(double(part), kLeast + kSlow * in_seconds_));
+    if (!thin_ && options_.surface_first && bounded()) return {patience, clock};
     if (!thin_ && (bounded() || keeps_boundary())) return {part, clock};
     const int enough = 5 + int(plc_.points.size() / 4000);
     return {part == 0 ? enough : std::min(part, enough), clock};
@@ -249,16 +263,19 @@ class TetrahedraMaker {
     if (options_.surface_first && sized() && options_.quality == 0 && options_.max_volume == 0 && expected_ > 0 &&
         double(refined.facets.size()) > expected_)
       thin_ = true;
-    for (const Attempt& attempt : kAttempts) {
+    // Where it does not come to an end of refining, it may still fill.
+    const bool may_fill = options_.surface_first && bounded() && !thin_;
+    for (std::size_t i = 0; i < std::size(kAttempts); ++i) {
+      const Attempt& attempt = kAttempts[i];
       if (keeps_boundary() && attempt.facets == PlcFacets::all) continue;
       try {
         plc_ = options_.surface_first ? refined : plc_of(view_, flat_, rounded, attempt.facets);
-        plc_.max_volume = options_.max_volume;
+        plc_.max_volume = thin_ ? 0 : options_.max_volume;
         set_seeds(plc_, rounded);
         const TetgenTime time = time_of_tetgen();
         const std::string stage = stage_of_tetgen(time);
         watch_.begin(stage);
-        out_ = run_tetgen(plc_, switches_of(options_, refines()), attempt.frame, time,
+        out_ = run_tetgen(plc_, switches_of(options_, refines(), thin_), attempt.frame, time,
                           refines() ? too_large_ : TooLarge(), watch_.stop, looked_at(stage));
         take(watch_);
         return {};
@@ -267,6 +284,11 @@ class TetrahedraMaker {
       } catch (const InvariantError& e) {  // the proof refuses what the mesher returns
         refused = std::string("what TetGen returns is not what was asked for (") + e.what() +
                   "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser";
+      }
+      if (may_fill && !thin_) {
+        thin_ = true;
+        gave_up_ = refused;
+        i = 0;  // the first attempt that keeps the boundary follows
       }
     }
     if (options_.surface_first)
@@ -284,6 +306,8 @@ class TetrahedraMaker {
       asked.radius_edge = options_.quality;
       asked.volume = options_.max_volume;
     }
+    if ((sized() || thin_) && !of_tetgen_)
+      asked.most = kMostOfExpected * std::max(std::size_t(expected_), kFewTetrahedra);
     asked.points = bounded() && !thin_ ? kPointsForBounds : kPoints + kPointsEach * out_.points.size();
     asked.seconds = deadline_.bounded() ? std::max(1e-3, deadline_.seconds_left())
                     : options_.seconds  ? 0
@@ -297,10 +321,10 @@ class TetrahedraMaker {
     }
     std::string notice = std::move(result_.notice);
     // There is a mesh: when time is over it is proven and kept as it is then.
-    bool in_time = true;
-    out_ = improved(plc_, flat_, out_, asked, deadline_.asked(), &in_time);
+    Improved end = Improved::done;
+    out_ = improved(plc_, flat_, out_, asked, deadline_.asked(), &end);
     take(deadline_.asked());
-    if (!in_time) notice += (notice.empty() ? "" : "; ") + unfinished(asked);
+    if (end != Improved::done) notice += (notice.empty() ? "" : "; ") + unfinished_text(asked, end);
     result_.notice = std::move(notice);
   }
 
@@ -314,16 +338,6 @@ class TetrahedraMaker {
               ", or ask for larger ones";
     }
     result_.notice += (result_.notice.empty() ? "" : "; ") + text;
-  }
-
-  /// What the end of time has left undone.
-  std::string unfinished(const ImproveOptions& asked) const {
-    std::string missed;
-    if (asked.size) missed += "sizes, ";
-    if (asked.volume > 0) missed += "--max-volume, ";
-    if (asked.radius_edge > 0) missed += "--quality, ";
-    return "time was over before the mesh was improved to the end, and what is missed may be " + missed +
-           "good shapes; give more --seconds";
   }
 
   /// What the mesher returns, once it is proven.

@@ -88,21 +88,22 @@ class Improver {
     }
   }
 
-  /// False if time was over.
-  bool run() {
+  Improved run() {
     if (options_.size) to_length();
-    for (int round = 0; round < kMoveRounds && !over(); ++round) {
+    for (int round = 0; round < (too_many_ ? 1 : kMoveRounds) && !over(); ++round) {
       begin("mesh: shapes, round " + of_rounds(round, kMoveRounds));
       if (sweep(cube(options_.good)) * 200 < mesh_.size()) break;
     }
-    to_shape();
-    begin("mesh: shapes, last round");
-    sweep(cube(options_.good));
-    for (int round = 0; round < kMoveRounds && !over(); ++round) {
-      if (sweep(cube(options_.shape)) == 0) break;
+    if (!too_many_) {
+      to_shape();
+      begin("mesh: shapes, last round");
+      sweep(cube(options_.good));
+      for (int round = 0; round < kMoveRounds && !over(); ++round) {
+        if (sweep(cube(options_.shape)) == 0) break;
+      }
+      to_volume();
     }
-    to_volume();
-    return !over_;
+    return over_ ? Improved::time_over : too_many_ ? Improved::too_many : Improved::done;
   }
 
   ConformingTetrahedra result() const { return mesh_.mesh(); }
@@ -121,6 +122,13 @@ class Improver {
   std::string stage_;                 // of a walk through all tetrahedra: how many of them it takes nobody knows
   std::size_t steps_ = 0;
   bool over_ = false;
+  bool too_many_ = false;  // refinement has ended for the number of tetrahedra
+
+  /// Asked while refining.
+  bool ends_refining() {
+    too_many_ = too_many_ || (options_.most > 0 && mesh_.size() > options_.most);
+    return too_many_;
+  }
 
   void begin(std::string stage) {
     stage_ = std::move(stage);
@@ -201,7 +209,7 @@ class Improver {
       begin("mesh: lengths, round " + of_rounds(round, kSizeRounds));
       std::size_t done = 0;
       const std::size_t all = mesh_.size();
-      for (Index t = 0; t < all && !over(t); ++t) {
+      for (Index t = 0; t < all && !over(t) && !ends_refining(); ++t) {
         if (!mesh_.alive(t) || mesh_.at(t).region < 0) continue;
         const auto& tet = mesh_.at(t);
         double longest = kLong;
@@ -213,6 +221,7 @@ class Improver {
         }
         if (a != b && moves_.split(a, b) != Stars::kNoTetrahedron) ++done;
       }
+      if (too_many_) return;
       begin("mesh: lengths, moves of round " + of_rounds(round, kSizeRounds));
       sweep(cube(kRough * options_.good));
       if (done == 0) break;
@@ -377,7 +386,7 @@ class Improver {
     }
     halve_on();
     for (const bool on_lines : {false, true})
-      if (bad_shapes() > kGood) insert_on(on_lines);
+      if (!too_many_ && bad_shapes() > kGood) insert_on(on_lines);
   }
   void set_mesh(const ConformingTetrahedra& mesh) {
     mesh_ = Stars(mesh, watch_);
@@ -464,7 +473,7 @@ class Improver {
         size = now.all;
       }
       const bool in_vain = patience == 0 || (options_.volume == 0 && now.all > kMostGrowth * std::max(size, kFew));
-      if (round == kShapeRounds || in_vain || over() || !halve(now.worst, left)) {
+      if (round == kShapeRounds || in_vain || over() || too_many_ || !halve(now.worst, left)) {
         if (now.bad > saved) set_mesh(best);
         return;
       }
@@ -478,7 +487,7 @@ class Improver {
           (worst.size() == 1 ? " tetrahedron is bad" : " tetrahedra are bad"));
     bool any = false;
     for (const Index t : worst) {
-      if (over() || left == 0) break;
+      if (over() || left == 0 || ends_refining()) break;
       if (!mesh_.alive(t) || !is_bad(t) || is_forced(t)) continue;
       const auto [a, b] = longest_edge(t);
       const int halvings = std::min(halvings_[a], halvings_[b]);
@@ -495,11 +504,11 @@ class Improver {
 
 }  // namespace
 
-bool improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch) {
+Improved improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch) {
   Improver improver(mesh, options, watch);
-  const bool done = improver.run();
+  const Improved end = improver.run();
   mesh = improver.result();
-  return done;
+  return end;
 }
 
 double shape_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
