@@ -32,11 +32,6 @@ Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t 
   const Transversality found =
       transversality(*evaluation.complex, *evaluation.parameters, listed, asked, at_vertices);
   Certificate result{found.edges, found.places.size(), {}};
-  const auto numbers = number_leaves(evaluation.instances);
-  std::vector<NodeId> nodes(evaluation.complex->leaf_count);
-  for (const InstanceId i : IdRange<InstanceId>(evaluation.instances.size())) {
-    if (numbers[i].valid()) nodes[numbers[i].index()] = evaluation.instances[i].node;
-  }
   for (std::size_t i = 0; i < std::min(listed, found.places.size()); ++i) {
     const UncertainPlace& place = found.places[i];
     const auto name = [&](std::size_t side) {
@@ -48,7 +43,7 @@ Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t 
     text += place.finer > 0
                 ? "these facets do not tell how; --finer " + std::to_string(place.finer) + " would"
                 : "they touch, or cross at an angle that facets 1024 times finer would not tell from 0";
-    const Node& node = tree.nodes[nodes[place.leaves[0].index()]];
+    const Node& node = tree.nodes[evaluation.leaves.node_of(place.leaves[0])];
     result.notices.push_back({tree.file, node.operator_at, Diagnostic::Level::notice, text});
   }
   return result;

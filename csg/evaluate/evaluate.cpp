@@ -38,7 +38,6 @@
 #include "csg/evaluate/simplified_value.h"
 #include "csg/leaves/leaf_stop.h"
 #include "csg/leaves/surface_parameters.h"
-#include "csg/tree/sizes.h"
 #include "csg/weld/weld_leaves.h"
 #include "csg/weld/weld_surfaces.h"
 
@@ -107,6 +106,7 @@ Sections sections_of(const Tree& tree, const Unfolding& unfolding, const Prepare
 /// What the complex does not know of the leaves: names, parameters.
 void name_leaves(const PreparedLeaves& leaves, const PlacedLeaves& placed, std::optional<LeafPlaces> places,
                  Evaluation& result) {
+  result.leaves = leaves.numbers();
   result.leaf_names.resize(result.complex->leaf_count);
   std::vector<PlacedParameters> parameters;
   for (std::size_t i = 0; i < placed.instances.size(); ++i) {
@@ -154,11 +154,12 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   const SimplifyMode mode = options.raw ? SimplifyMode::raw : SimplifyMode::features;
   for (const InstanceId root : unfolding.roots) {
     const NodeId node = unfolding.instances[root].node;
-    result.kept.push_back(
-        {node, values.share(root),
-         made.of_result && node == tree.result ? *made.of_result
-                                               : SimplifiedValue(result.complex, values.share(root), mode),
-         leaves.below(unfolding, root), tree.nodes[node].name, leaf_sizes(tree, unfolding.instances, root)});
+    result.kept.push_back({node, values.share(root),
+                           made.of_result && node == tree.result
+                               ? *made.of_result
+                               : SimplifiedValue(result.complex, values.share(root), mode),
+                           leaves.below(unfolding, root), tree.nodes[node].name,
+                           leaves.numbers().sizes(tree, unfolding.instances, root)});
   }
   for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});
   result.raw = options.raw;

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/evaluate/leaf_numbers.h"
 #include "csg/evaluate/simplified_value.h"
 #include "csg/operators/group.h"
 #include "csg/operators/tables.h"
@@ -87,9 +88,9 @@ struct KeptValue {
   NodeId node;
   std::shared_ptr<const NodeValue> value;
   SimplifiedValue simplified;   ///< with mode raw when the options say so
-  std::vector<LeafId> leaves;   ///< the leaves below it, ascending
+  std::vector<LeafId> leaves;   ///< the leaves below it, ascending, those below joined ones included
   std::string name{};           ///< of the node
-  std::vector<double> sizes{};  ///< of `leaves`, as leaf_sizes (csg/tree/sizes.h) has them
+  std::vector<double> sizes{};  ///< of `leaves`, as LeafNumbers::sizes has them
   /// The value as a group; InvariantError when it is components.
   const Group& group() const;
 };
@@ -100,6 +101,7 @@ struct Evaluation {
   std::vector<NodeRow> rows;            ///< operands before users
   std::vector<JoinedNode> joined;       ///< below the roots, those below others first
   std::vector<KeptValue> kept;          ///< the result, then `EvaluateOptions::nodes` in their order; each once
+  LeafNumbers leaves;                   ///< which leaf of which node has which number
   std::vector<std::string> leaf_names;  ///< by LeafId; empty for the frame
   std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
   double refine_seconds = 0;            ///< soup and complex

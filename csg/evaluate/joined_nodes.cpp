@@ -5,9 +5,12 @@
 #include <utility>
 
 #include "csg/leaves/prepare_shapes.h"
+#include "csg/result/flat.h"
 #include "csg/result/result_data.h"
 #include "csg/result/result_json.h"
+#include "csg/result/sizes.h"
 #include "csg/tree/dag.h"
+#include "csg/tree/sizes.h"
 #include "kernel/base/part_watch.h"
 
 namespace cnrg {
@@ -41,6 +44,38 @@ std::vector<Diagnostic> diagnostics_of(const Tree& tree, const Node& node, const
   return out;
 }
 
+/// Its leaves may hear a size from users of the node.
+Result asking(const Result& result, const Tree& tree) {
+  if (!says_sizes(tree)) return result;
+  auto data = std::make_shared<Result::Data>(result.data());
+  for (LeafInfo& leaf : data->leaves) leaf.asks = leaf.makers == 0;
+  return Result(std::move(data));
+}
+
+// What is read back has the numbers of the flattened result: faces, edges, points, and regions as labels from 1,
+// but for the unbounded one, which is 0.
+
+std::shared_ptr<const CellMakers> makers_of(const FlatComplex& flat) {
+  const auto made = [](const FlatComplex::Provenance& origin) -> CellMakers::Made {
+    return {{origin.leaves.begin(), origin.leaves.end()}, {origin.cells.begin(), origin.cells.end()}};
+  };
+  auto out = std::make_shared<CellMakers>();
+  for (const auto& face : flat.faces) out->faces.push_back(made(face.origin));
+  for (const auto& edge : flat.edges) out->edges.push_back(made(edge.origin));
+  for (const auto& vertex : flat.vertices) out->vertices.emplace(vertex.point, made(vertex.origin));
+  out->regions.resize(flat.regions.size() + 1);
+  for (std::size_t r = 0; r < flat.regions.size(); ++r)
+    out->regions[flat.regions[r].bounded ? r + 1 : 0] = made(flat.regions[r].origin);
+  return out;
+}
+
+std::vector<LeafParts> parts_by_label(const ResultView& view, const FlatComplex& flat) {
+  std::vector<LeafParts> out(flat.regions.size() + 1);
+  const std::vector<LeafParts> parts = region_parts(view, flat);
+  for (std::size_t r = 0; r < parts.size(); ++r) out[flat.regions[r].bounded ? r + 1 : 0] = parts[r];
+  return out;
+}
+
 }  // namespace
 
 JoinedNodes::JoinedNodes(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
@@ -60,8 +95,14 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
   Evaluation evaluation = evaluate(tree.operands(id).front(), options, leaves_);
   JoinedNode joined{id, {}, std::move(evaluation.rows)};
   try {
-    const Result result = join(evaluation.result(), *node.within, &joined.report, options.watch);
-    leaves_[id] = prepare_result(result_json(result.data().view(true)), "`" + node.name + "`");
+    const Result result = join(asking(evaluation.result(), tree), *node.within, &joined.report, options.watch);
+    const ResultView view = result.data().view(true);
+    const FlatComplex flat = flatten(view);
+    auto run = std::make_shared<JoinedRun>();
+    run->regions = parts_by_label(view, flat);
+    run->leaves = std::move(evaluation.leaves);
+    run->instances = std::move(evaluation.instances);
+    leaves_[id] = {prepare_result(result_json(view), "`" + node.name + "`", makers_of(flat)), std::move(run)};
   } catch (const TreeError&) {
     throw;
   } catch (const InputError& e) {
@@ -70,11 +111,6 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
   refine_seconds_ += evaluation.refine_seconds;
   add_diagnostics(std::move(evaluation.diagnostics));
   add_diagnostics(diagnostics_of(tree, node, joined.report));
-  if (!evaluation.kept.front().sizes.empty()) {
-    add_diagnostics({{tree.file, node.operator_at, Diagnostic::Level::warning,
-                      "`" + node.name + "`: a `size` of what is below is not heard once it is joined; give `" +
-                          node.name + "` one"}});
-  }
   joined_.push_back(std::move(joined));
 }
 

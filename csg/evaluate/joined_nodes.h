@@ -7,15 +7,17 @@
 // attributes, open sets, sheets, wires and points. Distances are those of the operand where it stands below the
 // node: the node's own transform, and those above, move what was joined, once, however many instances there are.
 //
-// What is lost on the way is what belongs to the leaves below: cells come from the node itself, true surfaces are
-// known only where nothing was joined, and lengths that were said for meshes are not heard (a warning says so).
+// Cells know the leaves below that made them: `join` tells of each new cell which old ones it is of, and the leaf
+// keeps that (CellMakers). In the users' complex these leaves have numbers of their own (leaf_numbers.h), so what
+// is asked of leaves, as `from` and `size`, finds them. What is lost are true surfaces, where something was
+// joined.
 #pragma once
 
 #include <functional>
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/evaluate/prepared_leaves.h"
+#include "csg/evaluate/leaf_numbers.h"
 
 namespace cnrg {
 

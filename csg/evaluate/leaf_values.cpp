@@ -17,7 +17,7 @@ namespace {
 
 /// A leaf's value; its regions have their attributes already. Of a result read back it is told by its cell table.
 NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instance& placed, Grades& grades,
-                   const Complex& complex, LeafId leaf, Group group) {
+                   const Complex& complex, LeafId leaf, Group group, HeldCells& held) {
   const LeafInstance& instance = leaves.instances()[leaf.index()];
   const Node& node = tree.nodes[placed.node];
   Attributes own;
@@ -32,7 +32,7 @@ NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instanc
     std::vector<Attributes> said = table->said;
     for (Attributes& attributes : said) attributes.material = grades.moved(placed, attributes.material);
     NodeValue value = leaf_value(complex, leaf, group, *table, instance.transform,
-                                 leaves.attributes(leaf, count, placed, grades), said);
+                                 leaves.attributes(leaf, count, placed, grades), said, &held);
     if (value.is_group()) {
       value.parts() =
           changed(complex, value.parts(), [&](Group& part) { say(complex, own, Saying::fills_in, part); });
@@ -47,8 +47,9 @@ NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instanc
 
 }  // namespace
 
-void put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::span<const InstanceId> instances,
-                     const PreparedLeaves& leaves, Grades& grades, const Complex& complex, ValueStore& values) {
+HeldCells put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::span<const InstanceId> instances,
+                          const PreparedLeaves& leaves, Grades& grades, const Complex& complex,
+                          ValueStore& values) {
   std::vector<std::vector<Attributes>> attributes(leaves.instances().size());
   for (const InstanceId i : instances) {
     const LeafId leaf = leaves.leaf_of(i);
@@ -56,16 +57,19 @@ void put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::span<con
     attributes[leaf.index()] = leaves.attributes(leaf, complex.leaf_regions[leaf], unfolding.instances[i], grades);
   }
   std::vector<Group> groups = leaf_groups(complex, attributes);
+  HeldCells held;
   for (const InstanceId i : instances) {
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
     const Instance& instance = unfolding.instances[i];
-    NodeValue value = value_of(tree, leaves, instance, grades, complex, leaf, std::move(groups[leaf.index()]));
+    NodeValue value =
+        value_of(tree, leaves, instance, grades, complex, leaf, std::move(groups[leaf.index()]), held);
     // Without a material: a leaf has its attributes already. A node that joins speaks as an operator does.
     const Node& node = tree.nodes[instance.node];
     apply_attributes(complex, node, node.within ? grades.on(instance, node.material) : RegionMaterial(), value);
     values.put(i, std::move(value));
   }
+  return held;
 }
 
 }  // namespace cnrg

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/leaf_stop.h"
 
 namespace cnrg {
@@ -93,21 +94,23 @@ const std::string* file_of(const Shape& shape) {
 }
 
 PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding, const JoinedLeaves& joined)
-    : tree_(&tree), prepared_(tree.nodes.size()), leaf_of_(number_leaves(unfolding.instances)) {
-  for (const auto& [node, leaf] : joined) prepared_[node] = leaf;
+    : tree_(&tree), prepared_(tree.nodes.size()), numbers_(unfolding.instances, joined) {
+  for (const auto& [node, leaf] : joined) prepared_[node] = leaf.leaf;
   std::vector<NodeId> nodes;
   std::vector<char> listed(tree.nodes.size(), 0);
   for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {
     const NodeId node = unfolding.instances[i].node;
-    if (leaf_of_[i].valid() && !std::exchange(listed[node.index()], 1)) nodes.push_back(node);
+    if (leaf_of(i).valid() && !std::exchange(listed[node.index()], 1)) nodes.push_back(node);
   }
   prepare_nodes(nodes);
   for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {
-    if (!leaf_of_[i].valid()) continue;
+    const LeafId leaf = leaf_of(i);
+    if (!leaf.valid()) continue;
     const Instance& instance = unfolding.instances[i];
-    nodes_.push_back(instance.node);
+    instances_.resize(leaf.index(), {no_geometry(), {}});
     instances_.push_back({prepared_[instance.node], instance.transform});
   }
+  instances_.resize(numbers_.count(), {no_geometry(), {}});
 }
 
 PreparedLeaves::PreparedLeaves(const Tree& tree) : tree_(&tree), prepared_(tree.nodes.size()) {
@@ -116,11 +119,6 @@ PreparedLeaves::PreparedLeaves(const Tree& tree) : tree_(&tree), prepared_(tree.
     if (tree.nodes[id].op == Operator::leaf) nodes.push_back(id);
   }
   prepare_nodes(nodes);
-}
-
-std::vector<LeafId> PreparedLeaves::below(const Unfolding& unfolding, InstanceId instance,
-                                          std::span<const NodeId> nodes) const {
-  return leaves_below(unfolding.instances, leaf_of_, instance, nodes);
 }
 
 // Files of meshes are read at the same time; if several have faults that of the first node is told.
@@ -209,7 +207,7 @@ std::string PreparedLeaves::in_words(const std::string& message, Position* first
   for (std::sregex_iterator it(message.begin(), message.end(), kPlace), end; it != end; ++it) {
     const std::smatch& match = *it;
     const auto leaf = index_in(match[1]);
-    if (!leaf || *leaf >= nodes_.size()) continue;
+    if (!leaf || *leaf >= numbers_.count()) continue;
     Mention mention = mention_of(node_of(LeafId(*leaf)), match[2]);
     mention.words.insert(0, solids_in(match[3], instances_[*leaf].leaf->regions()));
     if (first != nullptr && !any) *first = mention.at;

@@ -13,6 +13,7 @@
 
 #include "csg/carriers/near_surfaces.h"
 #include "csg/evaluate/grades.h"
+#include "csg/evaluate/leaf_numbers.h"
 #include "csg/leaves/leaf.h"
 #include "csg/operators/group.h"
 #include "csg/tree/tree.h"
@@ -20,14 +21,11 @@
 
 namespace cnrg {
 
-/// Nodes whose values were joined, as leaves (joined_nodes.h).
-using JoinedLeaves = std::map<NodeId, std::shared_ptr<const PreparedLeaf>>;
-
 /// The file that a shape reads; nullptr if it reads none.
 const std::string* file_of(const Shape& shape);
 
-/// The leaf instances of an unfolded tree, by LeafId as `number_leaves` has it. The tree must outlive this; the
-/// unfolding need not.
+/// The leaf instances of an unfolded tree, by LeafId as LeafNumbers has it; those below joined ones without
+/// geometry. The tree must outlive this; the unfolding need not.
 class PreparedLeaves {
  public:
   /// Prepares each leaf node below the unfolding once; those of `joined` are there. Throws TreeError or FileError
@@ -38,11 +36,14 @@ class PreparedLeaves {
 
   const std::vector<LeafInstance>& instances() const { return instances_; }
   /// The leaf of an instance; none() for an inner node.
-  LeafId leaf_of(InstanceId instance) const { return leaf_of_[instance]; }
-  /// As `leaves_below` (csg/tree/unfold.h) has it.
+  LeafId leaf_of(InstanceId instance) const { return numbers_.of(instance); }
+  /// As LeafNumbers has it.
   std::vector<LeafId> below(const Unfolding& unfolding, InstanceId instance,
-                            std::span<const NodeId> nodes = {}) const;
-  const Node& node_of(LeafId leaf) const { return tree_->nodes[nodes_[leaf]]; }
+                            std::span<const NodeId> nodes = {}) const {
+    return numbers_.below(unfolding.instances, instance, nodes);
+  }
+  const Node& node_of(LeafId leaf) const { return tree_->nodes[numbers_.node_of(leaf)]; }
+  const LeafNumbers& numbers() const { return numbers_; }
 
   /// What people say of the regions 1 to `count` of a leaf: the shape's own words, else those of the node,
   /// materials placed as `instance`, that of the leaf, is. What a node that joins says comes later, as of an
@@ -72,8 +73,7 @@ class PreparedLeaves {
   const Tree* tree_;
   IdVector<NodeId, std::shared_ptr<const PreparedLeaf>> prepared_;
   std::vector<LeafInstance> instances_;
-  IdVector<InstanceId, LeafId> leaf_of_;
-  IdVector<LeafId, NodeId> nodes_;
+  LeafNumbers numbers_;
 };
 
 }  // namespace cnrg

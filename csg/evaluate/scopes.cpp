@@ -195,12 +195,7 @@ class Scopes {
     const Stopwatch stopwatch;
     RefineReport report;
     x_.leaves.locate_errors([&] {
-      static const auto kAbsent = [] {
-        Soup none;
-        none.add_leaf(Fill::none);
-        return std::make_shared<const GeometryLeaf>(std::move(none), std::vector<Attributes>());
-      }();
-      std::vector<LeafInstance> instances(x_.placed.size(), LeafInstance{kAbsent, {}});
+      std::vector<LeafInstance> instances(x_.placed.size(), LeafInstance{no_geometry(), {}});
       for (const InstanceId id : scope.here) {
         if (const LeafId leaf = x_.leaves.leaf_of(id); leaf.valid())
           instances[leaf.index()] = x_.placed[leaf.index()];
@@ -215,7 +210,8 @@ class Scopes {
       if (!top) options.watch.progress = {};
       options.vertices = !sections_.empty() || !steps_.empty();
       ComplexDraft draft(soup, options, &report);
-      put_leaf_values(tree_, x_.unfolding, scope.here, x_.leaves, x_.grades, *draft, scope.values);
+      const HeldCells held =
+          put_leaf_values(tree_, x_.unfolding, scope.here, x_.leaves, x_.grades, *draft, scope.values);
       if (!top) scope.points = carried.points(*draft, report.vertex_of);
       if (!carried.empty()) {
         std::vector<Group> groups = carried.on(*draft, report.vertex_of);
@@ -227,6 +223,7 @@ class Scopes {
           else scope.first.emplace(of[i], std::move(value));
         }
       }
+      draft.hold(held.faces, held.edges, held.vertices);
       scope.complex = draft.finish();
     });
     for (Diagnostic& dropped : dropped_faces(tree_, x_.leaves, *scope.complex, report)) {

@@ -229,7 +229,7 @@ Lives::Lives(const Tree& tree, const Evaluation& evaluation, NodeId node)
     : tree_(tree),
       evaluation_(evaluation),
       complex_(*evaluation.complex),
-      leaf_of_(number_leaves(evaluation.instances)),
+      leaf_of_(evaluation.leaves.by_instance()),
       said_(complex_) {
   require(!evaluation.values.empty(), "explain: the evaluation has not kept all values");
   const NodeValue* value = evaluation.value(node).value.get();
@@ -337,7 +337,7 @@ std::vector<Operand> Lives::operands_of(InstanceId id) const {
     added.name = name_of(operand);
     if (const auto wanted = leaves_wanted(node, out.size() == 1)) {
       added.below = std::make_shared<const std::vector<LeafId>>(
-          leaves_below(evaluation_.instances, leaf_of_, operand, *wanted));
+          evaluation_.leaves.below(evaluation_.instances, operand, *wanted));
     }
   }
   return out;

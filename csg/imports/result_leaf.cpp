@@ -105,11 +105,13 @@ std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
   return prepare_result(read_leaf_file(shape.file, shape.inside, result::kWriteAgain), shape.file);
 }
 
-std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name) {
+std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name,
+                                             std::shared_ptr<const CellMakers> makers) {
   const result::JsonFile file = parsed(text, name);
   const result::Cursor root(file);
   Content content = result::read_content(root);
   result::check_content(root, content);
+  content.table.makers = std::move(makers);
   return std::make_unique<ResultLeaf>(std::move(content));
 }
 

@@ -6,13 +6,27 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "csg/materials/attributes.h"
+#include "kernel/complex/complex.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
+
+/// What the cells of a value that was joined came from (csg/evaluate/joined_nodes.h): leaves of the run that made
+/// it, by their numbers there, and what of these holds the cell. Empty for inactive cells.
+struct CellMakers {
+  struct Made {
+    std::vector<LeafId> leaves;
+    std::vector<LeafCell> cells;
+  };
+  std::vector<Made> faces, edges;          ///< by number
+  std::vector<Made> regions;               ///< by label
+  std::map<std::uint32_t, Made> vertices;  ///< by point
+};
 
 struct CellTable {
   struct Cell {
@@ -33,6 +47,9 @@ struct CellTable {
   /// The number of the edge that has the segment between two points, the smaller one first.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> segments;
   std::map<std::uint32_t, Cell> vertices;  ///< by point
+  /// Leaf i of that run is the (i + 1)-th one after the leaf that has this table. nullptr: cells come from the
+  /// leaf itself.
+  std::shared_ptr<const CellMakers> makers;
 };
 
 }  // namespace cnrg

@@ -64,6 +64,15 @@ GeometryLeaf::GeometryLeaf(Soup geometry, std::vector<Attributes> regions, std::
   require(geometry_.leaf_count() == 1 && !geometry_.frame().valid(), "a leaf's geometry is a soup of one leaf");
 }
 
+const std::shared_ptr<const PreparedLeaf>& no_geometry() {
+  static const std::shared_ptr<const PreparedLeaf> leaf = [] {
+    Soup none;
+    none.add_leaf(Fill::none);
+    return std::make_shared<const GeometryLeaf>(std::move(none), std::vector<Attributes>());
+  }();
+  return leaf;
+}
+
 LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
   const Soup& from = geometry_;
   const LeafId leaf = soup.add_leaf(from.fill(LeafId(0)));

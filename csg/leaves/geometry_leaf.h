@@ -28,6 +28,9 @@ class GeometryLeaf final : public PreparedLeaf {
   std::vector<std::string> notices_;
 };
 
+/// A leaf without any cells.
+const std::shared_ptr<const PreparedLeaf>& no_geometry();
+
 /// The coordinates of a point, exactly.
 RationalPoint exact_value(const Soup& soup, PointId p);
 

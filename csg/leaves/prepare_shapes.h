@@ -4,6 +4,7 @@
 // Leaves with curved patches are made with a record of their parameters or (null, as `prepare` does) without.
 #pragma once
 
+#include "csg/leaves/cell_table.h"
 #include "csg/leaves/leaf.h"
 
 namespace cnrg {
@@ -73,7 +74,9 @@ std::unique_ptr<PreparedLeaf> prepare_group(const GroupShape& shape);
 /// ...` with the JSON path of any other fault, each with what to do; InputError if there is no such file,
 /// FileError if it cannot be read.
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape);
-/// The same of a text that is in no file; `name` stands for the file in messages.
-std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name);
+/// The same of a text that is in no file; `name` stands for the file in messages. `makers`: what made the cells,
+/// by the numbers of the text.
+std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name,
+                                             std::shared_ptr<const CellMakers> makers = nullptr);
 
 }  // namespace cnrg

@@ -20,7 +20,7 @@ bool has_outside(const FlatComplex& flat) {
 }  // namespace
 
 PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, ImproveOptions options,
-                 const Watch& watch, bool* in_time) {
+                 const Watch& watch, Improved* end) {
   watch.begin("mesh: shapes");
   ConformingTetrahedra work;
   work.points = mesh.points;
@@ -54,8 +54,8 @@ PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, I
     work.line.push_back(mesh.edge[i]);
   }
   options.fixed = static_cast<ConformingTetrahedra::Index>(plc.points.size());
-  const bool done = improve(work, options, watch);
-  if (in_time != nullptr) *in_time = done;
+  const Improved how = improve(work, options, watch);
+  if (end != nullptr) *end = how;
   PlcMesh out;
   out.points = std::move(work.points);
   out.tetrahedra = std::move(work.tetrahedra);
@@ -65,6 +65,21 @@ PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, I
   out.segments = std::move(work.segments);
   out.edge = std::move(work.line);
   return out;
+}
+
+std::string unfinished_text(const ImproveOptions& asked, Improved end) {
+  std::string missed;
+  if (asked.size) missed += "sizes, ";
+  if (asked.volume > 0) missed += "--max-volume, ";
+  if (asked.radius_edge > 0) missed += "--quality, ";
+  if (end == Improved::too_many) {
+    return "the mesh had many times the tetrahedra that were expected, as where regions are far thinner than "
+           "edges "
+           "are to be long; it was refined no further, and what is missed may be " +
+           missed + "good shapes";
+  }
+  return "time was over before the mesh was improved to the end, and what is missed may be " + missed +
+         "good shapes; give more --seconds";
 }
 
 }  // namespace cnrg

@@ -1,6 +1,8 @@
 // What a mesher returns, improved (kernel/tetrahedra/improve.h).
 #pragma once
 
+#include <string>
+
 #include "csg/mesh/plc.h"
 #include "kernel/tetrahedra/improve.h"
 
@@ -10,8 +12,11 @@ namespace cnrg {
 constexpr std::size_t points_for_shapes(std::size_t points) { return 2'000 + 4 * points; }
 
 /// The same regions, facets and edges in better tetrahedra. `mesh` must be proven to conform. Tetrahedra outside
-/// of all regions are left out unless something of the result lies there. `in_time`: as `improve` returns it.
+/// of all regions are left out unless something of the result lies there. `end`: as `improve` returns it.
 PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, ImproveOptions options,
-                 const Watch& watch, bool* in_time = nullptr);
+                 const Watch& watch, Improved* end = nullptr);
+
+/// What an end before it was done has left undone, for a notice.
+std::string unfinished_text(const ImproveOptions& asked, Improved end);
 
 }  // namespace cnrg

@@ -99,6 +99,8 @@ class TetrahedraMaker {
                                           {PlcFacets::planar, TetgenFrame::even},
                                           {PlcFacets::planar, TetgenFrame::uneven}};
 
+  /// So many times as many tetrahedra as are expected, or as are few, are made at most.
+  static constexpr std::size_t kMostOfExpected = 8, kFewTetrahedra = 20'000;
   /// Points that are added at most to keep bounds that are asked for.
   static constexpr std::size_t kPointsForBounds = 3'000'000;
 
@@ -117,6 +119,7 @@ class TetrahedraMaker {
   TooLarge too_large_;  // where sizes are asked for
   double expected_ = 0;
   double for_shapes_ = 0;  // as many would be made if points that nobody asks for were not rationed
+  double in_seconds_ = 0;  // that what is expected takes, at most
   bool surface_first_ = options_.surface_first;
   bool thin_ = false;       // TetGen fills the regions and no more, since it would not end
   std::string flat_text_;   // why
@@ -180,6 +183,7 @@ class TetrahedraMaker {
     if (std::isinf(mesh.most)) return;
     expected_ = mesh.tetrahedra;
     for_shapes_ = mesh.for_shapes;
+    in_seconds_ = mesh.seconds;
     if (options_.foretold) options_.foretold(mesh);
   }
 
@@ -219,6 +223,10 @@ class TetrahedraMaker {
   TetgenTime time_of_tetgen() const {
     const int part = options_.seconds ? 0 : TetrahedraOptions::kPartSeconds;
     const double clock = deadline_.seconds_left() / 3;  // so nearly a third is left after all ways to ask it
+    // It may still fill where it does not come to an end.
+    constexpr double kLeast = 10, kSlow = 20;
+    const int patience = int(std::min(double(part), kLeast + kSlow * in_seconds_));
+    if (!thin_ && options_.surface_first && bounded()) return {patience, clock};
     if (!thin_ && (bounded() || keeps_boundary())) return {part, clock};
     const int enough = 5 + int(plc_.points.size() / 4000);
     return {part == 0 ? enough : std::min(part, enough), clock};
@@ -271,11 +279,14 @@ class TetrahedraMaker {
     if (surface_first_ && sized() && options_.quality == 0 && options_.max_volume == 0 && expected_ > 0 &&
         !thin_ && double(surface_.facets.size()) > expected_)
       keep_flat();
-    for (const Attempt& attempt : kAttempts) {
+    // Where it does not come to an end of refining, it may still fill.
+    const bool may_fill = options_.surface_first && bounded() && !thin_;
+    for (std::size_t i = 0; i < std::size(kAttempts); ++i) {
+      const Attempt& attempt = kAttempts[i];
       if (keeps_boundary() && attempt.facets == PlcFacets::all) continue;
       try {
         plc_ = surface_first_ ? surface_ : plc_of(view_, flat_, rounded, attempt.facets);
-        plc_.max_volume = options_.max_volume;
+        plc_.max_volume = thin_ ? 0 : options_.max_volume;
         set_seeds(plc_, rounded);
         const TetgenTime time = time_of_tetgen();
         const std::string stage = stage_of_tetgen(time);
@@ -290,6 +301,13 @@ class TetrahedraMaker {
         refused = std::string("what TetGen returns is not what was asked for (") + e.what() +
                   "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser";
       }
+      if (may_fill && !thin_) {
+        thin_ = true;
+        flat_text_ =
+            refused.substr(0, refused.find(';')) +
+            " with the triangles of the surface; it has filled the regions, and the tetrahedra are improved";
+        i = 0;  // the first attempt that keeps the boundary follows
+      }
     }
     if (options_.surface_first)
       refused = refused.substr(0, refused.find(';')) +
@@ -300,13 +318,14 @@ class TetrahedraMaker {
   void improve_shapes() {
     ImproveOptions asked;
     asked.keep_boundary = keeps_boundary();
-    if (bounded() &&
-        of_tetgen_) {  // moves for shapes alone might break the bounds, which it has kept where it could
+    if (bounded() && of_tetgen_) {  // moves for shapes alone might break bounds, which it has kept where it could
       asked.good = asked.shape;
     } else {
       asked.radius_edge = options_.quality;
       asked.volume = options_.max_volume;
     }
+    if ((sized() || thin_) && !of_tetgen_)
+      asked.most = kMostOfExpected * std::max(std::size_t(expected_), kFewTetrahedra);
     asked.points = bounded() && !thin_ ? kPointsForBounds : points_for_shapes(out_.points.size());
     asked.seconds = deadline_.bounded() ? std::max(1e-3, deadline_.seconds_left())
                     : options_.seconds  ? 0
@@ -320,11 +339,11 @@ class TetrahedraMaker {
     }
     const std::string notice = std::move(result_.notice);
     // There is a mesh: when time is over it is proven and kept as it is then.
-    bool in_time = true;
-    out_ = improved(plc_, flat_, out_, asked, deadline_.asked(), &in_time);
+    Improved end = Improved::done;
+    out_ = improved(plc_, flat_, out_, asked, deadline_.asked(), &end);
     take(deadline_.asked());
     result_.notice = notice;
-    if (!in_time) tell(unfinished(asked));
+    if (end != Improved::done) tell(unfinished_text(asked, end));
   }
 
   /// One more thing that the user should know.
@@ -360,16 +379,6 @@ class TetrahedraMaker {
     if (n == 0) return;
     tell(counted(std::size_t(n), "tetrahedron has", "tetrahedra have") +
          " an edge of more than 1.4 times the size that is asked for" + why);
-  }
-
-  /// What the end of time has left undone.
-  std::string unfinished(const ImproveOptions& asked) const {
-    std::string missed;
-    if (asked.size) missed += "sizes, ";
-    if (asked.volume > 0) missed += "--max-volume, ";
-    if (asked.radius_edge > 0) missed += "--quality, ";
-    return "time was over before the mesh was improved to the end, and what is missed may be " + missed +
-           "good shapes; give more --seconds";
   }
 
   /// What the mesher returns, once it is proven.

@@ -53,14 +53,25 @@ class LeafValue {
     number_points(transform);
     number_edges();
     select(static_cast<Component>(attributes.size()));
-    const LeafSetId own = out_.origins.sets.intern(leaf_);
-    out_.origins.vertices.assign(out_.selection.vertices.size(), own);
-    out_.origins.edges.assign(out_.selection.edges.size(), own);
-    out_.origins.faces.assign(out_.selection.faces.size(), own);
-    out_.origins.regions.assign(out_.selection.regions.size(), own);
+    const Selection& s = out_.selection;
+    const auto set_origins = [&](const auto& cells, std::vector<LeafSetId>& origins) {
+      for (const auto& [cell, component] : cells) origins.push_back(set_of(made(cell), nullptr));
+    };
+    set_origins(s.vertices, out_.origins.vertices);
+    set_origins(s.edges, out_.origins.edges);
+    set_origins(s.faces, out_.origins.faces);
+    set_origins(s.regions, out_.origins.regions);
     put_said(said);
     for (std::size_t i = 0; i < attributes.size(); ++i) {
       out_.attributes.push_back({{attributes[i], {leaf_}}, table_.dominances[table_.group ? 0 : i]});
+    }
+    for (std::size_t i = 0; table_.makers != nullptr && i < s.regions.size(); ++i) {
+      const auto set = out_.origins.sets[out_.origins.regions[i]];
+      std::vector<LeafId>& leaves = out_.attributes[s.regions[i].second - 1].leaves;
+      if (leaves.size() < set.size() || !std::includes(leaves.begin(), leaves.end(), set.begin(), set.end())) {
+        leaves.insert(leaves.end(), set.begin(), set.end());
+        sort_unique(leaves);
+      }
     }
     return std::move(out_);
   }
@@ -74,6 +85,73 @@ class LeafValue {
     return std::any_of(faces.begin(), faces.end(), has_face) || std::any_of(wires.begin(), wires.end(), has_wire);
   }
 
+  using Made = CellMakers::Made;
+
+  /// What made the cell of the file that a cell is a piece of; nullptr where only the leaf is known.
+  const Made* made(FaceId f) const {
+    if (table_.makers == nullptr) return nullptr;
+    One face("faces");
+    see(f, face);
+    if (face.found()) return &table_.makers->faces.at(face.number());
+    return made_inside(complex_.face_regions[f][0]);
+  }
+  const Made* made(EdgeId e) const {
+    if (table_.makers == nullptr) return nullptr;
+    if (edge_[e] != 0) return &table_.makers->edges.at(edge_[e] - 1);
+    One face("faces");
+    see(e, face);
+    if (face.found()) return &table_.makers->faces.at(face.number());
+    return made_inside(complex_.some_region(e));
+  }
+  const Made* made(VertexId v) const {
+    if (table_.makers == nullptr) return nullptr;
+    if (point_[v] != 0) {
+      const auto vertex = table_.makers->vertices.find(point_[v] - 1);
+      if (vertex != table_.makers->vertices.end()) return &vertex->second;
+    }
+    One edge("edges"), face("faces");
+    for (const EdgeId e : complex_.vertex_edges[v]) {
+      if (edge_[e] != 0) edge.see(edge_[e] - 1);
+    }
+    if (edge.found()) return &table_.makers->edges.at(edge.number());
+    for (const EdgeId e : complex_.vertex_edges[v]) see(e, face);
+    for (const FaceId f : complex_.vertex_faces[v]) see(f, face);
+    if (face.found()) return &table_.makers->faces.at(face.number());
+    return made_inside(complex_.some_region(v));
+  }
+  const Made* made(RegionId r) const { return table_.makers == nullptr ? nullptr : made_inside(r); }
+  const Made* made_inside(RegionId r) const { return &table_.makers->regions.at(label(r)); }
+
+  LeafId here(LeafId of_run) const { return LeafId(leaf_.value() + 1 + of_run.value()); }
+
+  /// The leaf and those that made a cell, with what is said of it.
+  LeafSetId set_of(const Made* made, const SaidPointer& said) {
+    LeafSetId& set = sets_[{made, said.get()}];
+    if (set.valid()) return set;
+    std::vector<LeafId> leaves{leaf_};
+    if (made != nullptr) {
+      for (const LeafId leaf : made->leaves) leaves.push_back(here(leaf));
+    }
+    return set = out_.origins.sets.intern(leaves, said);
+  }
+
+ public:
+  /// After `run`: the cells of the leaves that made its cells.
+  void list_held(const Selection& selection, HeldCells& held) const {
+    const auto add = [&](const auto& cells, auto& list) {
+      for (const auto& [cell, component] : cells) {
+        const Made* const by = made(cell);
+        if (by == nullptr) continue;
+        for (const LeafCell& of : by->cells)
+          list.emplace_back(cell, LeafCell{here(of.leaf), of.dimension, of.number});
+      }
+    };
+    add(selection.faces, held.faces);
+    add(selection.edges, held.edges);
+    add(selection.vertices, held.vertices);
+  }
+
+ private:
   void number_points(const Transform& transform) {
     std::vector<VertexId> vertices;
     for (const EdgeId e : cells_.edges) {
@@ -142,14 +220,12 @@ class LeafValue {
     if (said.empty()) return;
     Scratch<EdgeId, LeafSetId::Value> at_edge(complex_.edge_count());  // 1 + the set
     Scratch<VertexId, LeafSetId::Value> at_vertex(complex_.points.size());
-    std::map<std::pair<Index, int>, LeafSetId> known;
-    const auto set_of = [&](Index number, int dimension) {
-      LeafSetId& set = known[{number, dimension}];
-      if (!set.valid()) {
-        const auto what = std::make_shared<const Said>(Said{said[number], dimension});
-        set = out_.origins.sets.intern(std::span(&leaf_, 1), what);
-      }
-      return set;
+    std::map<std::pair<Index, int>, SaidPointer> known;
+    const auto said_by = [&](LeafSetId set) -> const SaidPointer& { return out_.origins.sets.said(set); };
+    const auto told = [&](auto cell, Index number, int dimension) {
+      SaidPointer& what = known[{number, dimension}];
+      if (what == nullptr) what = std::make_shared<const Said>(Said{said[number], dimension});
+      return set_of(made(cell), what);
     };
     const auto bound = [&](auto& around, auto cell, LeafSetId set) {
       if (around.get(cell) == 0) around[cell] = set.value() + 1;
@@ -160,7 +236,7 @@ class LeafValue {
       see(s.faces[i].first, face);
       const Index number = face.found() ? table_.said_of_faces.at(face.number()) : CellTable::kSilent;
       if (number == CellTable::kSilent) continue;
-      const LeafSetId set = out_.origins.faces[i] = set_of(number, 2);
+      const LeafSetId set = out_.origins.faces[i] = told(s.faces[i].first, number, 2);
       for (const LoopId l : complex_.face_loops[s.faces[i].first]) {
         for (const HalfEdge h : complex_.loop[l]) {
           bound(at_edge, h.edge(), set);
@@ -174,10 +250,10 @@ class LeafValue {
       LeafSetId& set = out_.origins.edges[i];
       const Index number = edge_[e] != 0 ? table_.edges[edge_[e] - 1].said : CellTable::kSilent;
       if (number != CellTable::kSilent) {
-        set = set_of(number, 1);
+        set = told(e, number, 1);
         for (const VertexId v : complex_.edge_ends[e]) at_vertex[v] = set.value() + 1;
       } else if (at_edge.get(e) != 0) {
-        set = LeafSetId(at_edge.get(e) - 1);
+        set = set_of(made(e), said_by(LeafSetId(at_edge.get(e) - 1)));
       }
     }
     for (std::size_t i = 0; i < s.vertices.size(); ++i) {
@@ -185,8 +261,8 @@ class LeafValue {
       const auto vertex = point_[v] == 0 ? table_.vertices.end() : table_.vertices.find(point_[v] - 1);
       const Index number = vertex == table_.vertices.end() ? CellTable::kSilent : vertex->second.said;
       LeafSetId& set = out_.origins.vertices[i];
-      if (number != CellTable::kSilent) set = set_of(number, 0);
-      else if (at_vertex.get(v) != 0) set = LeafSetId(at_vertex.get(v) - 1);
+      if (number != CellTable::kSilent) set = told(v, number, 0);
+      else if (at_vertex.get(v) != 0) set = set_of(made(v), said_by(LeafSetId(at_vertex.get(v) - 1)));
     }
   }
 
@@ -216,12 +292,13 @@ class LeafValue {
     return {of(face), false};
   }
 
-  Component component(RegionId r) const {
+  std::uint32_t label(RegionId r) const {
     for (const Label& label : complex_.labels(r)) {
-      if (label.leaf == leaf_) return table_.regions.at(label.region);
+      if (label.leaf == leaf_) return label.region;
     }
-    return table_.regions[0];
+    return 0;
   }
+  Component component(RegionId r) const { return table_.regions.at(label(r)); }
 
   /// Active 3-cells and what is inside of their regions, then the cells that lie on the leaf.
   void select(Component count) {
@@ -267,6 +344,7 @@ class LeafValue {
   const CellTable& table_;
   Scratch<VertexId, Index> point_;  // of the file, from 1
   Scratch<EdgeId, Index> edge_;     // of the file, from 1
+  std::map<std::pair<const Made*, const Said*>, LeafSetId> sets_;
   Components out_;
 };
 
@@ -289,10 +367,12 @@ void keep_numbers(const Components& components, Group& group) {
 
 NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table,
                      const Transform& transform, const std::vector<Attributes>& attributes,
-                     const std::vector<Attributes>& said) {
+                     const std::vector<Attributes>& said, HeldCells* held) {
   std::vector<Attributes> all = attributes;
   if (table.group) all.push_back({.name = kEntitiesName});
-  Components components = LeafValue(complex, leaf, cells, table).run(transform, all, said);
+  LeafValue made(complex, leaf, cells, table);
+  Components components = made.run(transform, all, said);
+  if (held != nullptr) made.list_held(components.selection, *held);
   if (!table.group) return components;
   const CellSet missing = missing_boundary(complex, components);
   if (!missing.empty()) {

@@ -2,6 +2,7 @@
 // cut its cells.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "csg/leaves/cell_table.h"
@@ -10,12 +11,21 @@
 
 namespace cnrg {
 
+/// Cells of leaves that hold cells of the complex on which none of their faces and wires lies
+/// (ComplexDraft::hold).
+struct HeldCells {
+  std::vector<std::pair<FaceId, LeafCell>> faces;
+  std::vector<std::pair<EdgeId, LeafCell>> edges;
+  std::vector<std::pair<VertexId, LeafCell>> vertices;
+};
+
 /// `cells` are the cells of the leaf as leaf_groups has them; `transform` is that of its instance; `attributes`
 /// are those of each component, `said` those that cells have (`table.said`, placed as the leaf is). The regions of
 /// a group are numbered as detection finds them. Throws InputError if the cells of the file overlap or are no
 /// group where the file says so.
+/// Cells came from the leaf, and from those that made them (`table.makers`), whose cells are added to `held`.
 NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table,
                      const Transform& transform, const std::vector<Attributes>& attributes,
-                     const std::vector<Attributes>& said);
+                     const std::vector<Attributes>& said, HeldCells* held = nullptr);
 
 }  // namespace cnrg

@@ -98,6 +98,7 @@ class Flattener {
     for (const auto& region : simple_.regions) {
       flat_.regions.push_back({region.component, region.bounded, region.shells, region.cells,
                                origin_of(value_.selection.regions, value_.origins.regions, region.cells)});
+      name_makers(flat_.regions.back().origin);
     }
   }
 
@@ -133,6 +134,30 @@ class Flattener {
     if (from.size() > 1) sort_unique(of);
     sort_unique(on);
     return {{of.begin(), of.end()}, {on.begin(), on.end()}};
+  }
+
+  /// What a joined leaf stands for is in its place (csg/evaluate/leaf_numbers.h).
+  void name_makers(FlatComplex::Provenance& origin) const {
+    if (view_.leaves == nullptr) return;
+    std::vector<LeafId> named;
+    for (auto it = origin.leaves.begin(); it != origin.leaves.end(); ++it) {
+      const std::uint32_t makers = it->index() < view_.leaves->size() ? (*view_.leaves)[it->index()].makers : 0;
+      const bool told =
+          makers > 0 && std::next(it) != origin.leaves.end() && std::next(it)->value() <= it->value() + makers;
+      if (told) named.push_back(*it);
+    }
+    if (named.empty()) return;
+    const auto is_named = [&](LeafId leaf) { return std::binary_search(named.begin(), named.end(), leaf); };
+    std::vector<LeafId> leaves;
+    std::vector<LeafCell> cells;
+    for (const LeafId leaf : origin.leaves) {
+      if (!is_named(leaf)) leaves.push_back(leaf);
+    }
+    for (const LeafCell& cell : origin.cells) {
+      if (!is_named(cell.leaf)) cells.push_back(cell);
+    }
+    origin.leaves = {leaves.begin(), leaves.end()};
+    origin.cells = {cells.begin(), cells.end()};
   }
 
   template <class List = Loop, class Range>
@@ -253,9 +278,11 @@ class Flattener {
       face.origin.said = sources_.said(from.cells[0].face());
       face.patch = patch_of(from, face.origin.leaves);
       face.surface = surface_of(from, face);
-      if (view_.parameters == nullptr) return;
-      if (face.patch) add_cells(face, facets, from);
-      else if (face.surface != 0) add_cells_of_patches(face, from);
+      if (view_.parameters != nullptr) {
+        if (face.patch) add_cells(face, facets, from);
+        else if (face.surface != 0) add_cells_of_patches(face, from);
+      }
+      name_makers(face.origin);
     });
   }
 
@@ -444,6 +471,7 @@ class Flattener {
       edge.origin = origin_of(value_.selection.edges, value_.origins.edges, from.chain);
       edge.origin.said = sources_.said(first);
       add_carriers(edge, from);
+      name_makers(edge.origin);
     });
   }
 
@@ -524,6 +552,7 @@ class Flattener {
       if (!whole_) return;
       vertex.origin = origin_of(value_.selection.vertices, value_.origins.vertices, std::span(&from.cell, 1));
       vertex.origin.said = sources_.said(from.cell);
+      name_makers(vertex.origin);
     });
   }
 

@@ -411,7 +411,7 @@ class Joiner {
     next.simplified = std::shared_ptr<const SimplifiedComplex>(made, &made->simplified);
     next.parameters = nullptr;
     next.of_group = made->of_group;
-    next.region_sizes = std::shared_ptr<const std::vector<double>>(made, &made->region_sizes);
+    next.region_parts = std::shared_ptr<const std::vector<LeafParts>>(made, &made->region_parts);
     watch.check();
     FlatComplex flat = flatten(next.view());
     watch.check();

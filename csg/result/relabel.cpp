@@ -85,12 +85,12 @@ class Labeller {
     moved_.complex.set_sources(std::move(sources_));
     return moved_.complex.finish();
   }
-  /// What is said of the region that each 3-cell is of; empty if that is nothing at all.
-  std::vector<double> sizes(const std::vector<double>& of_regions) const {
-    std::vector<double> sizes;
-    if (of_regions.empty()) return sizes;
-    for (const Index r : region_) sizes.push_back(r == kNone ? 0 : of_regions[r]);
-    return sizes;
+  /// What the region that each 3-cell is of was made of; empty if nobody says sizes.
+  std::vector<LeafParts> parts(const std::vector<LeafParts>& of_regions) const {
+    std::vector<LeafParts> parts;
+    if (of_regions.empty()) return parts;
+    for (const Index r : region_) parts.push_back(r == kNone ? LeafParts() : of_regions[r]);
+    return parts;
   }
   /// The edges and vertices of the result, where they still are.
   Features kept() const { return kept_; }
@@ -296,9 +296,8 @@ class Labeller {
       for (const FaceUse& use : complex_.edge_uses[e]) {
         if (!remains_[use.face]) continue;
         edge_remains_[e] = 1;
-        if (!edges.empty()) break;
-        prefer(state, face_state_[use.face]);
-        for (const Index code : moved_.faces[use.face]) add(from, flat_.faces[code >> 1]);
+        if (edges.empty()) prefer(state, face_state_[use.face]);
+        add_face(use.face, from);
       }
       for (const Index i : edges) edge_remains_[e] = edge_remains_[e] || flat_.edges[i].wire;
       if (edge_remains_[e]) {
@@ -344,13 +343,9 @@ class Labeller {
         state = absorb(complex_.some_region(v), from);
       } else if (here[v].empty()) {
         state = around;
-        for (const EdgeId e : complex_.vertex_edges[v]) {
-          for (const Index i : moved_.edges[e]) add(from, flat_.edges[i]);
-          for (const FaceUse& use : complex_.edge_uses[e]) {
-            for (const Index code : moved_.faces[use.face]) add(from, flat_.faces[code >> 1]);
-          }
-        }
+        add_around(v, from);
       } else {
+        add_around(v, from);
         for (const Index i : here[v]) {
           const FlatComplex::Vertex& vertex = flat_.vertices[i];
           prefer(state, vertex.component);
@@ -367,6 +362,19 @@ class Labeller {
     }
     sort_unique(isolated);
     sources_.isolated_leaves = SparseLists(isolated);
+  }
+
+  /// What meets in a vertex, or came to it by the move.
+  void add_around(VertexId v, Sources& from) const {
+    for (const EdgeId e : complex_.vertex_edges[v]) {
+      for (const Index i : moved_.edges[e]) add(from, flat_.edges[i]);
+      for (const FaceUse& use : complex_.edge_uses[e]) add_face(use.face, from);
+    }
+    for (const FaceId f : complex_.vertex_faces[v]) add_face(f, from);
+  }
+  void add_face(FaceId f, Sources& from) const {
+    if (!remains_[f]) return;
+    for (const Index code : moved_.faces[f]) add(from, flat_.faces[code >> 1]);
   }
 
   void list_regions() {
@@ -450,9 +458,13 @@ class Labeller {
     std::map<std::vector<Cover>, SourceSetId> known;
     Csr<SourceSetId, Cover> covers;
     sources_.face_cover.resize(complex_.face_count());
+    std::vector<std::pair<FaceId, LeafCell>> held;
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
       std::vector<Cover> list;
       for (const Index code : moved_.faces[f]) {
+        for (const LeafCell& cell : flat_.faces[code >> 1].origin.cells) {
+          if (cell.dimension == 2 && !has_cover(of_face[code >> 1], sources, cell)) held.emplace_back(f, cell);
+        }
         for (const SourceId source : of_face[code >> 1]) list.push_back({source, (code & 1) == 0});
       }
       sort_unique(list);
@@ -460,8 +472,16 @@ class Labeller {
       if (fresh) it->second = covers.push_back(it->first);
       sources_.face_cover[f] = it->second;
     }
+    sort_unique(held);
+    sources_.face_leaf_cells = SparseLists(held);
     sources_.covers = std::move(covers);
     sources_.sources = std::move(sources);
+  }
+  static bool has_cover(const std::vector<SourceId>& list, const IdVector<SourceId, Soup::Face>& sources,
+                        const LeafCell& cell) {
+    return std::any_of(list.begin(), list.end(), [&](SourceId s) {
+      return sources[s].leaf == cell.leaf && sources[s].leaf_face == cell.number;
+    });
   }
 
   /// Every edge is a segment. Its wires are those of leaves, and the edges of the result as curves of their own:
@@ -545,7 +565,7 @@ ResultView Relabelled::shown(ResultView view) const {
   view.value = &value;
   view.simplified = &simplified;
   view.of_group = of_group;
-  view.region_sizes = &region_sizes;
+  view.region_parts = &region_parts;
   view.parameters = nullptr;  // they are of points of the complex that it came from
   return view;
 }
@@ -566,7 +586,7 @@ std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& fla
   watch.check();
   out.value = NodeValue(labeller.value());
   out.of_group = view.value->is_group() || view.of_group;
-  out.region_sizes = labeller.sizes(region_sizes(view, flat));
+  out.region_parts = labeller.parts(region_parts(view, flat));
   const Features kept = labeller.kept();
   out.complex = labeller.complex();
   watch.check();

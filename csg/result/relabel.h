@@ -32,8 +32,8 @@ struct Relabelled {
   std::shared_ptr<const Complex> complex;
   NodeValue value;
   SimplifiedComplex simplified;
-  std::vector<double> region_sizes;  ///< as in ResultView
-  bool of_group = false;             ///< as in ResultView
+  std::vector<LeafParts> region_parts;  ///< as in ResultView
+  bool of_group = false;                ///< as in ResultView
   SnapReport report;
   std::vector<FlatComplex::Index> lost_regions, lost_faces, lost_wires;
 

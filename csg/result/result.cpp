@@ -89,7 +89,7 @@ ResultView Result::Data::view(bool with_parameters) const {
   view.leaves = &leaves;
   view.materials = materials;
   view.of_group = of_group;
-  view.region_sizes = region_sizes.get();
+  view.region_parts = region_parts.get();
   if (with_parameters) view.parameters = parameters.get();
   return view;
 }

@@ -18,9 +18,9 @@ struct Result::Data {
   std::string node;
   std::vector<LeafInfo> leaves;  ///< by LeafId
   std::vector<ResultView::Material> materials;
-  std::shared_ptr<const std::vector<double>> region_sizes;  ///< as in ResultView
-  bool of_group = false;                                    ///< as in ResultView
-  bool raw = false;                                         ///< its cells are not simplified
+  std::shared_ptr<const std::vector<LeafParts>> region_parts;  ///< as in ResultView
+  bool of_group = false;                                       ///< as in ResultView
+  bool raw = false;                                            ///< its cells are not simplified
 
   /// Sets node, leaves and materials; those of regions that are not named come after the others.
   void name(ResultNames names);

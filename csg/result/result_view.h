@@ -1,6 +1,8 @@
 // What writers are given: one node of an evaluated tree with all that its file says of it.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,10 +13,20 @@
 
 namespace cnrg {
 
+/// What a region is made of: of each of its 3-cells all leaves that hold it and may say a size, each list once and
+/// ascending. Empty if of some 3-cell there is none.
+using LeafParts = std::vector<std::vector<LeafId>>;
+
 /// What a writer says of a leaf.
 struct LeafInfo {
   std::string name;  ///< the node's name in the tree
   double size = 0;   ///< how long edges of a mesh are to be on what comes from it; 0: nobody says
+  /// Nobody says a size here, but users of the result may.
+  bool asks = false;
+  /// Of a node that joins: so many leaves after it are those below it. What its cells came from is these.
+  std::uint32_t makers = 0;
+  std::shared_ptr<const std::vector<LeafParts>> regions{};  ///< and its regions, by label; nullptr of others
+  bool may_say_size() const { return size > 0 || asks; }
 };
 
 /// One node of an evaluated tree, as writers see it. It owns nothing of what it points to. A Result
@@ -30,9 +42,9 @@ struct ResultView {
   bool of_group = false;  ///< `value` is a snapped group's components (snap.h), the last its entities
   /// Given: .json and .vtu say the parameters of faces on patches of the leaves.
   const SurfaceParameters* parameters = nullptr;
-  /// Of a snapped result: by RegionId how long edges are to be there (sizes.h), 0: nobody says. Empty: nowhere.
-  /// nullptr: the leaves that hold a 3-cell tell.
-  const std::vector<double>* region_sizes = nullptr;
+  /// Of a snapped or joined result: by RegionId what it was made of. Empty: nobody says sizes. nullptr: the leaves
+  /// that hold a 3-cell tell.
+  const std::vector<LeafParts>* region_parts = nullptr;
 };
 
 }  // namespace cnrg

@@ -16,6 +16,9 @@ namespace cnrg {
 /// The shortest length that was said of these leaves; 0: none was.
 double size_of(const ResultView& view, const FlatComplex::Provenance& origin);
 
+/// What each region is made of; empty if nobody says sizes, or may.
+std::vector<LeafParts> region_parts(const ResultView& view, const FlatComplex& flat);
+
 /// Of each region, 0: nothing is said; empty if nothing is said of any.
 std::vector<double> region_sizes(const ResultView& view, const FlatComplex& flat);
 

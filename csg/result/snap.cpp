@@ -56,7 +56,7 @@ Result snap(const Result& result, SnapReport* report, const Watch& watch) {
   data.value = std::shared_ptr<const NodeValue>(snapped, shown.value);
   data.parameters = nullptr;  // they are of points of the exact complex
   data.of_group = shown.of_group;
-  data.region_sizes = std::shared_ptr<const std::vector<double>>(snapped, shown.region_sizes);
+  data.region_parts = std::shared_ptr<const std::vector<LeafParts>>(snapped, shown.region_parts);
   return Result(settled(std::move(data)));
 }
 

@@ -102,16 +102,4 @@ std::vector<char> Dag::reachable(const std::vector<NodeId>& roots) const {
   return result;
 }
 
-std::vector<char> Dag::reachable(const std::vector<NodeId>& roots, const std::function<bool(NodeId)>& ends) const {
-  std::vector<char> result(size(), 0);
-  std::vector<NodeId> waiting = roots;
-  while (!waiting.empty()) {
-    const NodeId id = waiting.back();
-    waiting.pop_back();
-    if (std::exchange(result[id.index()], 1) || ends(id)) continue;
-    for (const NodeId operand : operands(id)) waiting.push_back(operand);
-  }
-  return result;
-}
-
 }  // namespace cnrg

@@ -4,7 +4,6 @@
 // operand that is used twice has two edges. The graph is Boost.Graph's; nobody else includes it.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -40,8 +39,6 @@ class Dag {
 
   /// For each node, whether it is one of the roots or below one.
   std::vector<char> reachable(const std::vector<NodeId>& roots) const;
-  /// The same without what is reached only through nodes for which `ends` holds.
-  std::vector<char> reachable(const std::vector<NodeId>& roots, const std::function<bool(NodeId)>& ends) const;
 
  private:
   struct Graph;

@@ -453,13 +453,12 @@ class TreeReader {
   /// What is asked for is below what it is picked from.
   void check_selectors() {
     NodeId last;  // many pick from one node
-    std::vector<char> below, joined;
+    std::vector<char> below;
     for (const NodeId id : IdRange<NodeId>(tree_.nodes.size())) {
       const Node& node = tree_.nodes[id];
       if (node.op != Operator::select || node.selector->from.empty()) continue;
       const NodeId of = dag_.operands(id).front();
-      const auto joins = [&](NodeId at) { return tree_.nodes[at].within.has_value(); };
-      if (last != of) below = dag_.reachable({of}, joins), joined = dag_.reachable({of});
+      if (last != of) below = dag_.reachable({of});
       last = of;
       for (const NodeId from : node.selector->from) {
         if (!node.selector->criteria.source_faces.empty() && tree_.nodes[from].op != Operator::leaf) {
@@ -468,13 +467,6 @@ class TreeReader {
                                                      tree_.nodes[from].operator_name + "`; name the leaf");
         }
         if (below[from.index()]) continue;
-        if (joined[from.index()]) {
-          document_.fail(node.selector->from_at, "what `simplify` joins is from itself, and `" +
-                                                     tree_.nodes[from].name +
-                                                     "` is below one; name the `simplify`, "
-                                                     "or pick from `" +
-                                                     tree_.nodes[from].name + "` before it");
-        }
         document_.fail(node.selector->from_at, "nothing of `" + tree_.nodes[of].name + "` is from `" +
                                                    tree_.nodes[from].name +
                                                    "`; name a leaf or another node that it is made of");

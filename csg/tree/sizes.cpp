@@ -7,13 +7,17 @@
 
 namespace cnrg {
 
-std::vector<double> leaf_sizes(const Tree& tree, const IdVector<InstanceId, Instance>& instances,
-                               InstanceId root) {
-  if (std::none_of(tree.nodes.begin(), tree.nodes.end(), [](const Node& node) { return node.size.has_value(); }))
-    return {};
+bool says_sizes(const Tree& tree) {
+  return std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const Node& node) { return node.size.has_value(); });
+}
+
+std::vector<double> leaf_sizes(const Tree& tree, const IdVector<InstanceId, Instance>& instances, InstanceId root,
+                               double above) {
+  if (!says_sizes(tree)) return {};
   constexpr double kNothing = std::numeric_limits<double>::infinity();
   const std::vector<InstanceId> below = instances_below(instances, root);
   IdVector<InstanceId, double> heard(instances.size(), kNothing);
+  if (above > 0) heard[root] = above;
   std::vector<double> sizes;
   for (auto it = below.rbegin(); it != below.rend(); ++it) {  // users before operands
     const Instance& instance = instances[*it];

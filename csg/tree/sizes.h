@@ -12,8 +12,13 @@
 
 namespace cnrg {
 
+/// Some node of the tree says a length.
+bool says_sizes(const Tree& tree);
+
 /// The lengths that hold for the leaves below an instance, in the order of their instances, as doubles; 0: nobody
-/// says. Empty if nobody says anything. Iterative; costs what is below.
-std::vector<double> leaf_sizes(const Tree& tree, const IdVector<InstanceId, Instance>& instances, InstanceId root);
+/// says. Empty if nobody says anything. `above`: what the root hears from its users. Iterative; costs what is
+/// below.
+std::vector<double> leaf_sizes(const Tree& tree, const IdVector<InstanceId, Instance>& instances, InstanceId root,
+                               double above = 0);
 
 }  // namespace cnrg

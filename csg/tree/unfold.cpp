@@ -130,15 +130,6 @@ Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t
   return result;
 }
 
-IdVector<InstanceId, LeafId> number_leaves(const IdVector<InstanceId, Instance>& instances) {
-  IdVector<InstanceId, LeafId> leaf_of(instances.size());
-  std::size_t leaves = 0;
-  for (const InstanceId i : IdRange<InstanceId>(instances.size())) {
-    if (instances[i].operands.empty()) leaf_of[i] = LeafId(leaves++);
-  }
-  return leaf_of;
-}
-
 std::vector<InstanceId> instances_below(const IdVector<InstanceId, Instance>& instances, InstanceId root) {
   std::vector<char> below(root.index() + 1, 0);
   below[root.index()] = 1;

@@ -27,10 +27,6 @@ inline constexpr std::size_t kMostBits = 100'000;
 /// transforms has numbers of more than kMostBits bits.
 Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t most = 1'000'000);
 
-/// The numbers of the leaf instances, which have no operands: 0, 1, ... in the order of the instances; none() for
-/// an inner node.
-IdVector<InstanceId, LeafId> number_leaves(const IdVector<InstanceId, Instance>& instances);
-
 /// An instance and all below it, ascending: operands before users, itself the last.
 std::vector<InstanceId> instances_below(const IdVector<InstanceId, Instance>& instances, InstanceId root);
 

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "kernel/base/sorted.h"
 #include "kernel/complex/builder.h"
 #include "kernel/exact/predicates.h"
 
@@ -53,6 +54,26 @@ void ComplexDraft::set_sources(ComplexSources sources) {
   c.edge_leaf_cells = std::move(sources.edge_leaf_cells);
   c.face_leaf_cells = std::move(sources.face_leaf_cells);
   number_surfaces(c);
+}
+
+namespace {
+
+template <class IdT>
+void add(SparseLists<IdT, LeafCell>& lists, std::vector<std::pair<IdT, LeafCell>> more) {
+  if (more.empty()) return;
+  lists.for_each([&](IdT id, const LeafCell& cell) { more.emplace_back(id, cell); });
+  sort_unique(more);
+  lists = SparseLists(more);
+}
+
+}  // namespace
+
+void ComplexDraft::hold(const std::vector<std::pair<FaceId, LeafCell>>& faces,
+                        const std::vector<std::pair<EdgeId, LeafCell>>& edges,
+                        const std::vector<std::pair<VertexId, LeafCell>>& vertices) {
+  add(complex_->face_leaf_cells, faces);
+  add(complex_->edge_leaf_cells, edges);
+  add(complex_->vertex_leaf_cells, vertices);
 }
 
 void ComplexDraft::label(const Soup& soup) {

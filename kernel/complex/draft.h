@@ -41,6 +41,11 @@ class ComplexDraft {
 
   /// Replaces what the cells come from.
   void set_sources(ComplexSources sources);
+  /// Cells of leaves hold cells of the complex on which none of their faces and wires lies: adds them to
+  /// Complex::face_leaf_cells and its like. The lists may be in any order.
+  void hold(const std::vector<std::pair<FaceId, LeafCell>>& faces,
+            const std::vector<std::pair<EdgeId, LeafCell>>& edges,
+            const std::vector<std::pair<VertexId, LeafCell>>& vertices);
   /// Finds the labels of the regions anew, from the soup that it was made of.
   void label(const Soup& soup);
   /// The complex, constant from now on; the draft is empty.

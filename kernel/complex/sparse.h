@@ -32,6 +32,13 @@ class SparseLists {
     const auto i = static_cast<std::size_t>(it - ids_.begin());
     return {values_.data() + (i == 0 ? 0 : ends_[i - 1]), values_.data() + ends_[i]};
   }
+  /// see(id, value) for all values, by id.
+  template <class See>
+  void for_each(const See& see) const {
+    for (std::size_t i = 0, k = 0; i < ids_.size(); ++i) {
+      for (; k < ends_[i]; ++k) see(ids_[i], values_[k]);
+    }
+  }
   /// All values of all lists.
   const std::vector<T>& values() const { return values_; }
   friend bool operator==(const SparseLists&, const SparseLists&) = default;

@@ -7,6 +7,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
+#include "kernel/tetrahedra/failures.h"
 #include "kernel/tetrahedra/insertion.h"
 #include "kernel/tetrahedra/moves.h"
 
@@ -88,21 +89,22 @@ class Improver {
     }
   }
 
-  /// False if time was over.
-  bool run() {
+  Improved run() {
     if (options_.size) to_length();
-    for (int round = 0; round < kMoveRounds && !over(); ++round) {
+    for (int round = 0; round < (too_many_ ? 1 : kMoveRounds) && !over(); ++round) {
       begin("mesh: shapes, round " + of_rounds(round, kMoveRounds));
       if (sweep(cube(options_.good)) * 200 < mesh_.size()) break;
     }
-    to_shape();
-    begin("mesh: shapes, last round");
-    sweep(cube(options_.good));
-    for (int round = 0; round < kMoveRounds && !over(); ++round) {
-      if (sweep(cube(options_.shape)) == 0) break;
+    if (!too_many_) {
+      to_shape();
+      begin("mesh: shapes, last round");
+      sweep(cube(options_.good));
+      for (int round = 0; round < kMoveRounds && !over(); ++round) {
+        if (sweep(cube(options_.shape)) == 0) break;
+      }
+      to_volume();
     }
-    to_volume();
-    return !over_;
+    return over_ ? Improved::time_over : too_many_ ? Improved::too_many : Improved::done;
   }
 
   ConformingTetrahedra result() const { return mesh_.mesh(); }
@@ -113,6 +115,7 @@ class Improver {
   Stars mesh_;
   Moves moves_;
   Insertion insertion_;
+  Failures failures_{mesh_};
   const std::chrono::steady_clock::time_point begin_;
   std::vector<double> wanted_;        // by vertex
   std::vector<int> halvings_;         // by vertex
@@ -121,6 +124,13 @@ class Improver {
   std::string stage_;                 // of a walk through all tetrahedra: how many of them it takes nobody knows
   std::size_t steps_ = 0;
   bool over_ = false;
+  bool too_many_ = false;  // refinement has ended for the number of tetrahedra
+
+  /// Asked while refining.
+  bool ends_refining() {
+    too_many_ = too_many_ || (options_.most > 0 && mesh_.size() > options_.most);
+    return too_many_;
+  }
 
   void begin(std::string stage) {
     stage_ = std::move(stage);
@@ -146,18 +156,32 @@ class Improver {
   bool mend(Index t) {
     const auto corners = mesh_.at(t).corners;
     const double gain = mesh_.at(t).shape < cube(options_.shape) ? gain_of_bad_ : kNotable;
-    for (const auto& [i, j] : kEdges)
-      if (moves_.remove_edge(corners[std::size_t(i)], corners[std::size_t(j)])) return true;
+    for (const auto& [i, j] : kEdges) {
+      const Index a = corners[std::size_t(i)], b = corners[std::size_t(j)];
+      if (failures_.edge(a, b)) continue;
+      if (moves_.remove_edge(a, b)) return true;
+      failures_.add_edge(a, b);
+    }
     for (int k = 0; k < 4; ++k)
       if (moves_.swap_face(t, k)) return true;
     bool moved = false;
-    for (const Index v : corners) moved = moves_.smooth(v, gain) || moved;
+    for (const Index v : corners) {
+      if (failures_.smooth(v, gain)) continue;
+      if (moves_.smooth(v, gain)) moved = true;
+      else failures_.add_smooth(v, gain);
+    }
     if (moved) return true;
     for (const auto& [i, j] : kEdges) {
       const Index a = corners[std::size_t(i)], b = corners[std::size_t(j)];
       const double longest = options_.size ? square(kLong * std::min(wanted(a), wanted(b))) : kInfinite;
-      if (moves_.collapse(a, b, kInfinite, longest) || moves_.collapse(b, a, kInfinite, longest)) return true;
+      if (pull(a, b, longest) || pull(b, a, longest)) return true;
     }
+    return false;
+  }
+  bool pull(Index a, Index b, double longest) {
+    if (failures_.collapse(a, b)) return false;
+    if (moves_.collapse(a, b, kInfinite, longest)) return true;
+    failures_.add_collapse(a, b);
     return false;
   }
   static double square(double x) { return x * x; }
@@ -201,7 +225,7 @@ class Improver {
       begin("mesh: lengths, round " + of_rounds(round, kSizeRounds));
       std::size_t done = 0;
       const std::size_t all = mesh_.size();
-      for (Index t = 0; t < all && !over(t); ++t) {
+      for (Index t = 0; t < all && !over(t) && !ends_refining(); ++t) {
         if (!mesh_.alive(t) || mesh_.at(t).region < 0) continue;
         const auto& tet = mesh_.at(t);
         double longest = kLong;
@@ -213,6 +237,7 @@ class Improver {
         }
         if (a != b && moves_.split(a, b) != Stars::kNoTetrahedron) ++done;
       }
+      if (too_many_) return;
       begin("mesh: lengths, moves of round " + of_rounds(round, kSizeRounds));
       sweep(cube(kRough * options_.good));
       if (done == 0) break;
@@ -377,11 +402,12 @@ class Improver {
     }
     halve_on();
     for (const bool on_lines : {false, true})
-      if (bad_shapes() > kGood) insert_on(on_lines);
+      if (!too_many_ && bad_shapes() > kGood) insert_on(on_lines);
   }
   void set_mesh(const ConformingTetrahedra& mesh) {
     mesh_ = Stars(mesh, watch_);
     tried_.clear();
+    failures_.clear();
   }
 
   /// Rounds of new vertices, also on lines, as long as they help. The last one is kept if it does.
@@ -464,7 +490,7 @@ class Improver {
         size = now.all;
       }
       const bool in_vain = patience == 0 || (options_.volume == 0 && now.all > kMostGrowth * std::max(size, kFew));
-      if (round == kShapeRounds || in_vain || over() || !halve(now.worst, left)) {
+      if (round == kShapeRounds || in_vain || over() || too_many_ || !halve(now.worst, left)) {
         if (now.bad > saved) set_mesh(best);
         return;
       }
@@ -478,7 +504,7 @@ class Improver {
           (worst.size() == 1 ? " tetrahedron is bad" : " tetrahedra are bad"));
     bool any = false;
     for (const Index t : worst) {
-      if (over() || left == 0) break;
+      if (over() || left == 0 || ends_refining()) break;
       if (!mesh_.alive(t) || !is_bad(t) || is_forced(t)) continue;
       const auto [a, b] = longest_edge(t);
       const int halvings = std::min(halvings_[a], halvings_[b]);
@@ -495,11 +521,11 @@ class Improver {
 
 }  // namespace
 
-bool improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch) {
+Improved improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch) {
   Improver improver(mesh, options, watch);
-  const bool done = improver.run();
+  const Improved end = improver.run();
   mesh = improver.result();
-  return done;
+  return end;
 }
 
 double shape_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,

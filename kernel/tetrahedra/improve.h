@@ -7,6 +7,7 @@
 // valid mesh, so the work may end whenever its time is over.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "kernel/base/progress.h"
@@ -26,13 +27,19 @@ struct ImproveOptions {
   double radius_edge = 0;  ///< ratio of circumradius to shortest edge at most; 0: no bound
   double volume = 0;       ///< at most; 0: no bound
   std::size_t points = 0;  ///< that are added for these at most
-  double seconds = 0;      ///< after so many nothing is begun; 0: no bound
-  double afterwards = 0;   ///< so many of these seconds are left for each tetrahedron
+  /// Where there are more tetrahedra than these, refinement ends: flat parts, in which the lengths that are wanted
+  /// are far longer than they are thick, need no more tetrahedra for these, and halves make ever more. 0: no
+  /// bound.
+  std::size_t most = 0;
+  double seconds = 0;     ///< after so many nothing is begun; 0: no bound
+  double afterwards = 0;  ///< so many of these seconds are left for each tetrahedron
 };
 
-/// Improves a mesh. Points that are no more used are left out behind the fixed ones. False if its time was over
-/// before it was done. Throws Stopped.
-bool improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch);
+/// How it ended: whatever comes first leaves the rest undone.
+enum class Improved : std::uint8_t { done, time_over, too_many };
+
+/// Improves a mesh. Points that are no more used are left out behind the fixed ones. Throws Stopped.
+Improved improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch);
 
 /// The ratio of circumradius to shortest edge: sqrt(6) / 4 of a regular tetrahedron, large where edges differ
 /// much.

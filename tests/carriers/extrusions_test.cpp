@@ -63,12 +63,6 @@ LeafInstance extrusion(const std::vector<Loop>& loops, bool closed, const Ration
   return placed(shape, transform);
 }
 
-Rational volume_of(const Complex& complex, const Group& group) {
-  std::vector<RegionId> cells;
-  for (const auto& [cell, region] : group.cells) cells.push_back(cell);
-  return volume(complex, cells).value();
-}
-
 const RationalPoint kUp{0, 0, 1};
 
 }  // namespace

@@ -360,6 +360,26 @@ TEST_CASE("a bound that halves do not reach costs no more than the mesh is worth
   CHECK(seconds(1.1) < 20 * plain);
 }
 
+TEST_CASE("refinement of a flat box ends at a number of tetrahedra", "[tetrahedra]") {
+  Mesh plate = cube();
+  for (Vector& p : plate.points) p[2] /= 1000;
+  ImproveOptions options;
+  options.fixed = 8;
+  options.points = 100'000;
+  options.most = 2000;
+  options.size = [](const Vector&) { return 0.02; };
+  Mesh mesh = plate;
+  CHECK(improve(mesh, options, {}) == Improved::too_many);
+  require_same(plate, mesh);
+  CHECK(mesh.tetrahedra.size() < 2 * options.most);
+  // One that has room for its lengths is done before.
+  const Mesh box = cube();
+  options.size = [](const Vector&) { return 0.3; };
+  mesh = box;
+  CHECK(improve(mesh, options, {}) == Improved::done);
+  require_same(box, mesh);
+}
+
 TEST_CASE("a volume that is bounded, and time that is over", "[tetrahedra]") {
   const Mesh box = cube();
   ImproveOptions options;
@@ -378,7 +398,7 @@ TEST_CASE("a volume that is bounded, and time that is over", "[tetrahedra]") {
   options.points = 100'000'000;
   options.seconds = 0.2;
   Mesh cut = box;
-  improve(cut, options, {});
+  CHECK(improve(cut, options, {}) == Improved::time_over);
   require_same(box, cut);
   std::stop_source stop;
   stop.request_stop();
