@@ -7,7 +7,6 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
-#include "kernel/tetrahedra/failures.h"
 #include "kernel/tetrahedra/insertion.h"
 #include "kernel/tetrahedra/moves.h"
 
@@ -115,7 +114,6 @@ class Improver {
   Stars mesh_;
   Moves moves_;
   Insertion insertion_;
-  Failures failures_{mesh_};
   const std::chrono::steady_clock::time_point begin_;
   std::vector<double> wanted_;        // by vertex
   std::vector<int> halvings_;         // by vertex
@@ -156,32 +154,18 @@ class Improver {
   bool mend(Index t) {
     const auto corners = mesh_.at(t).corners;
     const double gain = mesh_.at(t).shape < cube(options_.shape) ? gain_of_bad_ : kNotable;
-    for (const auto& [i, j] : kEdges) {
-      const Index a = corners[std::size_t(i)], b = corners[std::size_t(j)];
-      if (failures_.edge(a, b)) continue;
-      if (moves_.remove_edge(a, b)) return true;
-      failures_.add_edge(a, b);
-    }
+    for (const auto& [i, j] : kEdges)
+      if (moves_.remove_edge(corners[std::size_t(i)], corners[std::size_t(j)])) return true;
     for (int k = 0; k < 4; ++k)
       if (moves_.swap_face(t, k)) return true;
     bool moved = false;
-    for (const Index v : corners) {
-      if (failures_.smooth(v, gain)) continue;
-      if (moves_.smooth(v, gain)) moved = true;
-      else failures_.add_smooth(v, gain);
-    }
+    for (const Index v : corners) moved = moves_.smooth(v, gain) || moved;
     if (moved) return true;
     for (const auto& [i, j] : kEdges) {
       const Index a = corners[std::size_t(i)], b = corners[std::size_t(j)];
       const double longest = options_.size ? square(kLong * std::min(wanted(a), wanted(b))) : kInfinite;
-      if (pull(a, b, longest) || pull(b, a, longest)) return true;
+      if (moves_.collapse(a, b, kInfinite, longest) || moves_.collapse(b, a, kInfinite, longest)) return true;
     }
-    return false;
-  }
-  bool pull(Index a, Index b, double longest) {
-    if (failures_.collapse(a, b)) return false;
-    if (moves_.collapse(a, b, kInfinite, longest)) return true;
-    failures_.add_collapse(a, b);
     return false;
   }
   static double square(double x) { return x * x; }
@@ -407,7 +391,6 @@ class Improver {
   void set_mesh(const ConformingTetrahedra& mesh) {
     mesh_ = Stars(mesh, watch_);
     tried_.clear();
-    failures_.clear();
   }
 
   /// Rounds of new vertices, also on lines, as long as they help. The last one is kept if it does.

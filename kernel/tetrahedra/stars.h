@@ -77,10 +77,8 @@ class Stars {
   /// Other moves are tried from now on.
   void unsettle() { std::ranges::fill(settled_, 0); }
   bool is_settled(Index t) const { return !changed_since(t, settled_[t]); }
-  /// How many changes there were, and whether one since then was in the star of a vertex, or in those of the
-  /// corners.
+  /// How many changes there were, and whether one since then was in the stars of the corners.
   std::uint64_t changes() const { return changes_; }
-  bool changed_at(Index v, std::uint64_t changes) const { return last_change_[v] > changes; }
   bool changed_since(Index t, std::uint64_t changes) const {
     return std::ranges::any_of(tetrahedra_[t].corners, [&](Index v) { return last_change_[v] > changes; });
   }
