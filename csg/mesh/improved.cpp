@@ -74,8 +74,7 @@ std::string unfinished_text(const ImproveOptions& asked, Improved end) {
   if (asked.radius_edge > 0) missed += "--quality, ";
   if (end == Improved::too_many) {
     return "the mesh had many times the tetrahedra that were expected, as where regions are far thinner than "
-           "edges "
-           "are to be long; it was refined no further, and what is missed may be " +
+           "edges are to be long; it was refined no further, and what is missed may be " +
            missed + "good shapes";
   }
   return "time was over before the mesh was improved to the end, and what is missed may be " + missed +

@@ -100,7 +100,7 @@ class TetrahedraMaker {
                                           {PlcFacets::planar, TetgenFrame::uneven}};
 
   /// So many times as many tetrahedra as are expected, or as are few, are made at most.
-  static constexpr std::size_t kMostOfExpected = 8, kFewTetrahedra = 20'000;
+  static constexpr std::size_t kMostOfExpected = 8, kFewTetrahedra = 60'000;
   /// Points that are added at most to keep bounds that are asked for.
   static constexpr std::size_t kPointsForBounds = 3'000'000;
 
