@@ -136,8 +136,7 @@ void require_done(const ChildEnd& end) {
   constexpr int kNoMemory = 1;  // TetGen's own number for it
   constexpr const char* kCoarser =
       "; features of the model are too small beside its size: join what nearly touches by --join, remove slivers, "
-      "or "
-      "try --keep-boundary";
+      "or try --keep-boundary";
   const std::string words = end.said.empty() ? "" : ": `" + end.said + "`";
   if (end.kind == Kind::done && end.number == 0) return;
   if (end.kind == Kind::memory || (end.kind == Kind::done && end.number == kNoMemory)) throw std::bad_alloc();
