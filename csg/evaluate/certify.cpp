@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "csg/evaluate/leaf_numbers.h"
 #include "csg/evaluate/transversality.h"
 #include "csg/tree/unfold.h"
 
@@ -43,7 +44,7 @@ Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t 
     text += place.finer > 0
                 ? "these facets do not tell how; --finer " + std::to_string(place.finer) + " would"
                 : "they touch, or cross at an angle that facets 1024 times finer would not tell from 0";
-    const Node& node = tree.nodes[evaluation.leaves.node_of(place.leaves[0])];
+    const Node& node = tree.nodes[evaluation.leaves->node_of(place.leaves[0])];
     result.notices.push_back({tree.file, node.operator_at, Diagnostic::Level::notice, text});
   }
   return result;

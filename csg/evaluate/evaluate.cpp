@@ -33,6 +33,7 @@
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/joined_nodes.h"
+#include "csg/evaluate/leaf_numbers.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/evaluate/scopes.h"
 #include "csg/evaluate/simplified_value.h"
@@ -106,7 +107,7 @@ Sections sections_of(const Tree& tree, const Unfolding& unfolding, const Prepare
 /// What the complex does not know of the leaves: names, parameters.
 void name_leaves(const PreparedLeaves& leaves, const PlacedLeaves& placed, std::optional<LeafPlaces> places,
                  Evaluation& result) {
-  result.leaves = leaves.numbers();
+  result.leaves = std::make_shared<const LeafNumbers>(leaves.numbers());
   result.leaf_names.resize(result.complex->leaf_count);
   std::vector<PlacedParameters> parameters;
   for (std::size_t i = 0; i < placed.instances.size(); ++i) {

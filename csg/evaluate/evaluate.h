@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "csg/evaluate/leaf_numbers.h"
 #include "csg/evaluate/simplified_value.h"
 #include "csg/operators/group.h"
 #include "csg/operators/tables.h"
@@ -27,6 +26,7 @@
 
 namespace cnrg {
 
+class LeafNumbers;
 class NodeValue;
 class SurfaceParameters;
 
@@ -98,13 +98,13 @@ struct KeptValue {
 struct Evaluation {
   std::shared_ptr<const Complex> complex;
   RefineReport refine;
-  std::vector<NodeRow> rows;            ///< operands before users
-  std::vector<JoinedNode> joined;       ///< below the roots, those below others first
-  std::vector<KeptValue> kept;          ///< the result, then `EvaluateOptions::nodes` in their order; each once
-  LeafNumbers leaves;                   ///< which leaf of which node has which number
-  std::vector<std::string> leaf_names;  ///< by LeafId; empty for the frame
-  std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
-  double refine_seconds = 0;            ///< soup and complex
+  std::vector<NodeRow> rows;       ///< operands before users
+  std::vector<JoinedNode> joined;  ///< below the roots, those below others first
+  std::vector<KeptValue> kept;     ///< the result, then `EvaluateOptions::nodes` in their order; each once
+  std::shared_ptr<const LeafNumbers> leaves;            ///< which leaf of which node has which number
+  std::vector<std::string> leaf_names;                  ///< by LeafId; empty for the frame
+  std::vector<Diagnostic> diagnostics;                  ///< notices of leaves, conflicts of materials
+  double refine_seconds = 0;                            ///< soup and complex
   std::shared_ptr<const SurfaceParameters> parameters;  ///< of the leaves' patches and curves, found on demand
   IdVector<InstanceId, Instance> instances;             ///< below the roots, operands before users; as `rows`
   /// With `keep_all`: the value of each, those in `kept` included; otherwise empty, and each value has been freed

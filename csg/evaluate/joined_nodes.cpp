@@ -100,7 +100,7 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
     const FlatComplex flat = flatten(view);
     auto run = std::make_shared<JoinedRun>();
     run->regions = parts_by_label(view, flat);
-    run->leaves = std::move(evaluation.leaves);
+    run->leaves = *evaluation.leaves;
     run->instances = std::move(evaluation.instances);
     leaves_[id] = {prepare_result(result_json(view), "`" + node.name + "`", makers_of(flat)), std::move(run)};
   } catch (const TreeError&) {

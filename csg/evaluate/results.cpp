@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/evaluate/leaf_numbers.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/result_data.h"
 
@@ -16,7 +17,7 @@ Result result_of(const Evaluation& evaluation, const KeptValue& kept) {
   data->parameters = evaluation.parameters;
   data->raw = evaluation.raw;
   data->name({kept.name, evaluation.leaf_names, evaluation.materials});
-  evaluation.leaves.tell(data->leaves);
+  evaluation.leaves->tell(data->leaves);
   for (std::size_t i = 0; i < kept.sizes.size(); ++i) data->leaves[kept.leaves[i].index()].size = kept.sizes[i];
   return Result(std::move(data));
 }

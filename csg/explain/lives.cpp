@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "csg/evaluate/leaf_numbers.h"
 #include "csg/operators/component_lists.h"
 #include "csg/operators/material_levels.h"
 #include "csg/operators/paper_terms.h"
@@ -229,7 +230,7 @@ Lives::Lives(const Tree& tree, const Evaluation& evaluation, NodeId node)
     : tree_(tree),
       evaluation_(evaluation),
       complex_(*evaluation.complex),
-      leaf_of_(evaluation.leaves.by_instance()),
+      leaf_of_(evaluation.leaves->by_instance()),
       said_(complex_) {
   require(!evaluation.values.empty(), "explain: the evaluation has not kept all values");
   const NodeValue* value = evaluation.value(node).value.get();
@@ -337,7 +338,7 @@ std::vector<Operand> Lives::operands_of(InstanceId id) const {
     added.name = name_of(operand);
     if (const auto wanted = leaves_wanted(node, out.size() == 1)) {
       added.below = std::make_shared<const std::vector<LeafId>>(
-          evaluation_.leaves.below(evaluation_.instances, operand, *wanted));
+          evaluation_.leaves->below(evaluation_.instances, operand, *wanted));
     }
   }
   return out;
