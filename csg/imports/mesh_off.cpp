@@ -1,7 +1,6 @@
 // Object File Format (Geomview, "OFF"): a header word, three counts, one line for each vertex and each face.
 // [ST][C][N]OFF add texture, colour and normal to a vertex's line, which are skipped, as are colours of faces.
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 
 #include "csg/imports/text_cursor.h"
@@ -35,16 +34,6 @@ std::uint32_t count(TextCursor& cursor, long long value, const char* what) {
   return static_cast<std::uint32_t>(value);
 }
 
-/// The number of vertices, in a word that is read.
-long long whole(const TextCursor& cursor, std::string_view word) {
-  long long value = 0;
-  const char* last = word.data() + word.size();
-  const auto [end, error] = std::from_chars(word.data(), last, value);
-  if (error != std::errc() || end != last)
-    cursor.fail(quoted(word) + " is no whole number, the number of vertices is expected: correct it");
-  return value;
-}
-
 }  // namespace
 
 MeshData read_off(const std::string& path, const std::string& text, bool decimal) {
@@ -54,9 +43,9 @@ MeshData read_off(const std::string& path, const std::string& text, bool decimal
   if (rest.empty()) {
     const std::string_view next = cursor.token("the number of vertices");
     if (next == "BINARY") cursor.fail("binary OFF is not read: convert it to text, or to PLY or STL");
-    first = whole(cursor, next);
+    first = cursor.integer(next, "the number of vertices");
   } else {
-    first = whole(cursor, rest);
+    first = cursor.integer(rest, "the number of vertices");
   }
   const std::uint32_t vertices = count(cursor, first, "vertices");
   const std::uint32_t faces = count(cursor, cursor.integer("the number of faces"), "faces");

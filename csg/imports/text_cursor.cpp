@@ -79,11 +79,15 @@ std::string_view TextCursor::bytes(std::size_t count) {
 
 long long TextCursor::integer(const char* wanted) {
   const std::string_view text = token(wanted);
+  return integer(text, wanted, text.size() > 1 && text[0] == '+' ? 1 : 0);
+}
+
+long long TextCursor::integer(std::string_view taken, const char* wanted, std::size_t from) const {
   long long value = 0;
-  const char* first = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
-  const auto [end, error] = std::from_chars(first, text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    fail(quoted(text) + " is no whole number, " + wanted + " is expected: correct it");
+  const char* const last = taken.data() + taken.size();
+  const auto [end, error] = std::from_chars(taken.data() + from, last, value);
+  if (error != std::errc() || end != last) {
+    fail(quoted(taken) + " is no whole number, " + wanted + " is expected: correct it");
   }
   return value;
 }

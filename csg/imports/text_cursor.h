@@ -31,6 +31,8 @@ class TextCursor {
 
   /// A whole number. `wanted` names it in errors.
   long long integer(const char* wanted);
+  /// The same of a token that was taken, from its character `from` on.
+  long long integer(std::string_view taken, const char* wanted, std::size_t from = 0) const;
   /// A finite number; infinite, not-a-number and other text are errors.
   double number(const char* wanted);
   /// A finite number with its exact decimal value.

@@ -2,6 +2,7 @@
 #include "csg/leaves/unbounded.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/refine/box_faces.h"
 
 namespace cnrg {
 namespace {
@@ -74,11 +75,9 @@ void add_frame(Soup& soup, const std::vector<UnboundedInstance>& unbounded, std:
     corner[i] = soup.add_point(
         {(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1], (i & 4 ? box.high : box.low)[2]});
   }
-  constexpr std::size_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (std::uint32_t f = 0; f < 6; ++f) {
-    const std::vector<PointId> loop{corner[kFaces[f][0]], corner[kFaces[f][1]], corner[kFaces[f][2]],
-                                    corner[kFaces[f][3]]};
+    const std::vector<PointId> loop{corner[kBoxFaces[f][0]], corner[kBoxFaces[f][1]], corner[kBoxFaces[f][2]],
+                                    corner[kBoxFaces[f][3]]};
     soup.add_face(frame, std::span(&loop, 1), f, f);
   }
   soup.set_frame(frame, corner[7], std::move(seed_regions));

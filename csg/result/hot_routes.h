@@ -24,10 +24,10 @@ struct HotRoutes {
 /// `settled`: of each vertex, whether it is doubles. True if one of the face, or in it, is not.
 bool is_crossed(const Complex& complex, FaceId f, const std::vector<char>& settled);
 
-/// The cells of vertices that are not settled are hot. So are those in
-/// which a vertex or edge is that something else passes through: of all, if asked for, and else of what lies near
-/// faces with vertices that are no doubles. `size`: of a cell, a power of two (units of the model). Throws
-/// InputError for coordinates beyond the range of doubles; Stopped, as the watch asks.
+/// The cells of vertices that are not settled are hot. So are those in which a vertex or edge is that something
+/// else passes through: of all, if asked for, and else of what lies near faces with vertices that are no doubles.
+/// `size`: of a cell, a power of two (units of the model). Throws InputError for coordinates beyond the range of
+/// doubles; Stopped, as the watch asks.
 HotRoutes route(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size,
                 const Watch& watch);
 

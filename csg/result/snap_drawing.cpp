@@ -20,6 +20,7 @@
 #include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/exact/triangulate.h"
+#include "kernel/refine/box_faces.h"
 
 namespace cnrg {
 namespace {
@@ -66,9 +67,7 @@ void add_box(Soup& soup, LeafId leaf, const Xyz& center, double half) {
     p[i] = soup.add_point(center[0] + (i & 1 ? half : -half), center[1] + (i & 2 ? half : -half),
                           center[2] + (i & 4 ? half : -half));
   }
-  constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  for (const auto& f : kFaces) {
+  for (const auto& f : kBoxFaces) {
     const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
     soup.add_face(leaf, std::span(&loop, 1), 0, 0);
   }

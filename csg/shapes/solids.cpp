@@ -6,6 +6,7 @@
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/refine/box_faces.h"
 
 namespace cnrg {
 namespace {
@@ -48,11 +49,9 @@ std::unique_ptr<PreparedLeaf> prepare_box(const BoxShape& shape) {
     corner[i] = builder.point({(i & 1 ? shape.max : shape.min)[0], (i & 2 ? shape.max : shape.min)[1],
                                (i & 4 ? shape.max : shape.min)[2]});
   }
-  // Bit k of a corner's number is set where coordinate k is the larger one. Faces: x-, x+, y-, y+, z-, z+.
-  constexpr std::size_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (std::uint32_t f = 0; f < 6; ++f) {
-    builder.face({corner[kFaces[f][0]], corner[kFaces[f][1]], corner[kFaces[f][2]], corner[kFaces[f][3]]}, f);
+    builder.face(
+        {corner[kBoxFaces[f][0]], corner[kBoxFaces[f][1]], corner[kBoxFaces[f][2]], corner[kBoxFaces[f][3]]}, f);
   }
   return builder.finish();
 }

@@ -14,6 +14,7 @@
 #include "csg/formats/writer.h"
 #include "csg/operators/boolean.h"
 #include "csg/operators/group.h"
+#include "kernel/refine/box_faces.h"
 
 namespace cnrg::test {
 
@@ -22,9 +23,8 @@ using Names = std::vector<std::vector<Attributes>>;
 /// The faces of a box, outward, in the order of x, y and z. Bit k of a corner's number says that it is the high
 /// one in axis k.
 inline void add_box_faces(Soup& soup, LeafId leaf, const PointId (&p)[8]) {
-  const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   std::uint32_t number = 0;
-  for (const auto& f : faces) {
+  for (const auto& f : kBoxFaces) {
     const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
     soup.add_face(leaf, std::span(&loop, 1), number, number);
     ++number;
