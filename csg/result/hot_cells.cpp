@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "kernel/base/parallel.h"
-#include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 
 namespace cnrg {
@@ -13,11 +12,13 @@ namespace {
 using Xyz = HotCells::Xyz;
 constexpr std::size_t kUnchecked = 1024;  // segments between two looks at the watch
 
-std::vector<Xyz> centers_of(std::vector<Xyz> points, double size) {
-  for (Xyz& p : points)
-    for (double& c : p) c = std::nearbyint(c / size) * size + 0.0;  // no -0
-  sort_unique(points);
-  return points;
+/// The cube of a grid that a point lies in.
+Xyz cube_of(const Xyz& p, double size) {
+  return {std::floor(p[0] / size), std::floor(p[1] / size), std::floor(p[2] / size)};
+}
+
+double largest_difference(const Xyz& p, const Xyz& q) {
+  return std::max({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])});
 }
 
 std::vector<Box> boxes_around(const std::vector<Xyz>& centers, double half) {
@@ -57,21 +58,34 @@ bool plane_meets(const Xyz& from, const Xyz& normal, const Box& box) {
 }  // namespace
 
 HotCells::HotCells(const std::vector<Xyz>& points, double size)
-    : size_(size), centers_(centers_of(points, size)), tree_(boxes_around(centers_, size / 2)) {}
+    : size_(size), tree_(boxes_around(choose_centers(points), size / 2)) {}
+
+const std::vector<Xyz>& HotCells::choose_centers(const std::vector<Xyz>& points) {
+  for (const Xyz& p : points) {
+    if (cell_of(p)) continue;
+    in_cube_[cube_of(p, size_)].push_back(std::uint32_t(centers_.size()));
+    centers_.push_back(p);
+  }
+  return centers_;
+}
 
 std::optional<std::size_t> HotCells::cell_of(const Xyz& p) const {
-  std::array<Xyz, 2> near;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double at = p[k] / size_;
-    near[0][k] = std::ceil(at - 0.5) * size_ + 0.0;
-    near[1][k] = std::floor(at + 0.5) * size_ + 0.0;
+  std::optional<std::size_t> nearest;
+  const double half = size_ / 2;
+  double least = half;
+  const Xyz first = cube_of({p[0] - half, p[1] - half, p[2] - half}, size_);
+  const Xyz last = cube_of({p[0] + half, p[1] + half, p[2] + half}, size_);
+  for (unsigned i = 0; i < 8; ++i) {  // the centers of all cells with the point lie in these cubes
+    const Xyz cube{(i & 1 ? last : first)[0], (i & 2 ? last : first)[1], (i & 4 ? last : first)[2]};
+    const auto found = in_cube_.find(cube);
+    if (found == in_cube_.end()) continue;
+    for (const std::uint32_t cell : found->second) {
+      const double distance = largest_difference(p, centers_[cell]);
+      if (distance > least || (distance == least && nearest && *nearest < cell)) continue;
+      nearest = cell, least = distance;
+    }
   }
-  for (unsigned i = 0; i < 8; ++i) {
-    const Xyz center{near[i >> 2][0], near[i >> 1 & 1][1], near[i & 1][2]};
-    const auto found = std::lower_bound(centers_.begin(), centers_.end(), center);
-    if (found != centers_.end() && *found == center) return std::size_t(found - centers_.begin());
-  }
-  return {};
+  return nearest;
 }
 
 std::vector<HotCells::Pass> HotCells::along(const Xyz& a, const Xyz& b) const {
@@ -92,7 +106,7 @@ std::vector<HotCells::Pass> HotCells::along(const Xyz& a, const Xyz& b) const {
 
 std::vector<HotCells::Pass> HotCells::across(const Xyz& a, const Xyz& b, const Xyz& c) const {
   std::vector<Pass> passes;
-  const Xyz normal = cross(minus(b, a), minus(c, a));
+  const Xyz normal = accurate_cross(minus(b, a), minus(c, a));
   const double squared = dot(normal, normal);
   if (!(squared > 0)) return passes;
   Box around;
@@ -106,6 +120,11 @@ std::vector<HotCells::Pass> HotCells::across(const Xyz& a, const Xyz& b, const X
               });
   std::sort(passes.begin(), passes.end(), [](const Pass& p, const Pass& q) { return p.cell < q.cell; });
   return passes;
+}
+
+Xyz on_grain(Xyz p, double grain) {
+  for (double& c : p) c = std::nearbyint(c / grain) * grain + 0.0;  // no -0
+  return p;
 }
 
 std::vector<Xyz> where_near(const std::vector<std::array<Xyz, 2>>& segments, double within, const Watch& watch) {
@@ -126,17 +145,16 @@ std::vector<Xyz> where_near(const std::vector<std::array<Xyz, 2>>& segments, dou
                  const auto& [c, d] = segments[t];
                  if (a == c || a == d || b == c || b == d) return;
                  const Xyz q = minus(d, c), r = minus(a, c);
-                 const double pp = dot(p, p), qq = dot(q, q), pq = dot(p, q), pr = dot(p, r), qr = dot(q, r);
-                 const double area = pp * qq - pq * pq;
-                 if (area <= within * within * std::max(pp, qq)) return;  // an end is as near
-                 const double x = (pq * qr - qq * pr) / area, y = (pp * qr - pq * pr) / area;
+                 const Xyz normal = accurate_cross(p, q);
+                 const double area = dot(normal, normal);
+                 if (area <= within * within * std::max(dot(p, p), dot(q, q))) return;  // an end is as near
+                 const double x = -dot(accurate_cross(r, q), normal) / area;
+                 const double y = -dot(accurate_cross(r, p), normal) / area;
                  if (!(0 < x && x < 1 && 0 < y && y < 1)) return;
-                 Xyz middle, apart;
-                 for (std::size_t k = 0; k < 3; ++k) {
-                   const double on_s = a[k] + x * p[k], on_t = c[k] + y * q[k];
-                   middle[k] = (on_s + on_t) / 2, apart[k] = on_s - on_t;
-                 }
-                 if (dot(apart, apart) <= within * within) found[s].push_back(middle);
+                 const double apart = dot(r, normal) / area;  // in lengths of the normal
+                 if (apart * apart * area > within * within) return;
+                 Xyz& middle = found[s].emplace_back();
+                 for (std::size_t k = 0; k < 3; ++k) middle[k] = a[k] + x * p[k] - apart / 2 * normal[k];
                });
   });
   std::vector<Xyz> all;

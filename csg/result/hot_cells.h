@@ -1,13 +1,20 @@
-// Cells of a uniform grid in which things are drawn together, and what passes through them.
+// Cubes in which things are drawn together, and what passes through them.
+//
+// A uniform grid, as snap rounding has it, would take all that is in a cell to the middle of the cell, half a cell
+// away, also where two things are a unit in the last place apart. Here a cube lies around a point of the drawing,
+// and what is near goes there: nearly all stays where it is, and less of what is around is disturbed.
 //
 // All is told in doubles, so what only touches a cell may be missed or told: who routes something through the
 // centers of cells looks at what comes out.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
+#include "kernel/base/point_hash.h"
 #include "kernel/base/progress.h"
 #include "kernel/refine/box_tree.h"
 
@@ -16,19 +23,20 @@ namespace cnrg {
 class HotCells {
  public:
   using Xyz = std::array<double, 3>;
-  /// A cell, by its number, and where what passes is nearest to its center.
+  /// A cell, by its number in the order of centers, and where what passes is nearest to its center.
   struct Pass {
     std::size_t cell = 0;
     double along = 0;  ///< of a segment: the part of its length that lies before that place, in (0, 1)
     Xyz foot{};        ///< of a plane
   };
 
-  /// The cells that hold the points; `size`: the length of an edge of a cell, a power of two (units of the model).
+  /// Each point that lies in no cell of a point before it becomes the center of one; so centers are more than half
+  /// a size apart, and cells may overlap. `size`: the length of an edge of a cell (units of the model).
   HotCells(const std::vector<Xyz>& points, double size);
 
   const std::vector<Xyz>& centers() const { return centers_; }
   const Xyz& center(std::size_t cell) const { return centers_[cell]; }
-  /// The first of the cells that the point lies in or on; nothing if there is none.
+  /// Of the cells that the point lies in or on that with the nearest center; nothing if there is none.
   std::optional<std::size_t> cell_of(const Xyz& p) const;
   /// The cells that a segment passes through, from a to b.
   std::vector<Pass> along(const Xyz& a, const Xyz& b) const;
@@ -37,9 +45,16 @@ class HotCells {
 
  private:
   double size_;
-  std::vector<Xyz> centers_;  // ascending
+  std::vector<Xyz> centers_;
+  std::unordered_map<Xyz, std::vector<std::uint32_t>, HashPoint> in_cube_;  // centers in each cube of a grid
   BoxTree tree_;
+
+  const std::vector<Xyz>& choose_centers(const std::vector<Xyz>& points);
 };
+
+/// The nearest multiples of `grain`, a power of two. Doubles near zero are dense: surfaces that nearly coincide
+/// there would cross again and again if new points were only rounded to doubles.
+HotCells::Xyz on_grain(HotCells::Xyz p, double grain);
 
 /// The middles between segments without a common end that pass at most `within` from each other (units of the
 /// model), there; not where an end is nearest.

@@ -29,14 +29,14 @@ Ends ends_of(VertexId a, VertexId b) { return a < b ? Ends{a, b} : Ends{b, a}; }
 
 class Router {
  public:
-  Router(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size,
+  Router(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size, double grain,
          const Watch& watch)
       : complex_(complex),
         everywhere_(everywhere),
         watch_(watch),
         here_(doubles_of_points()),
         broken_(broken_places(settled, size)),
-        cells_(candidates(settled, size), size),
+        cells_(candidates(settled, size, grain), size),
         hot_(cells_.centers().size(), 0) {
     cell_.assign(here_.size(), kNoCell);
     for (const VertexId v : complex_.vertices) {
@@ -117,18 +117,23 @@ class Router {
     return near;
   }
 
-  std::vector<Xyz> candidates(const std::vector<char>& settled, double size) const {
+  std::vector<Xyz> candidates(const std::vector<char>& settled, double size, double grain) const {
     std::vector<std::array<Xyz, 2>> edges;
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
       const auto& [a, b] = complex_.edge_ends[e];
       if (is_near_broken(box_of(e))) edges.push_back({here_[a.index()], here_[b.index()]});
     }
-    std::vector<Xyz> places = where_near(edges, size / 2, watch_);
+    std::vector<Xyz> places, fresh;  // what is doubles comes first: it stays where it is
     for (const VertexId v : complex_.vertices) {
+      const Xyz& here = here_[v.index()];
       Box box;
-      extend(box, v);
-      if (!settled[v.index()] || is_near_broken(box)) places.push_back(here_[v.index()]);
+      box.extend(here, here);
+      if (!settled[v.index()]) fresh.push_back(here);
+      else if (is_near_broken(box)) places.push_back(here);
     }
+    const std::vector<Xyz> near = where_near(edges, size / 2, watch_);
+    fresh.insert(fresh.end(), near.begin(), near.end());
+    for (const Xyz& p : fresh) places.push_back(on_grain(p, grain));
     return places;
   }
 
@@ -456,8 +461,8 @@ bool is_crossed(const Complex& complex, FaceId f, const std::vector<char>& settl
 }
 
 HotRoutes route(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size,
-                const Watch& watch) {
-  return Router(complex, settled, everywhere, size, watch).run();
+                double grain, const Watch& watch) {
+  return Router(complex, settled, everywhere, size, grain, watch).run();
 }
 
 }  // namespace cnrg

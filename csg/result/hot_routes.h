@@ -26,9 +26,9 @@ bool is_crossed(const Complex& complex, FaceId f, const std::vector<char>& settl
 
 /// The cells of vertices that are not settled are hot. So are those in which a vertex or edge is that something
 /// else passes through: of all, if asked for, and else of what lies near faces with vertices that are no doubles.
-/// `size`: of a cell, a power of two (units of the model). Throws InputError for coordinates beyond the range of
-/// doubles; Stopped, as the watch asks.
+/// `size`: of a cell; `grain`: new centers are multiples of it, a power of two (units of the model). Throws
+/// InputError for coordinates beyond the range of doubles; Stopped, as the watch asks.
 HotRoutes route(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size,
-                const Watch& watch);
+                double grain, const Watch& watch);
 
 }  // namespace cnrg

@@ -1,6 +1,6 @@
 // Rounds on a *state*: points in doubles, triangles and pieces of edges by numbers of points, each with the list
 // of the faces or edges of the drawing that lie on it. Refining a state shows its crossings; moving it, cell by
-// cell of the grid, makes the next state.
+// cell, makes the next state.
 #include "csg/result/snap_drawing.h"
 
 #include <algorithm>
@@ -112,8 +112,8 @@ class Snapper {
     if (!done) done = by_boxes(first, rounds);
     if (done) return std::move(*done);
     std::string last;
-    append(last, unit_ * kSnapFirstBox * std::pow(kSnapGrowth, kSnapGrids - 1));
-    throw InputError("rounding to doubles makes facets cross, and snapping vertices to a grid of " + last +
+    append(last, unit_ * kSnapFirstBox * std::pow(kSnapGrowth, kSnapStarts - 1));
+    throw InputError("rounding to doubles makes facets cross, and drawing together what lies within " + last +
                      " still does; join what nearly touches by --join, move the model nearer to the origin, write "
                      ".json, which is exact, or give --no-snap");
   }
@@ -157,31 +157,33 @@ class Snapper {
   State start_;      // each point rounded by itself
   double unit_ = 1;  // one unit in the last place of the largest coordinate
 
-  /// A way to move the drawing, on one grid after the other. Its rules compare the crossings of a round with the
-  /// fewest before.
+  /// A way to move the drawing, from one start after the other, with larger cells each time. Its rules compare
+  /// the crossings of a round with the fewest before since the same start.
   struct Way {
-    double first_cell;   // in units
-    int patience;        // rounds without progress
-    std::size_t fewest;  // before the first round of a grid
+    double first_cell;  // in units
+    double growth;      // of the cells after a round without progress
+    int patience;       // rounds without progress
     bool (*is_progress)(std::size_t now, std::size_t fewest);
-    bool (*is_growth)(std::size_t now, std::size_t fewest);  // then the grid is given up
+    bool (*is_growth)(std::size_t now, std::size_t fewest);  // then the start is given up
   };
-  /// `next(state, refined, cell, progress)`: the state of the next round.
+  /// `next(state, refined, cell)`: the state of the next round.
   template <class Next>
-  std::optional<MovedDrawing> on_grids(const Refined& first, const Way& way, int& rounds, const Next& next) {
-    double cell = unit_ * way.first_cell;
-    for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
-      State state = next(start_, first, cell, grid == 0);
-      std::size_t fewest = way.fewest;
-      for (int patience = way.patience; patience > 0;) {
+  std::optional<MovedDrawing> from_starts(const Refined& first, const Way& way, int& rounds, const Next& next) {
+    for (int start = 0; start < kSnapStarts; ++start) {
+      double cell = unit_ * way.first_cell * std::pow(kSnapGrowth, start);
+      State state = next(start_, first, cell);
+      std::size_t fewest = std::numeric_limits<std::size_t>::max();
+      for (int patience = way.patience;;) {
         begin_round(++rounds);
         Refined refined = refine(state);
         if (refined.crossings == 0) return finish(state, refined, rounds);
         const bool progress = way.is_progress(refined.crossings, fewest);
-        patience = progress ? way.patience : patience - 1;
         fewest = std::min(fewest, refined.crossings);
         if (way.is_growth(refined.crossings, fewest)) break;
-        if (patience > 0) state = next(state, refined, cell, progress);
+        if (progress) patience = way.patience;
+        else if (--patience == 0) break;
+        else cell *= way.growth;
+        state = next(state, refined, cell);
       }
     }
     return {};
@@ -189,22 +191,20 @@ class Snapper {
 
   std::optional<MovedDrawing> by_routes(const Refined& first, int& rounds) {
     // Where surfaces nearly coincide crossings are many, and what is near them is nearly all.
-    bool everywhere = kManyCrossings * first.crossings > start_.triangles.size();
-    const Way way{kSnapFirstCell, kSnapPatience, first.crossings,
+    const bool many = kManyCrossings * first.crossings > start_.triangles.size();
+    const Way way{kSnapFirstCell, kSnapLocalGrowth, kSnapPatience,
                   [](std::size_t now, std::size_t fewest) { return 2 * now <= fewest; },
                   [](std::size_t now, std::size_t fewest) { return now > 2 * fewest + kSnapFewCrossings; }};
-    return on_grids(first, way, rounds,
-                    [&](const State& state, const Refined& refined, double cell, bool progress) {
-                      everywhere = everywhere || !progress;
-                      return routed(state, refined, everywhere, cell);
-                    });
+    return from_starts(first, way, rounds, [&](const State& state, const Refined& refined, double cell) {
+      return routed(state, refined, many && &refined == &first, cell);
+    });
   }
 
   std::optional<MovedDrawing> by_boxes(const Refined& first, int& rounds) {
-    const Way way{kSnapFirstBox, kSnapBoxPatience, std::numeric_limits<std::size_t>::max(),
+    const Way way{kSnapFirstBox, 1, kSnapBoxPatience,
                   [](std::size_t now, std::size_t fewest) { return now < fewest; },
                   [](std::size_t now, std::size_t fewest) { return now > 8 * fewest + 64; }};
-    return on_grids(first, way, rounds, [&](const State& state, const Refined& refined, double cell, bool) {
+    return from_starts(first, way, rounds, [&](const State& state, const Refined& refined, double cell) {
       return boxed(state, refined, cell);
     });
   }
@@ -268,7 +268,7 @@ class Snapper {
     for (Index& p : state.at) p = p == kNone ? kNone : number[p];
   }
 
-  /// Source i is triangle i; the cells of the grid come after them.
+  /// Source i is triangle i; the cells come after them.
   ComplexDraft complex_of(const State& state, const std::vector<Xyz>& centers = {}, double cell = 0) const {
     Soup soup;
     const LeafId leaf = soup.add_leaf(Fill::none);
@@ -335,7 +335,7 @@ class Snapper {
     std::vector<Index> faces, edges;
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) faces.push_back(faces_on(state, complex, f));
     for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) edges.push_back(edges_on(state, complex, e));
-    const HotRoutes routes = route(complex, refined.settled, everywhere, size, watch_);
+    const HotRoutes routes = route(complex, refined.settled, everywhere, size, unit_, watch_);
 
     State next;
     next.displacement = state.displacement + routes.displacement;
@@ -372,14 +372,11 @@ class Snapper {
     out = triangulate(complex.points, complex.sheet_projection[complex.face_sheet[f]], walks, isolated);
   }
 
-  /// New vertices and corners of triangles that were cut.
-  static std::vector<Xyz> at_crossings(const State& state, const Refined& refined) {
+  /// Corners of triangles that were cut, and new vertices.
+  std::vector<Xyz> at_crossings(const State& state, const Refined& refined) const {
     const Complex& complex = *refined.complex;
     std::vector<Xyz> points;
     std::vector<char> corner(state.xyz.size(), 0);
-    for (const VertexId v : complex.vertices) {
-      if (!refined.settled[v.index()]) points.push_back(nearest_doubles(complex.points, v));
-    }
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
       if (!is_crossed(complex, f, refined.settled)) continue;
       for (const Cover& cover : complex.cover(f)) {
@@ -388,6 +385,9 @@ class Snapper {
     }
     for (Index p = 0; p < corner.size(); ++p) {
       if (corner[p]) points.push_back(state.xyz[p]);
+    }
+    for (const VertexId v : complex.vertices) {
+      if (!refined.settled[v.index()]) points.push_back(on_grain(nearest_doubles(complex.points, v), unit_));
     }
     return points;
   }
