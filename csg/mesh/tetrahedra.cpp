@@ -17,6 +17,7 @@
 #include "csg/mesh/exact_volume.h"
 #include "csg/mesh/forecast.h"
 #include "csg/mesh/improved.h"
+#include "csg/mesh/planar_facets.h"
 #include "csg/mesh/surface_triangles.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
@@ -39,7 +40,11 @@ constexpr double kLongest = 1.4;  // times the size that is wanted may the longe
 class TetrahedraMaker {
  public:
   TetrahedraMaker(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline)
-      : view_(view), options_(options), deadline_(deadline), watch_(deadline.watch()), flat_(flatten(view)) {}
+      : view_(view),
+        options_(options),
+        deadline_(deadline),
+        watch_(deadline.watch()),
+        flat_(flatten_for_mesh(view)) {}
 
   TetrahedralMesh run() {
     require_closed_and_bounded(flat_, "a mesh of tetrahedra");
