@@ -315,6 +315,28 @@ std::string larger_text(const MeshQuality& quality) {
          short_text(quality.largest);
 }
 
+PlaceText::PlaceText(const Mesh& mesh) {
+  double largest = 0, extent = 0;
+  for (std::size_t k = 0; k < 3 && !mesh.points.empty(); ++k) {
+    const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
+                                                 [k](const Vector& p, const Vector& q) { return p[k] < q[k]; });
+    extent = std::max(extent, (*high)[k] - (*low)[k]);
+    largest = std::max({largest, std::abs((*low)[k]), std::abs((*high)[k])});
+  }
+  constexpr int kMost = std::numeric_limits<double>::max_digits10;
+  if (extent > 0) digits_ = std::min(kMost, digits_ + std::max(0, int(std::ceil(std::log10(largest / extent)))));
+}
+
+std::string PlaceText::operator()(const std::array<double, 3>& at) const {
+  std::string text;
+  for (const double x : at) {
+    char buffer[32];
+    if (!text.empty()) text += " ";
+    text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, digits_).ptr);
+  }
+  return text;
+}
+
 TriangleQuality triangle_quality_of(const Mesh& mesh, const std::vector<std::string>& leaves) {
   TriangleQuality out;
   std::vector<std::pair<double, std::size_t>> angles;

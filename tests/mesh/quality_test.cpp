@@ -294,3 +294,13 @@ TEST_CASE("what no doubles fit between is joined, and that is said", "[mesh][qua
   }
   CHECK(joined * 3 > end - begin);
 }
+
+TEST_CASE("places are told to a millionth of the mesh, wherever it lies", "[mesh][quality]") {
+  Mesh mesh;
+  mesh.points = {{0, 0, 0}, {30, 20, 30}};
+  CHECK(PlaceText(mesh)({19.36023456, 4.3, 1.25e-7}) == "19.3602 4.3 1.25e-07");
+  mesh.points = {{4500000, 5800000, -200}, {4500500, 5800400, 100}};
+  CHECK(PlaceText(mesh)({4500270.43211234, 5800400, -62.40841234}) == "4500270.4321 5800400 -62.40841234");
+  mesh.points.clear();
+  CHECK(PlaceText(mesh)({0.1, 0, 2}) == "0.1 0 2");
+}
