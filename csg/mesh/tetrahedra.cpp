@@ -304,7 +304,7 @@ class TetrahedraMaker {
         refused = e.what();
       } catch (const InvariantError& e) {  // the proof refuses what the mesher returns
         refused = std::string("what TetGen returns is not what was asked for (") + e.what() +
-                  "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser";
+                  "); try --quality 2, curved leaves that are finer or coarser, or leave out --keep-boundary";
       }
       if (may_fill && !thin_) {
         thin_ = true;
