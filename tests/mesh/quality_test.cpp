@@ -304,3 +304,20 @@ TEST_CASE("places are told to a millionth of the mesh, wherever it lies", "[mesh
   mesh.points.clear();
   CHECK(PlaceText(mesh)({0.1, 0, 2}) == "0.1 0 2");
 }
+
+TEST_CASE("a flat tetrahedron between two faces that others touch names them", "[mesh][quality]") {
+  Mesh mesh;
+  mesh.points = {{0, 0, 0},    {9, 0, 0},     {0, 9, 0},     {0, 0, 0.01},  {9, 0, 0.01},
+                 {0, 9, 0.01}, {1, 1, 0.004}, {2, 1, 0.006}, {2, 2, 0.004}, {1, 2, 0.006}};
+  mesh.triangles = {{{0, 1, 2}, 0}, {{3, 4, 5}, 1}};
+  mesh.tetrahedra = {{{6, 7, 8, 9}, 0}};
+  mesh.entities[2].resize(2);
+  mesh.entities[3].resize(1);
+  MeshQuality q = quality_of(mesh, {});
+  REQUIRE(q.worst_ones.size() == 1);
+  CHECK(q.worst_ones[0].why == "f0 and f1 are within 0.01 of each other");
+  for (std::size_t p = 3; p < 6; ++p) mesh.points[p][2] = 1;
+  q = quality_of(mesh, {});
+  REQUIRE(q.worst_ones.size() == 1);
+  CHECK(q.worst_ones[0].why == "no local move makes it better");
+}
