@@ -58,7 +58,7 @@ std::string spread_of(const MeshQuality& q) {
 }
 
 /// Where shapes are bad, and why.
-std::string bad_ones(const MeshQuality& quality) {
+std::string bad_ones(const MeshQuality& quality, const PlaceText& place) {
   if (quality.worst_ones.empty()) return {};
   Table table;
   table.add_column("shape");
@@ -67,10 +67,10 @@ std::string bad_ones(const MeshQuality& quality) {
   table.add_column("nodes", Table::Align::left);
   table.add_column("why", Table::Align::left);
   for (const MeshQuality::Bad& bad : quality.worst_ones) {
-    std::string at, nodes;
-    for (const double x : bad.at) at += (at.empty() ? "" : " ") + decimal(x, "%.6g");
+    std::string nodes;
     for (const std::string& name : bad.nodes) nodes += (nodes.empty() ? "" : ", ") + name;
-    table.add_row({shape_text(bad.measures.shape), decimal(bad.measures.dihedral, "%.2g"), at, nodes, bad.why});
+    table.add_row(
+        {shape_text(bad.measures.shape), decimal(bad.measures.dihedral, "%.2g"), place(bad.at), nodes, bad.why});
   }
   const std::string forced = forced_text(quality);
   return "the worst shapes of " + std::to_string(quality.bad) + " below 0.1:\n" + table.text() + forced +
@@ -124,9 +124,9 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
              " tetrahedra have a larger ratio of circumradius to shortest edge than asked for; " +
              "the largest is " + decimal(q.largest_radius_edge, "%.3g") + "\n";
   }
-  return table.text() + spread_of(q) + bad_ones(q) + beyond + std::to_string(mesh.points.size()) + " points, " +
-         std::to_string(mesh.triangles.size()) + " triangles on faces, " + std::to_string(mesh.segments.size()) +
-         " segments on edges\n";
+  return table.text() + spread_of(q) + bad_ones(q, PlaceText(mesh)) + beyond + std::to_string(mesh.points.size()) +
+         " points, " + std::to_string(mesh.triangles.size()) + " triangles on faces, " +
+         std::to_string(mesh.segments.size()) + " segments on edges\n";
 }
 
 std::string text_of(const CurvedReport& bent) {
@@ -161,6 +161,7 @@ std::string table_of(const SurfaceTriangles& made, bool quads) {
   table.add_column("at", Table::Align::left);
   table.add_column("below 25");
   table.add_column("since", Table::Align::left);
+  const PlaceText place(made.mesh);
   const auto row = [&](const FaceTriangles& of) {
     static constexpr const char* kWhy[] = {"", "input angle", "digits", "--max-points"};
     std::size_t below = 0;
@@ -170,9 +171,9 @@ std::string table_of(const SurfaceTriangles& made, bool quads) {
       below += of.why[i];
       since += (since.empty() ? "" : ", ") + std::string(kWhy[i]) + " " + std::to_string(of.why[i]);
     }
-    std::string place, angle;
+    std::string at, angle;
     if (of.triangles > 0) {
-      place = number_text(of.where[0]) + " " + number_text(of.where[1]) + " " + number_text(of.where[2]);
+      at = place(of.where);
       angle = decimal(of.least_angle, of.least_angle < 0.1 ? "%.3g" : "%.2f");
     }
     std::vector<std::string> cells{of.name};
@@ -181,7 +182,7 @@ std::string table_of(const SurfaceTriangles& made, bool quads) {
       cells.push_back(of.quads == 0 ? "" : decimal(of.least_quad, "%.2f"));
     }
     for (std::string& cell : std::vector<std::string>{std::to_string(of.triangles), number_text(of.area), angle,
-                                                      place, std::to_string(below), since})
+                                                      at, std::to_string(below), since})
       cells.push_back(std::move(cell));
     table.add_row(std::move(cells));
   };

@@ -4,10 +4,12 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string_view>
 
+#include "csg/mesh/size_field.h"
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
 #include "kernel/base/sorted.h"
@@ -234,7 +236,38 @@ class Explainer {
       if (height < kShort * longest)
         return words(corner) + " is " + short_text(height) + " from the plane of " + words({2, *f, 0});
     }
-    return "no local move makes it better";
+    const std::string near = between(p, kShort * longest);
+    return near.empty() ? "no local move makes it better" : near;
+  }
+
+  /// The two faces that are nearest to its middle, where both together are nearer than `most` and do not meet
+  /// there.
+  std::string between(const std::array<Vector, 4>& p, double most) const {
+    Vector middle{};
+    for (std::size_t k = 0; k < 3; ++k) middle[k] = (p[0][k] + p[1][k] + p[2][k] + p[3][k]) / 4;
+    struct Near {
+      double distance = HUGE_VAL;
+      std::size_t triangle = 0;
+    };
+    std::map<Index, Near> faces;
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      std::array<Vector, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh_.points[mesh_.triangles[i].points[k]];
+      const double distance = std::sqrt(squared_distance(middle, corners));
+      if (distance >= most) continue;
+      Near& near = faces[mesh_.triangles[i].entity];
+      if (distance < near.distance) near = {distance, i};
+    }
+    if (faces.size() < 2) return {};
+    std::vector<std::pair<double, Index>> order;
+    for (const auto& [face, near] : faces) order.emplace_back(near.distance, face);
+    std::partial_sort(order.begin(), order.begin() + 2, order.end());
+    const double apart = order[0].first + order[1].first;
+    const auto& a = mesh_.triangles[faces[order[0].second].triangle].points;
+    const auto& b = mesh_.triangles[faces[order[1].second].triangle].points;
+    if (apart >= most || std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end()) return {};
+    return words({2, order[0].second, 0}) + " and " + words({2, order[1].second, 0}) + " are within " +
+           short_text(apart) + " of each other";
   }
 };
 
@@ -313,6 +346,28 @@ std::string larger_text(const MeshQuality& quality) {
   if (quality.larger == 0) return {};
   return counted(quality.larger, "tetrahedron is", "tetrahedra are") + " larger than --max-volume, the largest " +
          short_text(quality.largest);
+}
+
+PlaceText::PlaceText(const Mesh& mesh) {
+  double largest = 0, extent = 0;
+  for (std::size_t k = 0; k < 3 && !mesh.points.empty(); ++k) {
+    const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
+                                                 [k](const Vector& p, const Vector& q) { return p[k] < q[k]; });
+    extent = std::max(extent, (*high)[k] - (*low)[k]);
+    largest = std::max({largest, std::abs((*low)[k]), std::abs((*high)[k])});
+  }
+  constexpr int kMost = std::numeric_limits<double>::max_digits10;
+  if (extent > 0) digits_ = std::min(kMost, digits_ + std::max(0, int(std::ceil(std::log10(largest / extent)))));
+}
+
+std::string PlaceText::operator()(const std::array<double, 3>& at) const {
+  std::string text;
+  for (const double x : at) {
+    char buffer[32];
+    if (!text.empty()) text += " ";
+    text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, digits_).ptr);
+  }
+  return text;
 }
 
 TriangleQuality triangle_quality_of(const Mesh& mesh, const std::vector<std::string>& leaves) {

@@ -60,6 +60,17 @@ std::string forced_text(const MeshQuality& quality);
 /// `6 tetrahedra are larger than --max-volume, the largest 0.167`; empty where none is.
 std::string larger_text(const MeshQuality& quality);
 
+/// Places of a mesh in words, `19.36 4.3 13.96`: six digits of each coordinate, and more where the mesh is small
+/// beside its distance from the origin, so that each is told to a millionth of the mesh's size.
+class PlaceText {
+ public:
+  explicit PlaceText(const Mesh& mesh);
+  std::string operator()(const std::array<double, 3>& at) const;
+
+ private:
+  int digits_ = 6;
+};
+
 /// How good triangles are: by their smallest angles.
 struct TriangleQuality {
   struct Bad {

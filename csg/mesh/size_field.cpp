@@ -24,8 +24,9 @@ double to_segment(const Vector& p, const Vector& along) {
   return squared({p[0] - t * along[0], p[1] - t * along[1], p[2] - t * along[2]});
 }
 
-/// The squared distance of p to a source. Corners may repeat or lie on one line.
-double to_source(const Vector& p, const std::array<Vector, 3>& corners) {
+}  // namespace
+
+double squared_distance(const Vector& p, const std::array<Vector, 3>& corners) {
   const auto& [a, b, c] = corners;
   const Vector pa = minus(p, a), ab = minus(b, a);
   if (b == c) return to_segment(pa, ab);
@@ -39,8 +40,6 @@ double to_source(const Vector& p, const std::array<Vector, 3>& corners) {
   }
   return std::min({to_segment(pa, ab), to_segment(pa, ac), to_segment(pb, bc)});
 }
-
-}  // namespace
 
 class SizeField::Tree {
  public:
@@ -69,7 +68,7 @@ class SizeField::Tree {
       if (node.second == 0) {
         for (std::size_t i = node.begin; i < node.end; ++i) {
           const Source& s = sources_[i];
-          if (s.size < best) best = std::min(best, s.size + growth * std::sqrt(to_source(p, s.corners)));
+          if (s.size < best) best = std::min(best, s.size + growth * std::sqrt(squared_distance(p, s.corners)));
         }
         continue;
       }

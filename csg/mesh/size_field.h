@@ -15,6 +15,10 @@
 
 namespace cnrg {
 
+/// The squared distance of a point to a point, a segment or a triangle, whose corners repeat or lie on one line;
+/// of a segment the last two are equal.
+double squared_distance(const std::array<double, 3>& p, const std::array<std::array<double, 3>, 3>& corners);
+
 class SizeField {
  public:
   using Vector = std::array<double, 3>;

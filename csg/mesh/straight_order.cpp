@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "csg/mesh/quality.h"
 #include "csg/mesh/second_order.h"
+#include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 
@@ -48,11 +50,17 @@ void add_straight_middles(Mesh& mesh) {
         good[i] = has_positive_determinant(nodes);
       },
       64);
-  if (std::find(good.begin(), good.end(), 0) == good.end()) return;
-  throw InputError(
-      "a tetrahedron is so flat that it is not proven to be turned right once its edges have rounded middles; "
-      "give "
-      "--quality 2, or mesh without --order 2");
+  const auto first = std::find(good.begin(), good.end(), 0);
+  if (first == good.end()) return;
+  std::array<double, 3> at{};
+  for (const Index p : mesh.tetrahedra[std::size_t(first - good.begin())].points) {
+    for (std::size_t k = 0; k < 3; ++k) at[k] += mesh.points[p][k] / 4;
+  }
+  const auto flat = std::size_t(std::count(good.begin(), good.end(), 0));
+  throw InputError(counted(flat, "tetrahedron is", "tetrahedra are") +
+                   " so flat that nothing proves, once edges have rounded middles, how they are turned, one at " +
+                   PlaceText(mesh)(at) +
+                   "; join what nearly touches by --join, give --quality 2, or mesh without --order 2");
 }
 
 }  // namespace cnrg

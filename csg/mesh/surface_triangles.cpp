@@ -11,6 +11,7 @@
 #include "csg/mesh/cell_mesh.h"
 #include "csg/mesh/deadline.h"
 #include "csg/mesh/mesh_sizes.h"
+#include "csg/mesh/planar_facets.h"
 #include "csg/mesh/quads.h"
 #include "csg/mesh/rounded_result.h"
 #include "csg/result/solid.h"
@@ -124,7 +125,7 @@ double length(const Vector& a, const Vector& b) {
 class SurfaceMaker {
  public:
   SurfaceMaker(const ResultView& view, const SurfaceOptions& options)
-      : view_(view), options_(options), flat_(flatten(view)) {}
+      : view_(view), options_(options), flat_(flatten_for_mesh(view)) {}
 
   SurfaceTriangles run() {
     if (options_.quads && options_.order == 2)

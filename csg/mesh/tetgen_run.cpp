@@ -131,19 +131,20 @@ int mesh(const Plc& plc, std::string switches, TetgenFrame frame, const TooLarge
   }
 }
 
+/// What follows a `;` is for --keep-boundary: without it there is another way to a mesh, and nobody reads this.
 void require_done(const ChildEnd& end) {
   using Kind = ChildEnd::Kind;
   constexpr int kNoMemory = 1;  // TetGen's own number for it
   constexpr const char* kCoarser =
       "; features of the model are too small beside its size: join what nearly touches by --join, remove slivers, "
-      "or try --keep-boundary";
+      "or leave out --keep-boundary";
   const std::string words = end.said.empty() ? "" : ": `" + end.said + "`";
   if (end.kind == Kind::done && end.number == 0) return;
   if (end.kind == Kind::memory || (end.kind == Kind::done && end.number == kNoMemory)) throw std::bad_alloc();
   if (end.kind == Kind::time) {
     throw InputError(
-        "TetGen did not end in its time; give it more by --seconds, or a larger --quality or --max-volume, try "
-        "--keep-boundary, remove slivers, or join what nearly touches by --join");
+        "TetGen did not end in its time; give it more by --seconds, or a larger --quality or --max-volume, "
+        "remove slivers, join what nearly touches by --join, or leave out --keep-boundary");
   }
   if (end.kind == Kind::signal) {
     throw InputError("TetGen was stopped by a fault of its own (signal " + std::to_string(end.number) + ")" +

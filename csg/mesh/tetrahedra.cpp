@@ -17,6 +17,7 @@
 #include "csg/mesh/exact_volume.h"
 #include "csg/mesh/forecast.h"
 #include "csg/mesh/improved.h"
+#include "csg/mesh/planar_facets.h"
 #include "csg/mesh/surface_triangles.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
@@ -39,7 +40,11 @@ constexpr double kLongest = 1.4;  // times the size that is wanted may the longe
 class TetrahedraMaker {
  public:
   TetrahedraMaker(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline)
-      : view_(view), options_(options), deadline_(deadline), watch_(deadline.watch()), flat_(flatten(view)) {}
+      : view_(view),
+        options_(options),
+        deadline_(deadline),
+        watch_(deadline.watch()),
+        flat_(flatten_for_mesh(view)) {}
 
   TetrahedralMesh run() {
     require_closed_and_bounded(flat_, "a mesh of tetrahedra");
@@ -299,7 +304,7 @@ class TetrahedraMaker {
         refused = e.what();
       } catch (const InvariantError& e) {  // the proof refuses what the mesher returns
         refused = std::string("what TetGen returns is not what was asked for (") + e.what() +
-                  "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser";
+                  "); try --quality 2, curved leaves that are finer or coarser, or leave out --keep-boundary";
       }
       if (may_fill && !thin_) {
         thin_ = true;

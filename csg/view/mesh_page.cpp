@@ -67,9 +67,6 @@ std::string decimal(double x, const char* format) {
   return buffer;
 }
 std::string shape_text(double x) { return decimal(x, x < 0.01 ? "%.2g" : "%.2f"); }
-std::string place_text(const std::array<double, 3>& p) {
-  return decimal(p[0], "%.6g") + " " + decimal(p[1], "%.6g") + " " + decimal(p[2], "%.6g");
-}
 std::string list_of(const std::vector<std::string>& names) {
   std::string out;
   for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
@@ -164,15 +161,19 @@ std::string pictures(const Result& result, const Mesh& mesh, const std::vector<s
                      int threads) {
   std::vector<Panel> panels;
   std::string words;
+  bool drawn = false;  // the mesh itself, with its rings
   if (auto outside = draw_mesh(result, mesh, {false, worst}, threads)) {
     panels.push_back({std::move(*outside), "outside"});
+    drawn = true;
   } else {
     panels.push_back({draw(result, {}, nullptr, threads), "the faces of the model"});
     words = "The mesh has too many triangles in sight to tell them apart: these are the faces of the model. ";
   }
-  if (auto opened = draw_mesh(result, mesh, {true, worst}, threads))
+  if (auto opened = draw_mesh(result, mesh, {true, worst}, threads)) {
     panels.push_back({std::move(*opened), "opened in the middle"});
-  if (!worst.empty()) {
+    drawn = true;
+  }
+  if (drawn && !worst.empty()) {
     words += mesh.tetrahedra.empty() ? "Rings mark the smallest angles, by their numbers in the table below."
                                      : "Rings mark the worst tetrahedra, by their numbers in the table below; "
                                        "sides of tetrahedra of a shape below 0.1 are red.";
@@ -261,10 +262,11 @@ std::string mesh_page(const Result& result, const TetrahedralMesh& made, const C
   body += "</div>\n</section>\n";
   if (!q.worst_ones.empty()) {
     HtmlTable table({"number", "shape", "angle", "ratio", "<at", "=nodes", "=why"});
+    const PlaceText place(made.mesh);
     std::size_t number = 0;
     for (const MeshQuality::Bad& bad : q.worst_ones) {
       table.row({std::to_string(++number), shape_text(bad.measures.shape), decimal(bad.measures.dihedral, "%.2g"),
-                 decimal(bad.measures.radius_edge, "%.3g"), place_text(bad.at), list_of(bad.nodes), bad.why});
+                 decimal(bad.measures.radius_edge, "%.3g"), place(bad.at), list_of(bad.nodes), bad.why});
     }
     body += "<section><h2>The worst shapes</h2>\n<p class=\"note\">" + grouped(q.worst_ones.size()) + " of " +
             grouped(q.bad) + " below 0.1, at the middle of each tetrahedron, with the nodes that meet there. " +
@@ -286,6 +288,7 @@ std::string mesh_page(const Result& result, const SurfaceTriangles& made, const 
   if (quads) columns.insert(columns.end(), {"quadrilaterals", "least quality"});
   columns.insert(columns.end(), {"triangles", "<area", "least angle", "<at", "below 25°"});
   HtmlTable groups(columns);
+  const PlaceText place(mesh);
   FaceTriangles all{"all"};
   const auto row = [&](const FaceTriangles& of, bool last) {
     std::size_t small = 0;
@@ -295,7 +298,7 @@ std::string mesh_page(const Result& result, const SurfaceTriangles& made, const 
     if (quads) cells.insert(cells.end(), {grouped(of.quads), of.quads > 0 ? decimal(of.least_quad, "%.2f") : ""});
     cells.insert(cells.end(),
                  {grouped(of.triangles), decimal(of.area, "%.6g"), some ? decimal(of.least_angle, "%.3g") : "",
-                  some ? place_text(of.where) : "", grouped(small)});
+                  some ? place(of.where) : "", grouped(small)});
     groups.row(cells, last);
     below = small;
   };
@@ -326,7 +329,7 @@ std::string mesh_page(const Result& result, const SurfaceTriangles& made, const 
     HtmlTable table({"number", "angle", "<at", "=nodes"});
     std::size_t number = 0;
     for (const TriangleQuality::Bad& bad : q.worst_ones)
-      table.row({std::to_string(++number), decimal(bad.angle, "%.3g"), place_text(bad.at), list_of(bad.nodes)});
+      table.row({std::to_string(++number), decimal(bad.angle, "%.3g"), place(bad.at), list_of(bad.nodes)});
     body += "<section><h2>The smallest angles</h2>\n" + table.text() + "</section>\n";
   }
   return whole_page(options, facts, body);

@@ -111,6 +111,20 @@ std::pair<MeshForecast, double> told_and_made(const std::string& nodes, Tetrahed
 
 }  // namespace
 
+TEST_CASE("what lies between a wall and a face beside it is foretold", "[size][forecast]") {
+  // A tenth and an eightieth of the edges elsewhere, where nobody has asked for short ones.
+  for (const char* x : {"79/10", "159/20"}) {
+    const std::string nodes =
+        std::string("  block: {box: {min: [0, 0, 0], max: [8, 8, 8]}}\n  wall: {polygon: [[") + x +
+        ", -1, -1], [" + x + ", 9, -1], [" + x + ", 9, 9], [" + x +
+        ", -1, 9]]}\n  model: {union: [wall, block], dominance: left}\n";
+    const auto [told, made] = told_and_made(nodes, sizes(x == std::string("79/10") ? 1 : 4, 0.3));
+    INFO(told.tetrahedra << " foretold, " << made << " made");
+    CHECK(told.tetrahedra / made > 0.7);
+    CHECK(told.tetrahedra / made < 1.3);
+  }
+}
+
 TEST_CASE("what a bound of volumes makes is foretold within 30 %", "[forecast]") {
   for (const Model& model : models()) {
     const Result result = result_of(model.nodes);

@@ -294,3 +294,30 @@ TEST_CASE("what no doubles fit between is joined, and that is said", "[mesh][qua
   }
   CHECK(joined * 3 > end - begin);
 }
+
+TEST_CASE("places are told to a millionth of the mesh, wherever it lies", "[mesh][quality]") {
+  Mesh mesh;
+  mesh.points = {{0, 0, 0}, {30, 20, 30}};
+  CHECK(PlaceText(mesh)({19.36023456, 4.3, 1.25e-7}) == "19.3602 4.3 1.25e-07");
+  mesh.points = {{4500000, 5800000, -200}, {4500500, 5800400, 100}};
+  CHECK(PlaceText(mesh)({4500270.43211234, 5800400, -62.40841234}) == "4500270.4321 5800400 -62.40841234");
+  mesh.points.clear();
+  CHECK(PlaceText(mesh)({0.1, 0, 2}) == "0.1 0 2");
+}
+
+TEST_CASE("a flat tetrahedron between two faces that others touch names them", "[mesh][quality]") {
+  Mesh mesh;
+  mesh.points = {{0, 0, 0},    {9, 0, 0},     {0, 9, 0},     {0, 0, 0.01},  {9, 0, 0.01},
+                 {0, 9, 0.01}, {1, 1, 0.004}, {2, 1, 0.006}, {2, 2, 0.004}, {1, 2, 0.006}};
+  mesh.triangles = {{{0, 1, 2}, 0}, {{3, 4, 5}, 1}};
+  mesh.tetrahedra = {{{6, 7, 8, 9}, 0}};
+  mesh.entities[2].resize(2);
+  mesh.entities[3].resize(1);
+  MeshQuality q = quality_of(mesh, {});
+  REQUIRE(q.worst_ones.size() == 1);
+  CHECK(q.worst_ones[0].why == "f0 and f1 are within 0.01 of each other");
+  for (std::size_t p = 3; p < 6; ++p) mesh.points[p][2] = 1;
+  q = quality_of(mesh, {});
+  REQUIRE(q.worst_ones.size() == 1);
+  CHECK(q.worst_ones[0].why == "no local move makes it better");
+}
