@@ -26,7 +26,16 @@ class RegionLocator {
   FlatComplex::Index at(const Vector& p) const;
   /// How thick the region is at a point, where it is a plate: the shortest of some chords between faces that are
   /// about parallel, or `most`, if there is none as short. (Near an edge each chord across is short.)
-  double thickness(const Vector& p, double most) const;
+  double thickness(const Vector& p, double most) const { return plate(p, most).thickness; }
+  /// The same, and whether the faces of the chord are parallel but for half a degree.
+  struct Plate {
+    double thickness;
+    bool even = false;
+  };
+  Plate plate(const Vector& p, double most) const;
+  /// How far a face that is parallel in this way is from a point of one, on the side to which the unit vector
+  /// along its normal points; or `most`, if there is none as near or another one is first.
+  double gap(const Vector& p, const Vector& normal, double most) const;
 
   /// False only if no face passes through the box.
   bool meets_faces(const Vector& low, const Vector& high) const;

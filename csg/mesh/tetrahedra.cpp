@@ -121,6 +121,7 @@ class TetrahedraMaker {
   double for_shapes_ = 0;  // as many would be made if points that nobody asks for were not rationed
   double in_seconds_ = 0;  // that what is expected takes, at most
   bool surface_first_ = options_.surface_first;
+  bool rationed_ = false;   // points in narrow parts are
   bool thin_ = false;       // TetGen fills the regions and no more, since it would not end
   std::string flat_text_;   // why
   bool of_tetgen_ = false;  // it has made the mesh, to all bounds
@@ -144,25 +145,44 @@ class TetrahedraMaker {
     foretell(rounded, options_.constrained ? Maker::own : thin_ ? Maker::flat : Maker::tetgen);
   }
 
-  /// Are there regions in which TetGen would need far more tetrahedra than we do? It refines until no edge is much
-  /// longer than the region is thick, and where triangles on the boundary are, and have to stay, without an end.
-  /// That is for a quality of which nobody has said anything: it is left out where it cannot be had.
+  /// Are there regions in which good shapes take far more tetrahedra than all else? TetGen refines until no edge is
+  /// much longer than the region is thick, and where triangles on the boundary are, and have to stay, without an
+  /// end. What takes longer than somebody waits is left out where it cannot be had: with a quality, too, unless he
+  /// says by `seconds` that he waits.
   void find_thin(const RoundedPoints& points) {
     constexpr double kFar = 3;
-    if (options_.quality > 0 || options_.keep_boundary || options_.constrained || !bounded()) return;
-    const MeshForecast told = forecast_of(points, Maker::tetgen);
+    if (options_.keep_boundary || !bounded()) return;
+    const MeshForecast told = for_good_shapes(points);
     const double good = told.tetrahedra;
-    if (surface_first_ && sized() && options_.max_volume == 0 &&
+    if (surface_first_ && sized() && options_.quality == 0 && options_.max_volume == 0 &&
         good > kFar * forecast_of(points, Maker::own).tetrahedra) {
       keep_flat();
-    } else if (!impossible_text(told, double(memory_of_machine())).empty() &&
-               good > kFar * forecast_of(points, Maker::flat).tetrahedra) {
-      thin_ = true;
-      surface_first_ = sized();  // edges of that size have room on faces, and none inside
-      flat_text_ = count_text(good) +
-                   " tetrahedra of a good shape would fill regions that are very thin; since no "
-                   "--quality was asked for, those there are as flat as they have to be";
+    } else if (takes_too_long(told) && good > kFar * forecast_of(points, Maker::flat).tetrahedra) {
+      rationed_ = true;
+      thin_ = !options_.constrained;
+      surface_first_ = thin_ && (options_.surface_first || sized());  // these have room on faces, and none inside
+      flat_text_ = count_text(good) + " tetrahedra of a good shape would fill regions that are very thin; " +
+                   (options_.quality == 0
+                        ? "since no --quality was asked for, those there are as flat as they have to be"
+                        : "those there are as flat as they have to be" + to_have_all(told));
     }
+  }
+  /// As whoever is asked would make them, shapes in thin regions included.
+  MeshForecast for_good_shapes(const RoundedPoints& points) const {
+    if (!options_.constrained) return forecast_of(points, Maker::tetgen);
+    MeshForecast told = forecast_of(points, sized() ? Maker::own : Maker::tetgen);
+    told.seconds = kSecondsOfShapes * told.tetrahedra;
+    return told;
+  }
+  bool takes_too_long(const MeshForecast& told) const {
+    constexpr double kPatience = 15;  // seconds
+    const double patience = !options_.seconds ? kPatience : *options_.seconds > 0 ? *options_.seconds / 3.0 : HUGE_VAL;
+    if (told.seconds > patience) return true;
+    return options_.quality == 0 && !impossible_text(told, double(memory_of_machine())).empty();
+  }
+  static std::string to_have_all(const MeshForecast& told) {
+    if (!impossible_text(told, double(memory_of_machine())).empty()) return "";
+    return ", since that takes " + time_text(told.seconds) + "; --seconds 0 makes them";
   }
   void keep_flat() {
     thin_ = true;
@@ -326,7 +346,9 @@ class TetrahedraMaker {
     }
     if ((sized() || thin_) && !of_tetgen_)
       asked.most = kMostOfExpected * std::max(std::size_t(expected_), kFewTetrahedra);
-    asked.points = bounded() && !thin_ ? kPointsForBounds : points_for_shapes(out_.points.size());
+    const std::size_t few = points_for_shapes(out_.points.size());
+    asked.points = bounded() && (!thin_ || options_.quality > 0) ? kPointsForBounds : few;
+    if (rationed_) asked.narrow_points = few;
     asked.seconds = deadline_.bounded() ? std::max(1e-3, deadline_.seconds_left())
                     : options_.seconds  ? 0
                                         : TetrahedraOptions::kPartSeconds;

@@ -27,6 +27,9 @@ struct ImproveOptions {
   double radius_edge = 0;  ///< ratio of circumradius to shortest edge at most; 0: no bound
   double volume = 0;       ///< at most; 0: no bound
   std::size_t points = 0;  ///< that are added for these at most
+  /// Of these in what is narrow: in tetrahedra flatter than 1/64 of their longest edge with all corners on facets
+  /// and lines, which takes as many as it is longer than thick, squared. Then all else comes first. 0: no ration.
+  std::size_t narrow_points = 0;
   /// Where there are more tetrahedra than these, refinement ends: flat parts, in which the lengths that are wanted
   /// are far longer than they are thick, need no more tetrahedra for these, and halves make ever more. 0: no
   /// bound.
