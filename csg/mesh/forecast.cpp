@@ -434,7 +434,8 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
     return of_unbounded(mesh.tetrahedra, kept.least, most);
   }
   if (by_shapes && maker == Maker::own) return {};
-  if (sizes.empty() && volume > 0 && maker != Maker::tetgen) {  // as many at least; for shapes there may be many more
+  if (sizes.empty() && volume > 0 &&
+      maker != Maker::tetgen) {  // as many at least; for shapes there may be many more
     const double n = expected_of_volume(volume_of(flat, points), volume);
     return with_costs(n, kLeast * n, HUGE_VAL, maker, false);
   }

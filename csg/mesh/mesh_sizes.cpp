@@ -14,7 +14,7 @@ using Vector = SizeField::Vector;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastShare = 1e-3;  // of the model's diagonal, that a piece or a facet asks for by itself
-constexpr double kNarrow = 64;         // so many times as long as wide is what is narrow
+constexpr double kNarrow = 64;        // so many times as long as wide is what is narrow
 
 class SizeCollector {
  public:
@@ -37,6 +37,7 @@ class SizeCollector {
     const bool said = !sources_.empty() || overall_ < kInfinity;
     if (!said && !options.always) return {};
     if (!options.said) {
+      least_narrow_ = options.wide ? kInfinity : least_;
       add_facets();
       add_pieces();
     }
@@ -49,6 +50,7 @@ class SizeCollector {
   const std::vector<Vector>& xyz_;
   const double overall_, growth_;
   double least_ = 0;
+  double least_narrow_ = 0;  // narrower ones do not ask
   std::vector<SizeField::Source> sources_;
   std::vector<double> regions_;
   std::vector<char> wide_;  // of each face: has it a facet that asks, however small it is?
@@ -101,7 +103,7 @@ class SizeCollector {
         const double size = length(a, b);
         const bool through = edge.wire && face_of[a] != face_of[b] && face_of[a] != FlatComplex::kNone &&
                              face_of[b] != FlatComplex::kNone;
-        if (size >= least_ || !(across || through)) add(a, b, b, std::max(size, least_));
+        if (size >= least_narrow_ || !(across || through)) add(a, b, b, std::max(size, least_));
       });
     }
   }
@@ -137,7 +139,7 @@ class SizeCollector {
     const bool triangle = loops.size() == 1 && loops[0].size() == 3;
     double width = perimeter > 0 ? 4 * area / perimeter * (triangle ? std::sqrt(3.0) : 1) : 0;
     // (Of a strip that is twice its width, and the perimeter is twice its length.)
-    if (!(perimeter > 0) || (width < least_ && perimeter > kNarrow * width)) return false;
+    if (!(perimeter > 0) || (width < least_narrow_ && perimeter > kNarrow * width)) return false;
     width = std::max(width, least_);
     for (std::size_t t = begin; t < end; ++t) {
       const auto& [a, b, c] = face.triangles[t];

@@ -30,6 +30,7 @@ struct SizeOptions {
   double growth = 0.3;  ///< by how much edges may be longer per unit of distance
   bool always = false;  ///< pieces and facets ask also where nobody has said any size
   bool said = false;    ///< they do not ask at all
+  bool wide = false;    ///< those that are narrow do not ask, however small they are
 };
 
 struct MeshSizes {

@@ -54,8 +54,6 @@ constexpr std::size_t kMostGrowth = 8;
 constexpr std::size_t kFew = 25'000;
 /// The mesh is kept when the part of it that is bad is so much smaller than when it was kept last.
 constexpr double kSaved = 0.9;
-/// What is flatter than this part of its longest edge, and leads from wall to wall, is narrow.
-constexpr double kNarrow = 1.0 / 64;
 /// Halvings more than a bad shape needs at least.
 constexpr int kSpare = 2;
 /// Where no larger part is bad, the mesh is good.
@@ -123,7 +121,7 @@ class Improver {
   double gain_of_bad_ = kNotable;     // in the next sweep
   std::string stage_;                 // of a walk through all tetrahedra: how many of them it takes nobody knows
   std::size_t steps_ = 0;
-  bool wide_only_ = false;            // what is narrow stays as it is
+  bool wide_only_ = false;  // what is narrow stays as it is
   bool over_ = false;
   bool too_many_ = false;  // refinement has ended for the number of tetrahedra
 
@@ -381,13 +379,7 @@ class Improver {
     const auto& c = mesh_.at(t).corners;
     for (const Index v : c)
       if (mesh_.facet(v) == Stars::kNone) return false;
-    const Edges e(mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2]), mesh_.point(c[3]));
-    const Point uv = cross(e.u, e.v), vw = cross(e.v, e.w), wu = cross(e.w, e.u);
-    Point last;  // of the face opposite to the first corner
-    for (std::size_t k = 0; k < 3; ++k) last[k] = uv[k] + vw[k] + wu[k];
-    const double area = std::sqrt(std::max({dot(uv, uv), dot(vw, vw), dot(wu, wu), dot(last, last)}));
-    const auto [a, b] = longest_edge(t);
-    return std::fabs(e.determinant()) < kNarrow * area * std::sqrt(moves_.squared(a, b));
+    return is_flat(mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2]), mesh_.point(c[3]));
   }
 
   /// What is narrow comes last, and gets no more points than its ration.
@@ -545,6 +537,24 @@ double shape_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra
     squares += e.u[k] * e.u[k] + e.v[k] * e.v[k] + e.w[k] * e.w[k] + p * p + q * q + r * r;
   }
   return squares > 0 ? 12 * std::cbrt(det * det / 4) / squares : 0;
+}
+
+bool is_flat(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
+             const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d) {
+  constexpr double kFlat = 1.0 / 64;
+  const Edges e(a, b, c, d);
+  const Point uv = cross(e.u, e.v), vw = cross(e.v, e.w), wu = cross(e.w, e.u);
+  Point last;  // of the face opposite to a
+  double longest = std::max({dot(e.u, e.u), dot(e.v, e.v), dot(e.w, e.w)}), uv2 = 0, vw2 = 0, wu2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    last[k] = uv[k] + vw[k] + wu[k];
+    uv2 += (e.v[k] - e.u[k]) * (e.v[k] - e.u[k]);
+    vw2 += (e.w[k] - e.v[k]) * (e.w[k] - e.v[k]);
+    wu2 += (e.u[k] - e.w[k]) * (e.u[k] - e.w[k]);
+  }
+  longest = std::max({longest, uv2, vw2, wu2});
+  const double area = std::max({dot(uv, uv), dot(vw, vw), dot(wu, wu), dot(last, last)});
+  return std::fabs(e.determinant()) < kFlat * std::sqrt(area * longest);
 }
 
 double radius_edge_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
