@@ -442,7 +442,8 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
   double n = 0;
   if (sizes.empty()) {  // TetGen refines for shapes, too
     const double growth = by_shapes ? kGrowthOfShapes : kGrowthOfFeatures;
-    const MeshSizes features = mesh_sizes(view, flat, points, {0, growth, true});
+    const bool wide = maker == Maker::flat;
+    const MeshSizes features = mesh_sizes(view, flat, points, {0, growth, true, false, wide});
     n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch);
   } else {
     n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch);

@@ -64,6 +64,7 @@ struct RegionLocator::Data {
   const FlatComplex& flat;
   std::vector<Corners> triangles;
   BoxTree boxes;
+  double digits;  // that points on faces are off them at most, many times
   Index outside = FlatComplex::kNone;
 };
 
@@ -90,7 +91,7 @@ RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& point
   const auto outside =
       std::find_if(flat.regions.begin(), flat.regions.end(), [](const auto& region) { return !region.bounded; });
   data_.reset(
-      new Data{flat, std::move(triangles), BoxTree(std::move(boxes)),
+      new Data{flat, std::move(triangles), BoxTree(std::move(boxes)), 10 * room,
                outside == flat.regions.end() ? FlatComplex::kNone : Index(outside - flat.regions.begin())});
 }
 
@@ -138,9 +139,12 @@ RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, do
 }
 
 double RegionLocator::gap(const Vector& p, const Vector& normal, double most) const {
-  const Wall ahead = wall(p, normal, most);
-  return ahead.triangle != nullptr && are_parallel(normal, normal_of(*ahead.triangle), kEven) ? ahead.distance
-                                                                                              : most;
+  // A little away from the face that it lies on but for its last digits.
+  Vector beside = p;
+  for (std::size_t k = 0; k < 3; ++k) beside[k] += data_->digits * normal[k];
+  const Wall ahead = wall(beside, normal, most);
+  const bool even = ahead.triangle != nullptr && are_parallel(normal, normal_of(*ahead.triangle), kEven);
+  return even ? ahead.distance + data_->digits : most;
 }
 
 RegionLocator::Plate RegionLocator::plate(const Vector& p, double most) const {

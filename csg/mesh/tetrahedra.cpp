@@ -157,26 +157,28 @@ class TetrahedraMaker {
     if (options_.keep_boundary || !bounded()) return;
     const MeshForecast told = for_good_shapes(points);
     const double good = told.tetrahedra;
-    if (surface_first_ && sized() && options_.quality == 0 && options_.max_volume == 0 &&
-        good > kFar * forecast_of(points, Maker::own).tetrahedra) {
-      keep_flat();
-    } else if (takes_too_long(told)) {
+    if (takes_too_long(told)) {
       set_sizes(points, true);
       rationed_ = good > kFar * forecast_of(points, Maker::flat).tetrahedra;
-      if (!rationed_) return set_sizes(points, false);
-      thin_ = !options_.constrained;
-      // Sizes have room on faces, and none inside; and what is wide can get good shapes beside triangles that
-      // stay.
-      surface_first_ = thin_ && (options_.surface_first || sized() || options_.quality > 0);
-      if (thin_ && options_.quality > 0) {
-        if (!regions_) regions_.emplace(flat_, points);
-        has_to_be_split_ = worse_where_wide(options_.quality, options_.max_volume, too_large_, *regions_, flat_);
-      }
-      flat_text_ =
-          count_text(good) + " tetrahedra of a good shape would fill regions that are very thin; " +
-          (options_.quality == 0 ? "since no --quality was asked for, those there are as flat as they have to be"
-                                 : "those there are as flat as they have to be" + to_have_all(told));
+      if (rationed_) return ration(points, told);
+      set_sizes(points, false);
     }
+    if (surface_first_ && sized() && options_.quality == 0 && options_.max_volume == 0 &&
+        good > kFar * forecast_of(points, Maker::own).tetrahedra)
+      keep_flat();
+  }
+  void ration(const RoundedPoints& points, const MeshForecast& told) {
+    thin_ = !options_.constrained;
+    // Sizes have room on faces, and none inside; and what is wide can get good shapes beside triangles that stay.
+    surface_first_ = thin_ && (options_.surface_first || sized() || options_.quality > 0);
+    if (thin_ && options_.quality > 0) {
+      if (!regions_) regions_.emplace(flat_, points);
+      has_to_be_split_ = worse_where_wide(options_.quality, options_.max_volume, too_large_, *regions_, flat_);
+    }
+    flat_text_ =
+        count_text(told.tetrahedra) + " tetrahedra of a good shape would fill regions that are very thin; " +
+        (options_.quality == 0 ? "since no --quality was asked for, those there are as flat as they have to be"
+                               : "those there are as flat as they have to be" + to_have_all(told));
   }
   /// As whoever is asked would make them, shapes in thin regions included.
   MeshForecast for_good_shapes(const RoundedPoints& points) const {
