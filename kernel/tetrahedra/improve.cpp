@@ -313,11 +313,16 @@ class Improver {
   /// Moves may have made some larger again; halves are smaller.
   void to_volume() {
     if (options_.volume == 0) return;
-    begin("mesh: volumes");
-    for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
-      while (mesh_.alive(t) && is_large(t) && !over()) {
-        const auto [a, b] = longest_edge(t);
-        if (moves_.split(a, b) == Stars::kNoTetrahedron) break;
+    bool any = true;
+    while (any && !over()) {  // halves may be in places that are passed
+      begin("mesh: volumes");
+      any = false;
+      for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
+        while (mesh_.alive(t) && is_large(t) && !over()) {
+          const auto [a, b] = longest_edge(t);
+          if (moves_.split(a, b) == Stars::kNoTetrahedron) break;
+          any = true;
+        }
       }
     }
   }
