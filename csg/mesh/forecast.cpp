@@ -145,15 +145,17 @@ class Forecast {
     double sum = 0;
     for (const FlatComplex::Face& face : flat_.faces) {
       for (const auto& t : face.triangles) {
-        if (at++ % step != 0) continue;
+        const std::size_t place = at++;
+        if (place % step != 0) continue;
         watch_.check();
-        sum += beside(points[t[0]], points[t[1]], points[t[2]], face.regions);
+        sum += beside(points[t[0]], points[t[1]], points[t[2]], face.regions, place);
       }
     }
     return sum * double(step);
   }
   /// Of a triangle: by few points, and by more where it is one of a thin part.
-  double beside(const Vector& a, const Vector& b, const Vector& c, const std::array<Index, 2>& regions) const {
+  double beside(const Vector& a, const Vector& b, const Vector& c, const std::array<Index, 2>& regions,
+                std::size_t place) const {
     const Vector ab = minus(b, a), ac = minus(c, a), n = cross(ab, ac);
     const double length = std::sqrt(dot(n, n));
     if (!(length > 0)) return 0;
@@ -172,7 +174,7 @@ class Forecast {
         if (u + v > 1) u = 1 - u, v = 1 - v;
         Vector p;
         for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + u * ab[k] + v * ac[k];
-        const double part = behind(p, to, regions[std::size_t(side)]);
+        const double part = behind(p, to, regions[std::size_t(side)], place);
         if (part > 0) most = kMany;
         all += part;
       }
@@ -181,8 +183,9 @@ class Forecast {
     return sum;
   }
   /// Per unit of area, behind a point of a face of that region; 0 where the region is not thin.
-  double behind(const Vector& p, const Vector& to, Index region) const {
-    const double size = size_at(p, region), most = kThin * size, thick = regions_.gap(p, to, most);
+  double behind(const Vector& p, const Vector& to, Index region, std::size_t triangle) const {
+    const double size = size_at(p, region), most = kThin * size,
+                 thick = regions_.gap(p, to, region, triangle, most);
     return thick < most ? thick / 2 * density(size, thick, region) : 0;
   }
 

@@ -64,7 +64,6 @@ struct RegionLocator::Data {
   const FlatComplex& flat;
   std::vector<Corners> triangles;
   BoxTree boxes;
-  double digits;  // that points on faces are off them at most, many times
   Index outside = FlatComplex::kNone;
 };
 
@@ -91,7 +90,7 @@ RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& point
   const auto outside =
       std::find_if(flat.regions.begin(), flat.regions.end(), [](const auto& region) { return !region.bounded; });
   data_.reset(
-      new Data{flat, std::move(triangles), BoxTree(std::move(boxes)), 10 * room,
+      new Data{flat, std::move(triangles), BoxTree(std::move(boxes)),
                outside == flat.regions.end() ? FlatComplex::kNone : Index(outside - flat.regions.begin())});
 }
 
@@ -127,10 +126,11 @@ struct RegionLocator::Wall {
   const Corners* triangle = nullptr;  // nullptr: there is none so near
 };
 
-RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, double most) const {
+RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, double most, std::size_t but) const {
   Wall nearest{most};
   data_->boxes.query([&](const Box& box) { return meets(box, p, along, nearest.distance); },
                      [&](std::uint32_t item) {
+                       if (item == but) return;
                        const Corners& triangle = data_->triangles[item];
                        const double distance = hit(p, along, triangle).first;
                        if (distance < nearest.distance) nearest = {distance, &triangle};
@@ -138,13 +138,15 @@ RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, do
   return nearest;
 }
 
-double RegionLocator::gap(const Vector& p, const Vector& normal, double most) const {
-  // A little away from the face that it lies on but for its last digits.
-  Vector beside = p;
-  for (std::size_t k = 0; k < 3; ++k) beside[k] += data_->digits * normal[k];
-  const Wall ahead = wall(beside, normal, most);
-  const bool even = ahead.triangle != nullptr && are_parallel(normal, normal_of(*ahead.triangle), kEven);
-  return even ? ahead.distance + data_->digits : most;
+double RegionLocator::gap(const Vector& p, const Vector& into, Index region, std::size_t triangle,
+                          double most) const {
+  const Wall ahead = wall(p, into, most, triangle);
+  if (ahead.triangle == nullptr) return most;
+  // Triangles beside its own may be met by rounding, from their other side.
+  const Vector n = normal_of(*ahead.triangle);
+  const bool front = dot(n, into) < 0;
+  const bool met = data_->flat.faces[ahead.triangle->face].regions[front ? 0 : 1] == region;
+  return met && are_parallel(into, n, kEven) ? ahead.distance : most;
 }
 
 RegionLocator::Plate RegionLocator::plate(const Vector& p, double most) const {

@@ -191,6 +191,24 @@ result: u
   CHECK(w.run("mesh t.yaml --order 2 -o second.html --quiet").status == 0);
 }
 
+TEST_CASE("mesh: a page has the numbers of tetrahedra that doubles find flat", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  low:   {box: {min: [0, 0, 0], max: [1, 1, 1]}}
+  plate: {box: {min: [0, 0, 1], max: [1, 1, "1125899906842629/1125899906842624"]}}
+  both:  {union: [plate, low], dominance: left}
+  model: {simplify: both, rotate: {axis: [1, 2, 3], degrees: 20}}
+result: model
+)");
+  const Outcome o = w.run("mesh t.yaml --quality 2 -o t.html --no-snap");
+  INFO(o.out << o.err);
+  REQUIRE(o.status == 0);
+  const std::string page = w.read("t.html");
+  CHECK_THAT(page, !Contains(">inf<") && !Contains(">nan<") && !Contains(">-nan<") && Contains("e-10</b>"));
+  CHECK_THAT(o.out, Contains("; the largest is ") && Contains("e+14; 6 are in plate\n") && !Contains("inf"));
+}
+
 TEST_CASE("mesh: surfaces alone, with a row per group of faces", "[app][mesh]") {
   const Workshop w;
   w.write("t.yaml", kPair);

@@ -253,7 +253,18 @@ TEST_CASE("regions are found by a ray", "[size]") {
   CHECK(s.regions.thickness({4.3, 4.1, 4.2}, 100) == Approx(2).epsilon(0.2));
   CHECK(s.regions.thickness({0.5, 4.1, 4.2}, 0.25) == 0.25);
   CHECK(s.regions.plate({0.5, 4.1, 4.2}, 100).even);
-  CHECK(s.regions.gap({0, 4.1, 4.2}, {1, 0, 0}, 100) == Approx(1));
-  CHECK(s.regions.gap({1, 4.1, 4.2}, {-1, 0, 0}, 100) == Approx(1));
-  CHECK(s.regions.gap({0, 4.1, 4.2}, {1, 0, 0}, 0.5) == 0.5);
+  std::size_t triangles = 0;
+  for (const auto& face : s.flat.faces) {
+    for (const auto& t : face.triangles) {
+      const auto &a = s.points.xyz[t[0]], &b = s.points.xyz[t[1]], &c = s.points.xyz[t[2]];
+      const std::size_t place = triangles++;
+      if (a[0] != 0 || b[0] != 0 || c[0] != 0) continue;
+      const auto shell = s.regions.at({0.5, 4.1, 4.2});
+      const SizeField::Vector middle{0, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
+      CHECK(s.regions.gap(middle, {1, 0, 0}, shell, place, 100) == Approx(1));
+      CHECK(s.regions.gap(middle, {1, 0, 0}, shell, place, 0.5) == 0.5);
+      CHECK(s.regions.gap(middle, {1, 0, 0}, shell + 1, place, 100) == 100);
+    }
+  }
+  CHECK(triangles == 36);
 }
