@@ -422,7 +422,8 @@ MeshForecast unbounded(const ResultView& view, const FlatComplex& flat, const Ro
 
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points) {
+                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points,
+                      bool rough) {
   constexpr double kLeast = 0.7, kMost = 1.3;
   const double volume = options.max_volume, strict = for_quality(options.quality);
   const bool by_shapes = sizes.empty() && volume == 0;
@@ -437,21 +438,28 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
     return of_unbounded(mesh.tetrahedra, kept.least, most);
   }
   if (by_shapes && maker == Maker::own) return {};
-  if (sizes.empty() && volume > 0 &&
-      maker != Maker::tetgen) {  // as many at least; for shapes there may be many more
-    const double n = expected_of_volume(volume_of(flat, points), volume);
-    return with_costs(n, kLeast * n, HUGE_VAL, maker, false);
-  }
   double n = 0;
-  if (sizes.empty()) {  // TetGen refines for shapes, too
-    const double growth = by_shapes ? kGrowthOfShapes : kGrowthOfFeatures;
+  if (sizes.empty()) {  // shapes need as many as features make of them
+    const double growth = by_shapes                ? kGrowthOfShapes
+                          : maker == Maker::tetgen ? kGrowthOfFeatures
+                                                   : kGrowthOfNothing;
     const bool wide = maker == Maker::flat;
     const MeshSizes features = mesh_sizes(view, flat, points, {0, growth, true, false, wide});
-    n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch);
+    n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch, rough);
   } else {
-    n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch);
+    n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch, rough);
   }
-  if (by_shapes) return with_costs(strict * n, 0.45 * strict * n, 1.6 * strict * n, maker, true);
+  // What is thin gets points for shapes, too, if these are of use there.
+  const double rationed = maker == Maker::flat
+                              ? kPerPoint * double(points_for_shapes(std::max(points.xyz.size(), complex_points)))
+                              : 0;
+  if (by_shapes) return with_costs(strict * n, 0.45 * strict * n, 1.6 * strict * n + rationed, maker, true);
+  if (sizes.empty() && maker != Maker::tetgen) {
+    // Features need less where flat tetrahedra are good enough, and more where facets are long and many.
+    constexpr double kMostOfOurs = 1.7;
+    const double by_volume = std::min(n, expected_of_volume(volume_of(flat, points), volume));
+    return with_costs(n, kLeast * by_volume, kMostOfOurs * strict * n + rationed, maker, false);
+  }
   return with_costs(n, kLeast * n, kMost * strict * n, maker, !sizes.empty());
 }
 

@@ -206,13 +206,14 @@ class TetrahedraMaker {
         "are as flat as they have to be";
   }
 
-  MeshForecast forecast_of(const RoundedPoints& points, Maker maker) const {
+  MeshForecast forecast_of(const RoundedPoints& points, Maker maker, bool rough = true) const {
     watch_.begin("mesh: forecast");
-    return forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_, surface_.points.size());
+    return forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_, surface_.points.size(),
+                    rough);
   }
 
   void foretell(const RoundedResult& rounded, Maker maker) {
-    const MeshForecast mesh = forecast_of(rounded.points(), maker);
+    const MeshForecast mesh = forecast_of(rounded.points(), maker, false);
     if (mesh.tetrahedra == 0) return;
     if (!options_.keep_boundary) require_possible(mesh, double(memory_of_machine()));  // else few may do
     if (std::isinf(mesh.most)) return;

@@ -136,6 +136,23 @@ TEST_CASE("what a bound of volumes makes is foretold within 30 %", "[forecast]")
   CHECK(told.tetrahedra / made < 1.3);
 }
 
+TEST_CASE("what a bound of volumes makes of constrained tetrahedra is foretold", "[forecast]") {
+  for (const Model& model : models()) {
+    const Result result = result_of(model.nodes);
+    if (model.nodes.find("size:") != std::string::npos) continue;
+    double volume = 0;
+    for (const RegionTetrahedra& region : tetrahedra(result, {}).regions) volume += to_double(region.volume);
+    TetrahedraOptions options;
+    options.constrained = true;
+    options.max_volume = volume / 10'000;
+    const auto [told, made] = told_and_made(model.nodes, options);
+    INFO(model.name << ": " << told.least << " to " << told.most << " foretold, " << made << " made");
+    CHECK(told.least < made);
+    CHECK(made < told.most);
+    CHECK_FALSE(is_close(told));
+  }
+}
+
 TEST_CASE("where only shapes are bounded the forecast is a range", "[forecast]") {
   for (const Model& model : models()) {
     if (std::string(model.name) != "ball" && std::string(model.name) != "shell") continue;
