@@ -445,7 +445,8 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
                                                    : kGrowthOfNothing;
     const bool wide = maker == Maker::flat;
     const MeshSizes features = mesh_sizes(view, flat, points, {0, growth, true, false, wide});
-    n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch, rough);
+    const bool quick = rough || maker != Maker::tetgen;  // a range
+    n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch, quick);
   } else {
     n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch, rough);
   }
