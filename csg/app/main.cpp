@@ -369,8 +369,8 @@ int run(int argc, char** argv) {
   CLI::Option* const quality =
       sub->add_option("--quality", mesh.options.quality,
                       "Largest ratio of circumradius to shortest edge, from 1.1: 2 is usual, below 1.4 may take "
-                      "very long; thin regions take as many tetrahedra as that needs, without it they are as flat "
-                      "as they are")
+                      "very long; thin regions take as many tetrahedra as that needs, if that is no more than "
+                      "15 seconds or --seconds allow; else, and without it, they are as flat as they are")
           ->type_name("Q")
           ->check(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
   sub->add_option(

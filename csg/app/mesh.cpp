@@ -77,6 +77,27 @@ std::string bad_ones(const MeshQuality& quality, const PlaceText& place) {
          (forced.empty() ? "" : "\n");
 }
 
+/// `; 24 are in slab, 3 in rock`: where shapes are beyond what was asked for, if there are several regions.
+std::string where_beyond(const TetrahedralMesh& made) {
+  constexpr std::size_t kShown = 5;
+  if (made.regions.size() < 2) return {};
+  std::vector<std::pair<std::size_t, std::size_t>> counts;  // and the region
+  for (std::size_t i = 0; i < made.regions.size(); ++i)
+    if (made.quality.regions[i].beyond > 0) counts.emplace_back(made.quality.regions[i].beyond, i);
+  std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(counts.size(), kShown); ++i) {
+    const auto& [n, region] = counts[i];
+    text += (i == 0 ? "; " : ", ") + std::to_string(n) +
+            (i > 0    ? ""
+             : n == 1 ? " is"
+                      : " are") +
+            " in " + made.regions[region].name;
+  }
+  if (counts.size() > kShown) text += ", and some in " + std::to_string(counts.size() - kShown) + " more regions";
+  return text;
+}
+
 /// A row per region and one for all. `bent`: of a mesh of second order.
 std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
   Table table;
@@ -116,13 +137,13 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
     volume += region.volume;
   }
   const MeshQuality& q = made.quality;
-  row("all", tetrahedra, curved, straight, {q.bad, q.worst, q.median}, volume);
+  row("all", tetrahedra, curved, straight, {q.bad, q.beyond, q.worst, q.median}, volume);
   const Mesh& mesh = made.mesh;
   std::string beyond;
   if (q.beyond > 0) {
     beyond = std::to_string(q.beyond) +
              " tetrahedra have a larger ratio of circumradius to shortest edge than asked for; " +
-             "the largest is " + decimal(q.largest_radius_edge, "%.3g") + "\n";
+             "the largest is " + decimal(q.largest_radius_edge, "%.3g") + where_beyond(made) + "\n";
   }
   return table.text() + spread_of(q) + bad_ones(q, PlaceText(mesh)) + beyond + std::to_string(mesh.points.size()) +
          " points, " + std::to_string(mesh.triangles.size()) + " triangles on faces, " +

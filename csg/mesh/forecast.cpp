@@ -60,6 +60,7 @@ class Forecast {
   double run(const std::vector<Vector>& points) {
     if (points.empty()) return 0;
     cover(points);
+    const double thin = in_thin_parts(points);
     while (!queue_.empty() && cells_.size() < most_cells()) {
       watch_.check();
       split();
@@ -69,7 +70,7 @@ class Forecast {
       watch_.check();
       sum += share_of(cells_[i], double(i));
     }
-    return sum;
+    return sum + thin;
   }
 
  private:
@@ -91,6 +92,7 @@ class Forecast {
   static constexpr std::size_t kFewest = 600, kMost = 40'000;  // cells
   static constexpr double kLeastShare = 1e-7;                  // of the model; absurd, and numbers stay numbers
   static constexpr double kPerCell = 60;                       // tetrahedra, between these bounds
+  static constexpr double kThin = 0.125;                       // of lengths that are wanted
 
   const Watch& watch_;
   const std::size_t most_;  // cells
@@ -117,15 +119,74 @@ class Forecast {
   double size_at(const Vector& p, Index region) const { return std::max(sizes_.at(p, region), least_); }
 
   double count_at(const Vector& p, Index region, const Cell& cell) const {
-    double size = size_at(p, region);
+    const double size = size_at(p, region);
+    if (!cell.narrow) return volume_of(cell.half) * density(size, size, region);
+    const RegionLocator::Plate plate = regions_.plate(p, size);
+    if (plate.even && plate.thickness < kThin * size) return 0;  // `in_thin_parts` has it
+    return volume_of(cell.half) * density(size, plate.thickness, region);
+  }
+  /// Per unit of volume, where edges are to be so long and the region is so thick.
+  double density(double size, double thick, Index region) const {
     const bool bounded =
         size == sizes_.field.overall() || (region < sizes_.regions.size() && size == sizes_.regions[region]);
-    const double thick = cell.narrow ? std::max(regions_.thickness(p, size), least_) : size;
+    thick = std::max(thick, least_);
     size = std::min(size, per_thickness_ * thick);
     const double flat = maker_ == Maker::tetgen ? 1 : for_flatness(thick / size);
-    const double by_sizes = count(cell.half, size, size, std::min(size, thick));
-    if (density_ > 0 && by_sizes <= volume_of(cell.half) * density_) return by_sizes;  // the volumes' bound counts
+    const double by_sizes = per_cube_ / size / size / std::min(size, thick);
+    if (by_sizes <= density_) return density_;  // the volumes' bound counts
     return by_sizes * flat * (bounded ? 1 : for_growth_);
+  }
+
+  /// The integral over faces: each has half of what lies between it and the one opposite.
+  double in_thin_parts(const std::vector<Vector>& points) const {
+    std::size_t all = 0, at = 0;
+    for (const FlatComplex::Face& face : flat_.faces) all += face.triangles.size();
+    const std::size_t step = 1 + all / most_;  // where there are many, some speak for all
+    double sum = 0;
+    for (const FlatComplex::Face& face : flat_.faces) {
+      for (const auto& t : face.triangles) {
+        const std::size_t place = at++;
+        if (place % step != 0) continue;
+        watch_.check();
+        sum += beside(points[t[0]], points[t[1]], points[t[2]], face.regions, place);
+      }
+    }
+    return sum * double(step);
+  }
+  /// Of a triangle: by few points, and by more where it is one of a thin part.
+  double beside(const Vector& a, const Vector& b, const Vector& c, const std::array<Index, 2>& regions,
+                std::size_t place) const {
+    const Vector ab = minus(b, a), ac = minus(c, a), n = cross(ab, ac);
+    const double length = std::sqrt(dot(n, n));
+    if (!(length > 0)) return 0;
+    double sum = 0;
+    for (const int side : {0, 1}) {
+      if (!flat_.active(regions[std::size_t(side)])) continue;
+      const double turn = (side == 0 ? 1 : -1) / length;
+      const Vector to{turn * n[0], turn * n[1], turn * n[2]};
+      constexpr int kFew = 3, kMany = 32;
+      double all = 0;
+      int taken = 0;
+      for (int most = kFew; taken < most; ++taken) {
+        // Points of a lattice of rank one, folded into the triangle.
+        double u = (taken + 0.5) * 0.7548776662466927, v = (taken + 0.5) * 0.5698402909980532;
+        u -= std::floor(u), v -= std::floor(v);
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        Vector p;
+        for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + u * ab[k] + v * ac[k];
+        const double part = behind(p, to, regions[std::size_t(side)], place);
+        if (part > 0) most = kMany;
+        all += part;
+      }
+      sum += length / 2 * all / taken;
+    }
+    return sum;
+  }
+  /// Per unit of area, behind a point of a face of that region; 0 where the region is not thin.
+  double behind(const Vector& p, const Vector& to, Index region, std::size_t triangle) const {
+    const double size = size_at(p, region), most = kThin * size,
+                 thick = regions_.gap(p, to, region, triangle, most);
+    return thick < most ? thick / 2 * density(size, thick, region) : 0;
   }
 
   Cell cell_at(const Vector& middle, const Vector& half) const {
@@ -253,7 +314,6 @@ constexpr double kPerPoint = 7;
 // Meshes of 10,000 to 2 million tetrahedra on one core: memory at its peak, with that of TetGen; seconds of all of
 // the meshing, the proof and the writing of a .vtu.
 constexpr double kBytes = 40e6, kBytesEach = 450;
-constexpr double kSecondsOfShapes = 80e-6;  // of many rounds of moves
 constexpr double kSecondsOfTetgen = 8e-6, kSecondsOfSizes = 22e-6, kSecondsOfVolumes = 6e-6;
 
 }  // namespace
@@ -281,14 +341,15 @@ std::string two_digits(double x) {
 std::string memory_text(double bytes) {
   return bytes < 1e9 ? two_digits(bytes / 1e6) + " MB" : two_digits(bytes / 1e9) + " GB";
 }
+
+}  // namespace
+
 std::string time_text(double seconds) {
   if (seconds < 1) return "less than a second";
   return seconds < 100    ? two_digits(seconds) + (seconds < 1.5 ? " second" : " seconds")
          : seconds < 6000 ? two_digits(seconds / 60) + " minutes"
                           : two_digits(seconds / 3600) + " hours";
 }
-
-}  // namespace
 
 std::string forecast_text(const MeshForecast& mesh) {
   const bool close = is_close(mesh);
@@ -365,7 +426,8 @@ MeshForecast unbounded(const ResultView& view, const FlatComplex& flat, const Ro
 
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points) {
+                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points,
+                      bool rough) {
   constexpr double kLeast = 0.7, kMost = 1.3;
   const double volume = options.max_volume, strict = for_quality(options.quality);
   const bool by_shapes = sizes.empty() && volume == 0;
@@ -379,20 +441,30 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
     const double most = mesh.most > kMostTetrahedra ? HUGE_VAL : std::max(mesh.most, kept.most);
     return of_unbounded(mesh.tetrahedra, kept.least, most);
   }
-  if (by_shapes && maker != Maker::tetgen) return {};
-  if (sizes.empty() && maker != Maker::tetgen) {  // as many at least; for shapes there may be many more
-    const double n = expected_of_volume(volume_of(flat, points), volume);
-    return with_costs(n, kLeast * n, HUGE_VAL, maker, false);
-  }
+  if (by_shapes && maker == Maker::own) return {};
   double n = 0;
-  if (sizes.empty()) {  // TetGen refines for shapes, too
-    const double growth = by_shapes ? kGrowthOfShapes : kGrowthOfFeatures;
-    const MeshSizes features = mesh_sizes(view, flat, points, {0, growth, true});
-    n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch);
+  if (sizes.empty()) {  // shapes need as many as features make of them
+    const double growth = by_shapes                ? kGrowthOfShapes
+                          : maker == Maker::tetgen ? kGrowthOfFeatures
+                                                   : kGrowthOfNothing;
+    const bool wide = maker == Maker::flat;
+    const MeshSizes features = mesh_sizes(view, flat, points, {0, growth, true, false, wide});
+    const bool quick = rough || maker != Maker::tetgen;  // a range
+    n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch, quick);
   } else {
-    n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch);
+    n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch, rough);
   }
-  if (by_shapes) return with_costs(strict * n, 0.45 * strict * n, 1.7 * strict * n, maker, true);
+  // What is thin gets points for shapes, too, if these are of use there.
+  const double rationed = maker == Maker::flat
+                              ? kPerPoint * double(points_for_shapes(std::max(points.xyz.size(), complex_points)))
+                              : 0;
+  if (by_shapes) return with_costs(strict * n, 0.45 * strict * n, 1.7 * strict * n + rationed, maker, true);
+  if (sizes.empty() && maker != Maker::tetgen) {
+    // Features need less where flat tetrahedra are good enough, and more where facets are long and many.
+    constexpr double kMostOfOurs = 1.7;
+    const double by_volume = std::min(n, expected_of_volume(volume_of(flat, points), volume));
+    return with_costs(n, kLeast * by_volume, kMostOfOurs * strict * n + rationed, maker, false);
+  }
   return with_costs(n, kLeast * n, kMost * strict * n, maker, !sizes.empty());
 }
 

@@ -5,7 +5,8 @@
 // the integral of that over the active regions. The integrand changes by orders of magnitude within a model, and
 // regions may be thin: a grid misses what is small, points at random come too late. So a box around the model is
 // halved along all axes where the doubt about its share is largest, and then points are strewn by share, the same
-// in every run.
+// in every run. What is far thinner than edges are to be long no cell comes to: there the integral is one over
+// faces, times the distance to the face that is opposite.
 //
 // A bound of volumes is a least density. Where only shapes are bounded, refinement makes edges about as long as
 // features are wide and lets them grow from there, so that sizes that nobody asked for tell of it, but not within
@@ -50,11 +51,13 @@ MeshForecast with_costs(double tetrahedra, double least, double most, Maker make
 
 /// What is foretold of the mesh that the options ask for; of none where nothing can be told. `sizes` are those of
 /// the options, and `regions` are there where sizes are. `most` may be infinite: then only the least is known.
-/// `complex_points`: of what the mesh is begun with, where that has more points than the result. Throws Stopped by
+/// `complex_points`: of what the mesh is begun with, where that has more points than the result. `rough`: as of
+/// `expected_tetrahedra`. Throws Stopped by
 /// `watch`, not by that of the options.
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points = 0);
+                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points = 0,
+                      bool rough = false);
 
 /// More than that are refused.
 inline constexpr double kMostTetrahedra = 2e8;
@@ -65,6 +68,12 @@ std::string impossible_text(const MeshForecast& mesh, double memory);
 
 /// Throws InputError, with what helps, if it is impossible.
 void require_possible(const MeshForecast& mesh, double memory);
+
+/// Of one core, for each tetrahedron that is improved for its shape, by many rounds of moves.
+inline constexpr double kSecondsOfShapes = 80e-6;
+
+/// `33 seconds`, `5 minutes`.
+std::string time_text(double seconds);
 
 /// Is its count told within 30 %? Else it is a range, and bytes and seconds are those of the most.
 bool is_close(const MeshForecast& mesh);

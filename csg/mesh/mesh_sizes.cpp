@@ -1,5 +1,6 @@
 #include "csg/mesh/mesh_sizes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "csg/result/sizes.h"
@@ -13,6 +14,7 @@ using Vector = SizeField::Vector;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastShare = 1e-3;  // of the model's diagonal, that a piece or a facet asks for by itself
+constexpr double kNarrow = 64;        // so many times as long as wide is what is narrow
 
 class SizeCollector {
  public:
@@ -35,8 +37,9 @@ class SizeCollector {
     const bool said = !sources_.empty() || overall_ < kInfinity;
     if (!said && !options.always) return {};
     if (!options.said) {
-      add_pieces();
+      least_narrow_ = options.wide ? kInfinity : least_;
       add_facets();
+      add_pieces();
     }
     return {SizeField(std::move(sources_), growth_, overall_), std::move(regions_)};
   }
@@ -47,8 +50,10 @@ class SizeCollector {
   const std::vector<Vector>& xyz_;
   const double overall_, growth_;
   double least_ = 0;
+  double least_narrow_ = 0;  // narrower ones do not ask
   std::vector<SizeField::Source> sources_;
   std::vector<double> regions_;
+  std::vector<char> wide_;  // of each face: has it a facet that asks, however small it is?
 
   /// One that is not below the overall size asks for nothing.
   void add(Index a, Index b, Index c, double size) {
@@ -88,23 +93,39 @@ class SizeCollector {
   }
 
   void add_pieces() {
+    std::vector<Index> face_of(xyz_.size(), FlatComplex::kNone);  // that a point is inside of
+    for (Index f = 0; f < flat_.faces.size(); ++f)
+      for (const Index p : flat_.faces[f].isolated) face_of[p] = f;
     for (const FlatComplex::Edge& edge : flat_.edges) {
-      for_each_piece(edge, [&](Index a, Index b) { add(a, b, b, std::max(length(a, b), least_)); });
+      const bool across = !edge.around.empty() && std::none_of(edge.around.begin(), edge.around.end(),
+                                                               [&](Index side) { return wide_[side >> 1] != 0; });
+      for_each_piece(edge, [&](Index a, Index b) {
+        const double size = length(a, b);
+        const bool through = edge.wire && face_of[a] != face_of[b] && face_of[a] != FlatComplex::kNone &&
+                             face_of[b] != FlatComplex::kNone;
+        if (size >= least_narrow_ || !(across || through)) add(a, b, b, std::max(size, least_));
+      });
     }
   }
 
   void add_facets() {
-    for (const FlatComplex::Face& face : flat_.faces) {
+    wide_.assign(flat_.faces.size(), 0);
+    for (Index f = 0; f < flat_.faces.size(); ++f) {
+      const FlatComplex::Face& face = flat_.faces[f];
+      const auto add = [&](const std::vector<FlatComplex::Loop>& loops, std::size_t begin, std::size_t end) {
+        if (add_facet(face, loops, begin, end)) wide_[f] = 1;
+      };
       if (face.facets.empty()) {
-        add_facet(face, face.loops, 0, face.triangles.size());
+        add(face.loops, 0, face.triangles.size());
         continue;
       }
       for (std::size_t k = 0; k < face.facets.size(); ++k)
-        add_facet(face, face.facets[k].loops, k == 0 ? 0 : face.facet_ends[k - 1], face.facet_ends[k]);
+        add(face.facets[k].loops, k == 0 ? 0 : face.facet_ends[k - 1], face.facet_ends[k]);
     }
   }
 
-  void add_facet(const FlatComplex::Face& face, const std::vector<FlatComplex::Loop>& loops, std::size_t begin,
+  /// False if it is too narrow to ask.
+  bool add_facet(const FlatComplex::Face& face, const std::vector<FlatComplex::Loop>& loops, std::size_t begin,
                  std::size_t end) {
     double perimeter = 0, area = 0;
     for (const FlatComplex::Loop& loop : loops) {
@@ -115,13 +136,16 @@ class SizeCollector {
       const Vector n = cross(minus(xyz_[b], xyz_[a]), minus(xyz_[c], xyz_[a]));
       area += std::sqrt(dot(n, n)) / 2;
     }
-    if (!(perimeter > 0)) return;
     const bool triangle = loops.size() == 1 && loops[0].size() == 3;
-    const double width = std::max(4 * area / perimeter * (triangle ? std::sqrt(3.0) : 1), least_);
+    double width = perimeter > 0 ? 4 * area / perimeter * (triangle ? std::sqrt(3.0) : 1) : 0;
+    // (Of a strip that is twice its width, and the perimeter is twice its length.)
+    if (!(perimeter > 0) || (width < least_narrow_ && perimeter > kNarrow * width)) return false;
+    width = std::max(width, least_);
     for (std::size_t t = begin; t < end; ++t) {
       const auto& [a, b, c] = face.triangles[t];
       add(a, b, c, width);
     }
+    return true;
   }
 };
 

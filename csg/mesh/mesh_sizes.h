@@ -10,7 +10,10 @@
 // From there lengths grow. The width of a facet is four times its area over its perimeter, which is the side of a
 // square and twice the width of a strip; of triangles more by the square root of 3, which is the side of one with
 // equal sides. A piece or a facet that is smaller than a thousandth of the model's diagonal asks for that:
-// slivers, as they come of rounding and of parts that nearly touch, would cost thousands of tetrahedra each.
+// slivers, as they come of rounding and of parts that nearly touch, would cost thousands of tetrahedra each. Where
+// such a facet is narrow, 64 times as long as wide, it asks for nothing, nor does a piece that only crosses such
+// ones, or leads a wire through so thin a part: flat tetrahedra are there whatever the sizes are, and those
+// beside the part do not know how thin it is.
 #pragma once
 
 #include <algorithm>
@@ -27,6 +30,7 @@ struct SizeOptions {
   double growth = 0.3;  ///< by how much edges may be longer per unit of distance
   bool always = false;  ///< pieces and facets ask also where nobody has said any size
   bool said = false;    ///< they do not ask at all
+  bool wide = false;    ///< those that are narrow do not ask, however small they are
 };
 
 struct MeshSizes {

@@ -14,6 +14,7 @@
 #include "csg/text/table.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/tetrahedra/improve.h"
 
 namespace cnrg {
@@ -273,7 +274,43 @@ class Explainer {
 
 }  // namespace
 
+namespace {
+
+/// Where doubles lose the determinant: exactly, and rounded in the end, so that no tetrahedron of a mesh, all of
+/// which are turned right, is told to be flat.
+TetrahedronMeasures exact_measures_of(const std::array<Vector, 4>& p) {
+  const auto exact = [](const Vector& v) {
+    return RationalPoint{from_double(v[0]), from_double(v[1]), from_double(v[2])};
+  };
+  const RationalPoint a = exact(p[0]), u = exact(p[1]) - a, v = exact(p[2]) - a, w = exact(p[3]) - a;
+  const RationalPoint vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
+  const RationalPoint center = dot(u, u) * vw + dot(v, v) * wu + dot(w, w) * uv;
+  const double det = std::fabs(to_double(dot(u, vw)));
+  TetrahedronMeasures out;
+  double squares = 0, shortest = std::numeric_limits<double>::infinity();
+  out.dihedral = 180;
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto& [i, j] = kEdges[e];
+    const auto& [k, l] = kOthers[e];
+    const Vector along = minus(p[j], p[i]);
+    squares += dot(along, along), shortest = std::min(shortest, dot(along, along));
+    const RationalPoint o = exact(p[i]), to = exact(p[j]) - o;
+    const double cosine = to_double(dot(cross(to, exact(p[k]) - o), cross(to, exact(p[l]) - o)));
+    out.dihedral = std::min(out.dihedral, std::atan2(length(along) * det, cosine) * 180 / std::numbers::pi);
+  }
+  const double side = std::cbrt(det / 2);  // its square does not vanish as that of the determinant may
+  out.shape = 12 * side * side / squares;
+  out.radius_edge = std::sqrt(to_double(dot(center, center)) / shortest) / (2 * det);
+  out.volume = det / 6;
+  return out;
+}
+
+}  // namespace
+
 TetrahedronMeasures measures_of(const std::array<std::array<double, 3>, 4>& p) {
+  constexpr double kLost = 1e-6;  // of the product of three edges; doubles are off by 1e-15 of it
+  const Vector u = minus(p[1], p[0]), v = minus(p[2], p[0]), w = minus(p[3], p[0]);
+  if (!(std::fabs(dot(u, cross(v, w))) > kLost * length(u) * length(v) * length(w))) return exact_measures_of(p);
   TetrahedronMeasures out;
   out.shape = shape_of(p[0], p[1], p[2], p[3]);
   out.dihedral = 180;
@@ -305,7 +342,7 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
     region.worst = std::min(region.worst, m.shape);
     out.largest_radius_edge = std::max(out.largest_radius_edge, m.radius_edge);
     out.smallest_dihedral = std::min(out.smallest_dihedral, m.dihedral);
-    out.beyond += radius_edge > 0 && m.radius_edge > radius_edge;
+    region.beyond += radius_edge > 0 && m.radius_edge > radius_edge;
     out.larger += volume > 0 && m.volume > volume * (1 + kDigits);
     out.largest = std::max(out.largest, m.volume);
     ++out.shapes[std::min<std::size_t>(std::size_t(m.shape * 20), 19)];
@@ -320,7 +357,10 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
     region.median = median(of_region);
     of_region.clear();
   }
-  for (const auto& region : out.regions) out.worst = std::min(out.worst, region.worst);
+  for (const auto& region : out.regions) {
+    out.worst = std::min(out.worst, region.worst);
+    out.beyond += region.beyond;
+  }
   out.median = median(all);
   out.bad = bad.size();
   if (bad.empty()) return out;

@@ -26,6 +26,7 @@ struct MeshQuality {
   static constexpr double kForced = 0.9;
   struct Region {
     std::size_t bad = 0;
+    std::size_t beyond = 0;        ///< as of all
     double worst = 1, median = 1;  ///< shapes
   };
   /// A tetrahedron that is bad.

@@ -42,8 +42,13 @@ std::size_t sharpest(const std::array<Vector, 3>& p) {
 
 class Refiner {
  public:
-  Refiner(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said)
-      : mesh_(mesh), options_(options), said_(said), lines_(mesh), begin_(std::chrono::steady_clock::now()) {
+  Refiner(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said, SurfaceNarrow narrow)
+      : mesh_(mesh),
+        options_(options),
+        said_(said),
+        has_narrow_(narrow == SurfaceNarrow::left),
+        lines_(mesh),
+        begin_(std::chrono::steady_clock::now()) {
     double largest = 0;
     for (const Vector& p : mesh_.points())
       for (const double x : p) largest = std::max(largest, std::abs(x));
@@ -91,6 +96,7 @@ class Refiner {
   FacetMesh& mesh_;
   const SurfaceOptions& options_;
   const SizeAt& said_;
+  bool has_narrow_;  // that stays
   InputLines lines_;
   const std::chrono::steady_clock::time_point begin_;
   double shortest_ = 0, cosine_ = 0, off_center_ = 0;
@@ -102,7 +108,6 @@ class Refiner {
   double wide_ = 0, narrow_ = 0;  // what is flatter than the first counts as narrow; than the second it stays
   double least_gap_ = HUGE_VAL;   // long gaps that are narrower stay
   double ration_ = 0;             // points for what is narrow that are left
-  bool has_narrow_ = false;       // that stays
   std::vector<std::array<Index, 2>> whole_;  // ends of the segments of the input
   std::queue<Index> segments_;
   std::priority_queue<Candidate> triangles_;
@@ -166,6 +171,7 @@ class Refiner {
   }
   /// What is narrow, the wider before the narrower, as far as the ration goes.
   void treat_narrow() {
+    if (has_narrow_) return;
     constexpr double kStep = 4;
     ration_ = std::max(kNarrowPart * double(options_.max_points), double(mesh_.points().size()));
     double before = narrow_;
@@ -575,8 +581,9 @@ std::pair<double, std::size_t> smallest_angle(const std::array<Vector, 3>& p) {
   return {std::atan2(std::sqrt(dot(n, n)), dot(u, v)) * kLeastAngle / kRadians, k};
 }
 
-std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said) {
-  return Refiner(mesh, options, said).run();
+std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said,
+                               SurfaceNarrow narrow) {
+  return Refiner(mesh, options, said, narrow).run();
 }
 
 }  // namespace cnrg

@@ -44,6 +44,9 @@ enum class SmallAngle : std::uint8_t {
 };
 constexpr double kLeastAngle = 25;  ///< degrees
 
+/// What becomes of what is narrow: it gets some points, or none.
+enum class SurfaceNarrow : std::uint8_t { rationed, left };
+
 /// The smallest angle of a triangle, in degrees, and the corner that has it.
 std::pair<double, std::size_t> smallest_angle(const std::array<DoubleVector, 3>& corners);
 
@@ -52,6 +55,7 @@ std::pair<double, std::size_t> smallest_angle(const std::array<DoubleVector, 3>&
 /// people asked for, without what features ask for by themselves (mesh_sizes.h), which there are the cause. Throws
 /// InputError, with a place, where sizes need more points or time than there may be, and where time is up;
 /// Stopped.
-std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said);
+std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said,
+                               SurfaceNarrow narrow = SurfaceNarrow::rationed);
 
 }  // namespace cnrg

@@ -50,14 +50,13 @@ bool meets(const Box& box, const Vector& p, const Vector& along, double nearest)
   return from <= to;
 }
 
-/// Planes at an angle of some 25 degrees at most.
-bool are_parallel(const Corners& s, const Corners& t) {
-  constexpr double kCosine = 0.9;
-  const auto normal = [](const Corners& c) { return cross(minus(c.at[1], c.at[0]), minus(c.at[2], c.at[0])); };
-  const Vector n = normal(s), m = normal(t);
+/// Planes at an angle of some 25 degrees at most, and of half a degree.
+constexpr double kAlike = 0.9, kEven = 0.99996;
+bool are_parallel(const Vector& n, const Vector& m, double cosine) {
   const double both = dot(n, m);
-  return both * both >= kCosine * kCosine * dot(n, n) * dot(m, m);
+  return both * both >= cosine * cosine * dot(n, n) * dot(m, m);
 }
+Vector normal_of(const Corners& c) { return cross(minus(c.at[1], c.at[0]), minus(c.at[2], c.at[0])); }
 
 }  // namespace
 
@@ -127,10 +126,11 @@ struct RegionLocator::Wall {
   const Corners* triangle = nullptr;  // nullptr: there is none so near
 };
 
-RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, double most) const {
+RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, double most, std::size_t but) const {
   Wall nearest{most};
   data_->boxes.query([&](const Box& box) { return meets(box, p, along, nearest.distance); },
                      [&](std::uint32_t item) {
+                       if (item == but) return;
                        const Corners& triangle = data_->triangles[item];
                        const double distance = hit(p, along, triangle).first;
                        if (distance < nearest.distance) nearest = {distance, &triangle};
@@ -138,7 +138,18 @@ RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, do
   return nearest;
 }
 
-double RegionLocator::thickness(const Vector& p, double most) const {
+double RegionLocator::gap(const Vector& p, const Vector& into, Index region, std::size_t triangle,
+                          double most) const {
+  const Wall ahead = wall(p, into, most, triangle);
+  if (ahead.triangle == nullptr) return most;
+  // Triangles beside its own may be met by rounding, from their other side.
+  const Vector n = normal_of(*ahead.triangle);
+  const bool front = dot(n, into) < 0;
+  const bool met = data_->flat.faces[ahead.triangle->face].regions[front ? 0 : 1] == region;
+  return met && are_parallel(into, n, kEven) ? ahead.distance : most;
+}
+
+RegionLocator::Plate RegionLocator::plate(const Vector& p, double most) const {
   constexpr double kDiagonal = 0.5773502691896258;  // of a cube with the diagonal 1
   constexpr Vector kWays[] = {{1, 0, 0},
                               {0, 1, 0},
@@ -147,13 +158,14 @@ double RegionLocator::thickness(const Vector& p, double most) const {
                               {kDiagonal, kDiagonal, -kDiagonal},
                               {kDiagonal, -kDiagonal, kDiagonal},
                               {-kDiagonal, kDiagonal, kDiagonal}};
-  double least = most;
+  Plate least{most};
   for (const Vector& way : kWays) {
-    const Wall ahead = wall(p, way, least);
+    const Wall ahead = wall(p, way, least.thickness);
     if (ahead.triangle == nullptr) continue;
-    const Wall behind = wall(p, {-way[0], -way[1], -way[2]}, least - ahead.distance);
+    const Wall behind = wall(p, {-way[0], -way[1], -way[2]}, least.thickness - ahead.distance);
     if (behind.triangle == nullptr) continue;
-    if (are_parallel(*ahead.triangle, *behind.triangle)) least = ahead.distance + behind.distance;
+    const Vector n = normal_of(*ahead.triangle), m = normal_of(*behind.triangle);
+    if (are_parallel(n, m, kAlike)) least = {ahead.distance + behind.distance, are_parallel(n, m, kEven)};
   }
   return least;
 }

@@ -26,7 +26,18 @@ class RegionLocator {
   FlatComplex::Index at(const Vector& p) const;
   /// How thick the region is at a point, where it is a plate: the shortest of some chords between faces that are
   /// about parallel, or `most`, if there is none as short. (Near an edge each chord across is short.)
-  double thickness(const Vector& p, double most) const;
+  double thickness(const Vector& p, double most) const { return plate(p, most).thickness; }
+  /// The same, and whether the faces of the chord are parallel but for half a degree.
+  struct Plate {
+    double thickness;
+    bool even = false;
+  };
+  Plate plate(const Vector& p, double most) const;
+  /// How far the face that is parallel in this way is from a point of a triangle, seen through a region along the
+  /// unit vector that points into it; or `most`, if there is none as near or another one is first. `triangle`: its
+  /// place among all, face by face.
+  double gap(const Vector& p, const Vector& into, FlatComplex::Index region, std::size_t triangle,
+             double most) const;
 
   /// False only if no face passes through the box.
   bool meets_faces(const Vector& low, const Vector& high) const;
@@ -36,8 +47,9 @@ class RegionLocator {
   std::unique_ptr<const Data> data_;
 
   struct Wall;
-  /// The first face on the way from a point, if it is nearer than `most`; lengths are those of `along`.
-  Wall wall(const Vector& p, const Vector& along, double most) const;
+  /// The first face on the way from a point, if it is nearer than `most`; lengths are those of `along`. `but`: not
+  /// this triangle.
+  Wall wall(const Vector& p, const Vector& along, double most, std::size_t but = std::size_t(-1)) const;
 };
 
 }  // namespace cnrg

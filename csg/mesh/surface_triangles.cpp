@@ -69,14 +69,14 @@ struct Refined {
 };
 
 Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, const SurfaceOptions& options,
-                const SizeAt& said) {
+                const SizeAt& said, SurfaceNarrow narrow = SurfaceNarrow::rationed) {
   constexpr int kRounds = 5;
   std::vector<char> fixed;
   for (int round = 0;; ++round) {
     FacetMesh mesh(flat, rounded.xyz, fixed);
     const bool all = round == kRounds;
     for (Index s = 0; all && s < mesh.segments().size(); ++s) mesh.fix(s);
-    std::vector<SmallAngle> why = refine(mesh, options, said);
+    std::vector<SmallAngle> why = refine(mesh, options, said, narrow);
     options.watch.begin("mesh: proof");
     const RoundedPoints points{mesh.points()};
     const Drawing drawing = drawing_of(flat, mesh);
@@ -269,8 +269,8 @@ SurfaceTriangles surface_triangles(const ResultView& view, const SurfaceOptions&
 }
 
 Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const SurfaceOptions& options,
-                const SizeAt& said) {
-  const Refined made = refined(flat, points, options, said ? said : options.size);
+                const SizeAt& said, SurfaceNarrow narrow) {
+  const Refined made = refined(flat, points, options, said ? said : options.size, narrow);
   Plc plc;
   plc.points = made.mesh.points();
   for (const auto& t : made.mesh.triangles()) {

@@ -33,6 +33,6 @@ SurfaceTriangles surface_triangles(const ResultView& view, const SurfaceOptions&
 /// the result keep their numbers. `points`: of a rounding that is faithful. `said`: as of `refine`; `options.size`
 /// where it is empty.
 Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const SurfaceOptions& options = {},
-                const SizeAt& said = {});
+                const SizeAt& said = {}, SurfaceNarrow narrow = SurfaceNarrow::rationed);
 
 }  // namespace cnrg

@@ -6,7 +6,9 @@
 #include "csg/mesh/tetgen_run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
+#include <csignal>
 #include <new>
 
 #define TETLIBRARY
@@ -107,8 +109,12 @@ void write_result(const MemoryFile& file, const tetgenio& out) {
 const TooLarge* asked_of_all = nullptr;
 const SharedCount* looks = nullptr;
 
+/// How often it may look; 0: no bound. The child has it by the fork.
+std::atomic<std::size_t> most_looks = 0;
+
 bool has_to_be_split(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL) {
   looks->add();
+  if (most_looks > 0 && looks->value() > most_looks) std::raise(SIGXCPU);
   if (!*asked_of_all) return false;
   const auto at = [](const REAL* p) { return std::array<double, 3>{p[0], p[1], p[2]}; };
   return (*asked_of_all)({at(a), at(b), at(c), at(d)});
@@ -201,6 +207,9 @@ PlcMesh read_result(const MemoryFile& file) {
 }
 
 }  // namespace
+
+TetgenLooksAtMost::TetgenLooksAtMost(std::size_t looks) { most_looks = looks; }
+TetgenLooksAtMost::~TetgenLooksAtMost() { most_looks = 0; }
 
 PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame frame, const TetgenTime& time,
                    const TooLarge& too_large, const std::stop_token& stop, const LookedAt& looked_at) {

@@ -31,6 +31,16 @@ struct TetgenSwitches {
   bool volumes = false;        ///< those of the complex are bounds
 };
 
+/// While there is one, TetGen's time is over when it has looked at so many tetrahedra: how it ends does not depend
+/// on the machine then.
+class TetgenLooksAtMost {
+ public:
+  explicit TetgenLooksAtMost(std::size_t looks);
+  ~TetgenLooksAtMost();
+  TetgenLooksAtMost(const TetgenLooksAtMost&) = delete;
+  TetgenLooksAtMost& operator=(const TetgenLooksAtMost&) = delete;
+};
+
 /// Told meanwhile how many tetrahedra it has looked at whether they have to be split.
 using LookedAt = std::function<void(std::size_t)>;
 

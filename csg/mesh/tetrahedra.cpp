@@ -16,6 +16,7 @@
 #include "csg/mesh/constrained_run.h"
 #include "csg/mesh/exact_volume.h"
 #include "csg/mesh/forecast.h"
+#include "csg/mesh/has_to_be_split.h"
 #include "csg/mesh/improved.h"
 #include "csg/mesh/planar_facets.h"
 #include "csg/mesh/surface_triangles.h"
@@ -35,7 +36,6 @@ using Vector = std::array<double, 3>;
 constexpr Index kNone = FlatComplex::kNone;
 constexpr std::size_t kUnchecked = 1 << 16;  // tetrahedra that are proven between two looks at the watch
 constexpr double kSizedQuality = 2;          // where no quality is asked for; it refines for sizes only with some
-constexpr double kLongest = 1.4;  // times the size that is wanted may the longest edge of a tetrahedron be
 
 class TetrahedraMaker {
  public:
@@ -79,6 +79,7 @@ class TetrahedraMaker {
       }
     }
     if (thin_) to_sizes_ = sized();
+    if (thin_ && !sized()) surface_first_ = options_.surface_first;  // TetGen had to keep it, halves need not
     tell(flat_text_);
     improve_shapes();
     result_.rounding = rounded.report();
@@ -121,11 +122,13 @@ class TetrahedraMaker {
   std::vector<Index> region_entity_;  // of each region of the result, or kNone
   MeshSizes sizes_;
   std::optional<RegionLocator> regions_;
-  TooLarge too_large_;  // where sizes are asked for
+  TooLarge too_large_;        // where sizes are asked for
+  TooLarge has_to_be_split_;  // where what is wide is bounded
   double expected_ = 0;
   double for_shapes_ = 0;  // as many would be made if points that nobody asks for were not rationed
   double in_seconds_ = 0;  // that what is expected takes, at most
   bool surface_first_ = options_.surface_first;
+  bool rationed_ = false;   // points in narrow parts are
   bool thin_ = false;       // TetGen fills the regions and no more, since it would not end
   std::string flat_text_;   // why
   bool of_tetgen_ = false;  // it has made the mesh, to all bounds
@@ -137,37 +140,69 @@ class TetrahedraMaker {
 
   /// What the mesh is to be, and how many tetrahedra that takes.
   void ask_for_sizes(const RoundedResult& rounded) {
-    sizes_ = mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth});
-    if (!sizes_.empty()) {
-      regions_.emplace(flat_, rounded.points());
-      too_large_ = [this, least = sizes_.least_in_regions()](const std::array<Vector, 4>& corners) {
-        return is_too_large(corners, sizes_, least);
-      };
-    }
+    set_sizes(rounded.points(), false);
     if (surface_first_ && !bounded()) surface_ = surface_complex(rounded);
     find_thin(rounded.points());
-    foretell(rounded, options_.constrained ? Maker::own : thin_ ? Maker::flat : Maker::tetgen);
+    foretell(rounded, rationed_ || thin_ ? Maker::flat : options_.constrained ? Maker::own : Maker::tetgen);
   }
 
-  /// Are there regions in which TetGen would need far more tetrahedra than we do? It refines until no edge is much
-  /// longer than the region is thick, and where triangles on the boundary are, and have to stay, without an end.
-  /// That is for a quality of which nobody has said anything: it is left out where it cannot be had.
+  void set_sizes(const RoundedPoints& points, bool wide) {
+    sizes_ = mesh_sizes(view_, flat_, points, {options_.size, options_.growth, false, false, wide});
+    if (sizes_.empty()) return;
+    if (!regions_) regions_.emplace(flat_, points);
+    too_large_ = larger_than(sizes_, *regions_, flat_);
+  }
+
+  /// Are there regions in which good shapes take far more tetrahedra than all else? TetGen refines until no edge
+  /// is much longer than the region is thick, and where triangles on the boundary are, and have to stay, without
+  /// an end. What takes longer than somebody waits is left out where it cannot be had: with a quality, too, unless
+  /// he says by `seconds` that he waits.
   void find_thin(const RoundedPoints& points) {
     constexpr double kFar = 3;
-    if (options_.quality > 0 || options_.keep_boundary || options_.constrained || !bounded()) return;
-    const MeshForecast told = forecast_of(points, Maker::tetgen);
+    if (options_.keep_boundary || !bounded()) return;
+    const MeshForecast told = for_good_shapes(points);
     const double good = told.tetrahedra;
-    if (surface_first_ && sized() && options_.max_volume == 0 &&
-        good > kFar * forecast_of(points, Maker::own).tetrahedra) {
-      keep_flat();
-    } else if (!impossible_text(told, double(memory_of_machine())).empty() &&
-               good > kFar * forecast_of(points, Maker::flat).tetrahedra) {
-      thin_ = true;
-      surface_first_ = sized();  // edges of that size have room on faces, and none inside
-      flat_text_ = count_text(good) +
-                   " tetrahedra of a good shape would fill regions that are very thin; since no "
-                   "--quality was asked for, those there are as flat as they have to be";
+    if (takes_too_long(told)) {
+      set_sizes(points, true);
+      rationed_ = good > kFar * forecast_of(points, Maker::flat).tetrahedra;
+      if (rationed_) return ration(points, told);
+      set_sizes(points, false);
     }
+    if (surface_first_ && sized() && options_.quality == 0 && options_.max_volume == 0 &&
+        good > kFar * forecast_of(points, Maker::own).tetrahedra)
+      keep_flat();
+  }
+  void ration(const RoundedPoints& points, const MeshForecast& told) {
+    thin_ = !options_.constrained;
+    // Sizes have room on faces, and none inside; and what is wide can get good shapes beside triangles that stay.
+    surface_first_ = thin_ && (options_.surface_first || sized() || options_.quality > 0);
+    if (thin_ && options_.quality > 0) {
+      if (!regions_) regions_.emplace(flat_, points);
+      has_to_be_split_ = worse_where_wide(options_.quality, options_.max_volume, too_large_, *regions_, flat_);
+    }
+    flat_text_ =
+        count_text(told.tetrahedra) + " tetrahedra of a good shape would fill regions that are very thin; " +
+        (options_.quality == 0 ? "since no --quality was asked for, those there are as flat as they have to be"
+                               : "those there are as flat as they have to be" + to_have_all(told));
+  }
+  /// As whoever is asked would make them, shapes in thin regions included.
+  MeshForecast for_good_shapes(const RoundedPoints& points) const {
+    if (!options_.constrained) return forecast_of(points, Maker::tetgen);
+    MeshForecast told = forecast_of(points, sized() ? Maker::own : Maker::tetgen);
+    told.seconds = kSecondsOfShapes * told.tetrahedra;
+    return told;
+  }
+  bool takes_too_long(const MeshForecast& told) const {
+    constexpr double kPatience = 15;  // seconds
+    const double patience = !options_.seconds       ? kPatience
+                            : *options_.seconds > 0 ? *options_.seconds / 3.0
+                                                    : HUGE_VAL;
+    if (told.seconds > patience) return true;
+    return options_.quality == 0 && !impossible_text(told, double(memory_of_machine())).empty();
+  }
+  static std::string to_have_all(const MeshForecast& told) {
+    if (!impossible_text(told, double(memory_of_machine())).empty()) return "";
+    return ", since that takes " + time_text(told.seconds) + "; --seconds 0 makes them";
   }
   void keep_flat() {
     thin_ = true;
@@ -176,13 +211,14 @@ class TetrahedraMaker {
         "are as flat as they have to be";
   }
 
-  MeshForecast forecast_of(const RoundedPoints& points, Maker maker) const {
+  MeshForecast forecast_of(const RoundedPoints& points, Maker maker, bool rough = true) const {
     watch_.begin("mesh: forecast");
-    return forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_, surface_.points.size());
+    return forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_, surface_.points.size(),
+                    rough);
   }
 
   void foretell(const RoundedResult& rounded, Maker maker) {
-    const MeshForecast mesh = forecast_of(rounded.points(), maker);
+    const MeshForecast mesh = forecast_of(rounded.points(), maker, false);
     if (mesh.tetrahedra == 0) return;
     if (!options_.keep_boundary) require_possible(mesh, double(memory_of_machine()));  // else few may do
     if (std::isinf(mesh.most)) return;
@@ -192,30 +228,13 @@ class TetrahedraMaker {
     if (options_.foretold) options_.foretold(mesh);
   }
 
-  /// Its longest edge is much longer than edges are to be there. The box around the model has no size, which the
-  /// last question finds out.
-  bool is_too_large(const std::array<Vector, 4>& corners, const MeshSizes& sizes, double least_in_regions) const {
-    double longest = 0;
-    Vector middle{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const Vector along = minus(corners[i], corners[j]);
-        longest = std::max(longest, dot(along, along));
-      }
-      for (std::size_t k = 0; k < 3; ++k) middle[k] += corners[i][k] / 4;
-    }
-    longest = std::sqrt(longest) / kLongest;
-    if (longest <= sizes.field.at(middle) && longest <= least_in_regions) return false;
-    const Index region = regions_->at(middle);
-    return flat_.active(region) && longest > sizes.at(middle, region);
-  }
-
   bool keeps_boundary() const { return options_.keep_boundary || surface_first_; }
   bool refines() const { return sized() && !thin_; }
   bool bounded() const { return options_.quality > 0 || options_.max_volume > 0 || sized(); }
 
   TetgenSwitches switches() const {
-    if (thin_) return {.keep_boundary = keeps_boundary()};
+    constexpr double kAny = 1e30;
+    if (thin_) return {.keep_boundary = keeps_boundary(), .quality = has_to_be_split_ ? kAny : 0};
     return {keeps_boundary(),
             options_.quality > 0 ? options_.quality
             : sized()            ? kSizedQuality
@@ -268,11 +287,12 @@ class TetrahedraMaker {
     SurfaceOptions asked;
     if (options_.seconds) asked.seconds = 0;  // the watch knows
     asked.watch = watch_;
-    if (sizes_.empty()) return refined_plc(flat_, rounded.points(), asked);
+    const SurfaceNarrow narrow = rationed_ ? SurfaceNarrow::left : SurfaceNarrow::rationed;
+    if (sizes_.empty()) return refined_plc(flat_, rounded.points(), asked, {}, narrow);
     asked.size = [&](const Vector& p) { return kLongest * sizes_.field.at(p); };
     const MeshSizes said = said_sizes(rounded);
-    return refined_plc(flat_, rounded.points(), asked,
-                       [&](const Vector& p) { return kLongest * said.field.at(p); });
+    return refined_plc(
+        flat_, rounded.points(), asked, [&](const Vector& p) { return kLongest * said.field.at(p); }, narrow);
   }
 
   /// Empty once there is a mesh; else why there is none.
@@ -296,8 +316,8 @@ class TetrahedraMaker {
         const TetgenTime time = time_of_tetgen();
         const std::string stage = stage_of_tetgen(time);
         watch_.begin(stage);
-        out_ = run_tetgen(plc_, switches(), attempt.frame, time, refines() ? too_large_ : TooLarge(), watch_.stop,
-                          looked_at(stage));
+        out_ = run_tetgen(plc_, switches(), attempt.frame, time, refines() ? too_large_ : has_to_be_split_,
+                          watch_.stop, looked_at(stage));
         take(watch_);
         return {};
       } catch (const InputError& e) {
@@ -331,7 +351,9 @@ class TetrahedraMaker {
     }
     if ((sized() || thin_) && !of_tetgen_)
       asked.most = kMostOfExpected * std::max(std::size_t(expected_), kFewTetrahedra);
-    asked.points = bounded() && !thin_ ? kPointsForBounds : points_for_shapes(out_.points.size());
+    const std::size_t few = points_for_shapes(out_.points.size());
+    asked.points = bounded() && (!thin_ || options_.quality > 0) ? kPointsForBounds : few;
+    if (rationed_) asked.narrow_points = few;
     asked.seconds = deadline_.bounded() ? std::max(1e-3, deadline_.seconds_left())
                     : options_.seconds  ? 0
                                         : TetrahedraOptions::kPartSeconds;
@@ -372,14 +394,14 @@ class TetrahedraMaker {
                                       std::string(options_.keep_boundary ? "--keep-boundary" : "--surface-first") +
                                       ", or ask for larger ones"
                                 : "";
-    const std::string larger = larger_text(result_.quality);
-    if (!larger.empty()) return tell(larger + why);
+    const std::string text = larger_text(result_.quality);
+    if (!text.empty()) return tell(text + why);
     if (!options_.keep_boundary || !sized()) return;
-    const MeshSizes said = said_sizes(rounded);  // what features ask for they do by themselves
-    const double least = said.least_in_regions();
+    // What features ask for they do by themselves.
+    const TooLarge larger = larger_than(said_sizes(rounded), *regions_, flat_);
     const auto n = std::count_if(mesh().tetrahedra.begin(), mesh().tetrahedra.end(), [&](const auto& t) {
       const auto& p = mesh().points;
-      return is_too_large({p[t.points[0]], p[t.points[1]], p[t.points[2]], p[t.points[3]]}, said, least);
+      return larger({p[t.points[0]], p[t.points[1]], p[t.points[2]], p[t.points[3]]});
     });
     if (n == 0) return;
     tell(counted(std::size_t(n), "tetrahedron has", "tetrahedra have") +

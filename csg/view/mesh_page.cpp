@@ -224,7 +224,7 @@ std::string regions_table(const Result& result, const TetrahedralMesh& made, con
     all += region.tetrahedra, all_curved += curved, all_straight += straight, volume += region.volume;
   }
   const MeshQuality& q = made.quality;
-  row("all", all, all_curved, all_straight, {q.bad, q.worst, q.median}, volume, nullptr);
+  row("all", all, all_curved, all_straight, {q.bad, q.beyond, q.worst, q.median}, volume, nullptr);
   return "<section><h2>Regions</h2>\n" + table.text() + "</section>\n";
 }
 

@@ -95,7 +95,7 @@ class Improver {
       if (sweep(cube(options_.good)) * 200 < mesh_.size()) break;
     }
     if (!too_many_) {
-      to_shape();
+      to_shapes();
       begin("mesh: shapes, last round");
       sweep(cube(options_.good));
       for (int round = 0; round < kMoveRounds && !over(); ++round) {
@@ -121,6 +121,7 @@ class Improver {
   double gain_of_bad_ = kNotable;     // in the next sweep
   std::string stage_;                 // of a walk through all tetrahedra: how many of them it takes nobody knows
   std::size_t steps_ = 0;
+  bool wide_only_ = false;  // what is narrow stays as it is
   bool over_ = false;
   bool too_many_ = false;  // refinement has ended for the number of tetrahedra
 
@@ -259,7 +260,7 @@ class Improver {
   /// Is it as it has to be?
   bool is_bad(Index t) const {
     const auto& tet = mesh_.at(t);
-    if (tet.region < 0) return false;
+    if (tet.region < 0 || (wide_only_ && is_narrow(t))) return false;
     if (tet.shape < cube(options_.shape)) return true;
     if (options_.radius_edge == 0 && options_.volume == 0) return false;
     const Point &a = mesh_.point(tet.corners[0]), &b = mesh_.point(tet.corners[1]),
@@ -312,11 +313,16 @@ class Improver {
   /// Moves may have made some larger again; halves are smaller.
   void to_volume() {
     if (options_.volume == 0) return;
-    begin("mesh: volumes");
-    for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
-      while (mesh_.alive(t) && is_large(t) && !over()) {
-        const auto [a, b] = longest_edge(t);
-        if (moves_.split(a, b) == Stars::kNoTetrahedron) break;
+    bool any = true;
+    while (any && !over()) {  // halves may be in places that are passed
+      begin("mesh: volumes");
+      any = false;
+      for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
+        while (mesh_.alive(t) && is_large(t) && !over()) {
+          const auto [a, b] = longest_edge(t);
+          if (moves_.split(a, b) == Stars::kNoTetrahedron) break;
+          any = true;
+        }
       }
     }
   }
@@ -371,22 +377,39 @@ class Improver {
     }
     return static_cast<double>(bad) / static_cast<double>(std::max<std::size_t>(all, 1));
   }
-  bool has_bad_shape(Index t) const { return mesh_.at(t).region >= 0 && mesh_.at(t).shape < cube(options_.shape); }
+  bool has_bad_shape(Index t) const {
+    return mesh_.at(t).region >= 0 && mesh_.at(t).shape < cube(options_.shape) && !(wide_only_ && is_narrow(t));
+  }
+  bool is_narrow(Index t) const {
+    const auto& c = mesh_.at(t).corners;
+    for (const Index v : c)
+      if (mesh_.facet(v) == Stars::kNone) return false;
+    return is_flat(mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2]), mesh_.point(c[3]));
+  }
+
+  /// What is narrow comes last, and gets no more points than its ration.
+  void to_shapes() {
+    wide_only_ = options_.narrow_points > 0;
+    to_shape(options_.points);
+    if (!wide_only_) return;
+    wide_only_ = false;
+    to_shape(options_.narrow_points);
+  }
 
   /// New vertices where there is room for them make a good mesh of few points at once, if any do. Else halves come
   /// first: there are more of them, and more that are good.
-  void to_shape() {
+  void to_shape(const std::size_t points) {
     if (bad_shapes() > kMuch) {
       const ConformingTetrahedra before = mesh_.mesh();
-      std::size_t left = options_.points;
+      std::size_t left = points;
       set_halvings();
       insert(left, true);
-      if (bad_shapes() <= kGood) insert_on(true);
+      if (bad_shapes() <= kGood) insert_on(true, points);
       else set_mesh(before);
     }
-    halve_on();
+    halve_on(points);
     for (const bool on_lines : {false, true})
-      if (!too_many_ && bad_shapes() > kGood) insert_on(on_lines);
+      if (!too_many_ && bad_shapes() > kGood) insert_on(on_lines, points);
   }
   void set_mesh(const ConformingTetrahedra& mesh) {
     mesh_ = Stars(mesh, watch_);
@@ -394,8 +417,7 @@ class Improver {
   }
 
   /// Rounds of new vertices, also on lines, as long as they help. The last one is kept if it does.
-  void insert_on(bool on_lines) {
-    std::size_t left = options_.points;
+  void insert_on(bool on_lines, std::size_t left) {
     set_halvings();
     tried_.clear();
     double least = bad_shapes();
@@ -455,8 +477,7 @@ class Improver {
   }
 
   /// Rounds of halves. Keeps the mesh of which the smallest part was bad.
-  void halve_on() {
-    std::size_t left = options_.points;
+  void halve_on(std::size_t left) {
     set_halvings();
     ConformingTetrahedra best;
     double least = kInfinite, saved = kInfinite;  // parts that are bad, of all rounds and of `best`
@@ -521,6 +542,24 @@ double shape_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra
     squares += e.u[k] * e.u[k] + e.v[k] * e.v[k] + e.w[k] * e.w[k] + p * p + q * q + r * r;
   }
   return squares > 0 ? 12 * std::cbrt(det * det / 4) / squares : 0;
+}
+
+bool is_flat(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
+             const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d) {
+  constexpr double kFlat = 1.0 / 64;
+  const Edges e(a, b, c, d);
+  const Point uv = cross(e.u, e.v), vw = cross(e.v, e.w), wu = cross(e.w, e.u);
+  Point last;  // of the face opposite to a
+  double longest = std::max({dot(e.u, e.u), dot(e.v, e.v), dot(e.w, e.w)}), uv2 = 0, vw2 = 0, wu2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    last[k] = uv[k] + vw[k] + wu[k];
+    uv2 += (e.v[k] - e.u[k]) * (e.v[k] - e.u[k]);
+    vw2 += (e.w[k] - e.v[k]) * (e.w[k] - e.v[k]);
+    wu2 += (e.u[k] - e.w[k]) * (e.u[k] - e.w[k]);
+  }
+  longest = std::max({longest, uv2, vw2, wu2});
+  const double area = std::max({dot(uv, uv), dot(vw, vw), dot(wu, wu), dot(last, last)});
+  return std::fabs(e.determinant()) < kFlat * std::sqrt(area * longest);
 }
 
 double radius_edge_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,

@@ -27,6 +27,9 @@ struct ImproveOptions {
   double radius_edge = 0;  ///< ratio of circumradius to shortest edge at most; 0: no bound
   double volume = 0;       ///< at most; 0: no bound
   std::size_t points = 0;  ///< that are added for these at most
+  /// Of these in what is narrow: in flat tetrahedra (`is_flat`) with all corners on facets and lines, which takes
+  /// as many as it is longer than thick, squared. Then all else comes first. 0: no ration.
+  std::size_t narrow_points = 0;
   /// Where there are more tetrahedra than these, refinement ends: flat parts, in which the lengths that are wanted
   /// are far longer than they are thick, need no more tetrahedra for these, and halves make ever more. 0: no
   /// bound.
@@ -45,6 +48,11 @@ Improved improve(ConformingTetrahedra& mesh, const ImproveOptions& options, cons
 /// much.
 double radius_edge_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
                       const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d);
+
+/// Is it flatter than 1/64 of its longest edge? Where walls are so near to each other, edges that are as short
+/// would be many.
+bool is_flat(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
+             const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d);
 
 /// The shape of a tetrahedron: 12 (3 V)^(2/3) / (sum of squared edges) (liu1994): 1 of a regular one, 0 of a flat
 /// one.

@@ -191,6 +191,24 @@ result: u
   CHECK(w.run("mesh t.yaml --order 2 -o second.html --quiet").status == 0);
 }
 
+TEST_CASE("mesh: a page has the numbers of tetrahedra that doubles find flat", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  low:   {box: {min: [0, 0, 0], max: [1, 1, 1]}}
+  plate: {box: {min: [0, 0, 1], max: [1, 1, "1125899906842629/1125899906842624"]}}
+  both:  {union: [plate, low], dominance: left}
+  model: {simplify: both, rotate: {axis: [1, 2, 3], degrees: 20}}
+result: model
+)");
+  const Outcome o = w.run("mesh t.yaml --quality 2 -o t.html --no-snap");
+  INFO(o.out << o.err);
+  REQUIRE(o.status == 0);
+  const std::string page = w.read("t.html");
+  CHECK_THAT(page, !Contains(">inf<") && !Contains(">nan<") && !Contains(">-nan<") && Contains("e-10</b>"));
+  CHECK_THAT(o.out, Contains("; the largest is ") && Contains("e+14; 6 are in plate\n") && !Contains("inf"));
+}
+
 TEST_CASE("mesh: surfaces alone, with a row per group of faces", "[app][mesh]") {
   const Workshop w;
   w.write("t.yaml", kPair);
@@ -240,7 +258,7 @@ TEST_CASE("mesh: a thin slab is meshed whatever way is taken, and what it lacks 
   const Workshop w;
   w.write("slab.yaml", "cnrg: 1\nnodes:\n  slab: {box: {min: [0, 0, 0], max: [10, 10, 0.0001]}}\nresult: slab\n");
   for (const std::string way :
-       {"", "-Y", "--constrained", "--surface-first", "--size 5", "--size 5 --surface-first"}) {
+       {"", "-Y", "--constrained", "--surface-first", "--size 5", "--size 5 --surface-first", "--quality 2"}) {
     const Outcome o = w.run("mesh slab.yaml -o s.msh " + way);
     INFO(way << "\n" << o.out << o.err);
     CHECK(o.status == 0);
@@ -251,7 +269,7 @@ TEST_CASE("mesh: a thin slab is meshed whatever way is taken, and what it lacks 
   CHECK(o.status == 0);
   CHECK_THAT(o.out, Contains("blank: none"));
   CHECK_THAT(o.err, Contains("8 triangles stay thin in parts that are very narrow") && Contains("1000000"));
-  o = w.run("mesh slab.yaml -o s.msh --quality 2");
+  o = w.run("mesh slab.yaml -o s.msh --quality 2 --seconds 0");
   CHECK(o.status == 2);
   CHECK_THAT(o.err, Contains("leave out --quality"));
 }

@@ -190,6 +190,23 @@ TEST_CASE("short edges and small facets ask for themselves", "[size]") {
   CHECK(sliver.at({20, 20, 40}) == Approx(0.04 * std::sqrt(3.0)));
 }
 
+TEST_CASE("what is narrow asks for nothing where it is very thin", "[size]") {
+  const auto slab = [](const std::string& top, const SizeOptions& options) {
+    return sized(
+        "  block: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n  slab: {box: {min: [0, 0, 3], max: [10, 10, \"" +
+            top + "\"]}}\n  bolt: {polyline: [[5, 5, 1], [5, 5, 9]]}\n" +
+            "  model: {union: [bolt, slab, block], dominance: left}\n",
+        options);
+  };
+  const Sized thin = slab("3001/1000", {2});
+  for (const double x : {0.0, 5.0, 10.0}) CHECK(thin.at({x, 5, 3.0005}) == 2);
+  CHECK(thin.at({10, 10, 3.0005}) == 2);
+  // One of more than a thousandth of the diagonal asks as ever, unless what is wide alone is to ask.
+  CHECK(slab("305/100", {2}).at({10, 5, 3.025}) == Approx(0.1).epsilon(0.01));
+  CHECK(slab("305/100", {2, 0.3, false, false, true}).at({10, 5, 3.025}) == 2);
+  CHECK(slab("305/100", {2}).at({5, 5, 3.025}) == Approx(0.05));  // the bolt's piece
+}
+
 TEST_CASE("sizes survive snapping", "[size]") {
   const Result exact = result_of(R"(
   low:   {box: {min: [0, 0, 0], max: [100, 100, 100]}, size: 3}
@@ -235,4 +252,19 @@ TEST_CASE("regions are found by a ray", "[size]") {
   CHECK(s.regions.thickness({0.5, 4.1, 4.2}, 100) == Approx(1));
   CHECK(s.regions.thickness({4.3, 4.1, 4.2}, 100) == Approx(2).epsilon(0.2));
   CHECK(s.regions.thickness({0.5, 4.1, 4.2}, 0.25) == 0.25);
+  CHECK(s.regions.plate({0.5, 4.1, 4.2}, 100).even);
+  std::size_t triangles = 0;
+  for (const auto& face : s.flat.faces) {
+    for (const auto& t : face.triangles) {
+      const auto &a = s.points.xyz[t[0]], &b = s.points.xyz[t[1]], &c = s.points.xyz[t[2]];
+      const std::size_t place = triangles++;
+      if (a[0] != 0 || b[0] != 0 || c[0] != 0) continue;
+      const auto shell = s.regions.at({0.5, 4.1, 4.2});
+      const SizeField::Vector middle{0, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
+      CHECK(s.regions.gap(middle, {1, 0, 0}, shell, place, 100) == Approx(1));
+      CHECK(s.regions.gap(middle, {1, 0, 0}, shell, place, 0.5) == 0.5);
+      CHECK(s.regions.gap(middle, {1, 0, 0}, shell + 1, place, 100) == 100);
+    }
+  }
+  CHECK(triangles == 36);
 }

@@ -129,6 +129,26 @@ TEST_CASE("measures of tetrahedra that are known", "[mesh][quality]") {
   CHECK(corner.dihedral == Approx(std::acos(1 / std::sqrt(3)) * 180 / M_PI));
 }
 
+TEST_CASE("flat tetrahedra are measured exactly", "[mesh][quality]") {
+  // Doubles have no determinant of these: 2^-60 beside a corner of 1.
+  const double h = std::ldexp(1.0, -60), up = std::nextafter(1.0, 2);
+  const TetrahedronMeasures thin = measures_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, h}}});
+  CHECK(thin.volume == Approx(h / 6).epsilon(1e-12));
+  CHECK(thin.shape == Approx(12 * std::pow(h / 2, 2.0 / 3) / 8).epsilon(1e-12));
+  CHECK(thin.dihedral == Approx(h * std::sqrt(2.0) * 180 / M_PI).epsilon(0.5));
+  CHECK(thin.dihedral > 0);
+  // Corners of a plane but for the last digits.
+  const TetrahedronMeasures tilted = measures_of({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1.0 / 3, 1.0 / 3, 1.0 / 3}}});
+  CHECK(tilted.shape > 0);
+  CHECK(tilted.shape < 1e-9);
+  CHECK(std::isfinite(tilted.radius_edge));
+  CHECK(tilted.radius_edge > 1e14);
+  const TetrahedronMeasures far = measures_of({{{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1.25, 1.25, up}}});
+  CHECK(far.volume == Approx(std::ldexp(1.0, -52) / 6));
+  CHECK(std::isfinite(far.radius_edge));
+  CHECK(far.shape > 0);
+}
+
 TEST_CASE("a long bore gets tetrahedra of good shape, and the table counts them right", "[mesh][quality]") {
   const TetrahedralMesh made = meshed(R"(cnrg: 1
 nodes:

@@ -1,0 +1,53 @@
+#include "csg/mesh/has_to_be_split.h"
+
+#include <cmath>
+
+#include "csg/mesh/quality.h"
+#include "kernel/base/vectors.h"
+#include "kernel/tetrahedra/improve.h"
+
+namespace cnrg {
+namespace {
+
+using Vector = std::array<double, 3>;
+using Corners = std::array<Vector, 4>;
+
+Vector middle_of(const Corners& corners) {
+  Vector middle{};
+  for (const Vector& p : corners)
+    for (std::size_t k = 0; k < 3; ++k) middle[k] += p[k] / 4;
+  return middle;
+}
+
+}  // namespace
+
+TooLarge larger_than(const MeshSizes& sizes, const RegionLocator& regions, const FlatComplex& flat) {
+  return [sizes, least = sizes.least_in_regions(), &regions, &flat](const Corners& corners) {
+    double longest = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Vector along = minus(corners[i], corners[j]);
+        longest = std::max(longest, dot(along, along));
+      }
+    }
+    const Vector middle = middle_of(corners);
+    longest = std::sqrt(longest) / kLongest;
+    if (longest <= sizes.field.at(middle) && longest <= least) return false;
+    const auto region = regions.at(middle);
+    return flat.active(region) && longest > sizes.at(middle, region);
+  };
+}
+
+TooLarge worse_where_wide(double radius_edge, double volume, const TooLarge& larger, const RegionLocator& regions,
+                          const FlatComplex& flat) {
+  return [=, &regions, &flat](const Corners& corners) {
+    const auto& [a, b, c, d] = corners;
+    if (is_flat(a, b, c, d)) return false;
+    if (larger && larger(corners)) return true;
+    const bool worse = radius_edge > 0 && radius_edge_of(a, b, c, d) > radius_edge;
+    if (!worse && !(volume > 0 && measures_of(corners).volume > volume)) return false;
+    return flat.active(regions.at(middle_of(corners)));
+  };
+}
+
+}  // namespace cnrg
