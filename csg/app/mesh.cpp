@@ -297,10 +297,12 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
     });
   }
   if (!arguments.quiet) std::cout << table_of(made, arguments.quads) << std::flush;
-  std::string notice = made.kept == 0 ? ""
-                                      : std::to_string(made.kept) +
-                                            (made.kept == 1 ? " facet keeps its" : " facets keep their") +
-                                            " own triangles: with smaller ones doubles would cross what is near";
+  std::string notice = made.notice;
+  if (made.kept > 0) {
+    notice += (notice.empty() ? "" : "; ") + std::to_string(made.kept) +
+              (made.kept == 1 ? " facet keeps its" : " facets keep their") +
+              " own triangles: with smaller ones doubles would cross what is near";
+  }
   std::size_t rationed = 0;
   for (const FaceTriangles& of : made.groups) rationed += of.why[std::size_t(SmallAngle::bound)];
   if (rationed > 0 && made.mesh.points.size() < arguments.max_points) {
@@ -309,7 +311,7 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
               "one than " +
               std::to_string(arguments.max_points) + " mends more of them";
   }
-  write_files(arguments, result, made.mesh, made.rounding, snapped, notice, {},
+  write_files(arguments, result, made.mesh, made.rounding, snapped, notice, made.warnings,
               [&](const MeshPageOptions& options) { return mesh_page(result, made, options); });
   return kDone;
 }

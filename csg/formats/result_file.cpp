@@ -4,7 +4,9 @@
 
 #include <array>
 #include <exception>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "csg/exports/cad_text.h"
 #include "csg/formats/dag_graph.h"
@@ -157,9 +159,10 @@ void check_mesh_file_name(const std::string& path, const std::string& others) {
 namespace {
 
 /// As a part of work that has a deadline.
-TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options, const Deadline& deadline) {
+TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options, const Deadline& deadline,
+                           const TetgenTrial& trial = {}) {
   const ResultView view = result.data().view();
-  TetrahedralMesh made = tetrahedra(view, options, deadline);
+  TetrahedralMesh made = tetrahedra(view, options, deadline, trial);
   sample_materials(view, made.mesh);
   add_properties(view, made.mesh);
   if (options.order == 2) add_straight_middles(made.mesh);
@@ -191,38 +194,80 @@ Rational extent_of(const Result& result) {
   return from_double(longest);
 }
 
-/// What is joined so that there are tetrahedra, in parts of the extent: some of the last digits of doubles, then
+/// What is joined so that there is a good mesh, in parts of the extent: some of the last digits of doubles, then
 /// more, and not more than somebody who draws by hand would see.
 constexpr double kJoined[] = {0x1p-40, 0x1p-32, 0x1p-24, 0x1p-16};
 
-TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report,
+/// A result, and what is made of it in doubles: as it is, or with joined what is near.
+template <class Made>
+class MadeOfDoubles {
+ public:
+  MadeOfDoubles(Result& result, SnapReport& report, const Watch& watch)
+      : result_(result), exact_(result), report_(report), watch_(watch) {}
+
+  template <class Make>
+  Made as_it_is(const Make& make) {
+    result_ = exact_;
+    report_ = {};
+    return snapped_if_broken(result_, report_, watch_, make);
+  }
+  /// Nothing if nothing was so near. `part`: of the extent; `before`: how it was without that.
+  template <class Make>
+  std::optional<Made> joined(double part, const std::string& before, const Make& make) {
+    const Rational within = extent_of(exact_) * from_double(part);
+    JoinReport joined;
+    report_ = {};
+    result_ = join(exact_, within, &joined, watch_);
+    if (joined.rounds == 0) return {};
+    Made made = snapped_if_broken(result_, report_, watch_, make);
+    made.notice =
+        before + " without that: " + joined.text(within) + (made.notice.empty() ? "" : "; ") + made.notice;
+    made.warnings = vanished_warnings(joined.lost_regions, to_decimal(within, 6));
+    return made;
+  }
+
+ private:
+  Result& result_;
+  const Result exact_;
+  SnapReport& report_;
+  const Watch& watch_;
+};
+
+std::string without_remedy(const std::string& words) { return words.substr(0, words.find(';')); }
+
+/// By TetGen; where it fails, of what has been joined in the last digits, which it stumbles over. Then constrained
+/// ones, of what has been joined more and more where there are none in doubles.
+TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, SnapReport& report,
                                    const Deadline& deadline) {
-  const Result exact = result;
-  const auto of_doubles = [&](const TetrahedraOptions& how) {
-    return snapped_if_broken(result, report, deadline.watch(), [&] { return tetrahedra(result, how, deadline); });
-  };
+  MadeOfDoubles<TetrahedralMesh> made_of(result, report, deadline.watch());
+  TetgenTrial trial{!options.constrained, {}};
+  const auto make = [&] { return tetrahedra(result, options, deadline, trial); };
+  if (trial.only) {
+    try {
+      return made_of.as_it_is(make);
+    } catch (const TetgenFault& fault) {
+      trial.fault = fault.what();
+    } catch (const NearFault& fault) {
+      trial.fault = fault.what();
+    }
+    options.foretold = {};
+    const std::string fault = std::exchange(trial.fault, {});
+    try {
+      if (auto made = made_of.joined(kJoined[0], without_remedy(fault), make)) return std::move(*made);
+    } catch (const TetgenFault&) {
+    } catch (const NearFault&) {
+    }
+    trial = {false, fault};
+  }
   std::exception_ptr near;
   try {
-    return of_doubles(options);
+    return made_of.as_it_is(make);
   } catch (const NearFault&) {
-    if (options.keep_boundary) throw;
     near = std::current_exception();
   }
-  const Rational extent = extent_of(exact);
-  TetrahedraOptions asked = options;
-  asked.constrained = true;  // TetGen has failed
-  asked.foretold = {};
   for (const double part : kJoined) {
-    const Rational within = extent * from_double(part);
-    JoinReport joined;
-    report = {};
-    result = join(exact, within, &joined, deadline.watch());
-    if (joined.rounds == 0) continue;
     try {
-      TetrahedralMesh made = of_doubles(asked);
-      made.notice = "there were no tetrahedra in doubles without that: " + joined.text(within);
-      made.warnings = vanished_warnings(joined.lost_regions, to_decimal(within, 6));
-      return made;
+      if (auto made = made_of.joined(part, "there were no tetrahedra in doubles", make)) return std::move(*made);
     } catch (const NearFault&) {
     }
   }
@@ -255,7 +300,18 @@ SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions&
   bound.watch = deadline.watch();
   bound.seconds = 0;  // the watch knows
   return deadline.run([&] {
-    return snapped_if_broken(result, report, bound.watch, [&] { return surface_triangles(result, bound); });
+    MadeOfDoubles<SurfaceTriangles> made_of(result, report, bound.watch);
+    const auto make = [&] { return surface_triangles(result, bound); };
+    std::exception_ptr near;
+    std::string words;
+    try {
+      return made_of.as_it_is(make);
+    } catch (const NearFault& fault) {
+      near = std::current_exception();
+      words = fault.what();
+    }
+    if (auto made = made_of.joined(kJoined[0], without_remedy(words), make)) return std::move(*made);
+    std::rethrow_exception(near);
   });
 }
 

@@ -11,6 +11,7 @@
 #include "csg/mesh/input_lines.h"
 #include "csg/result/rounding.h"
 #include "kernel/base/error.h"
+#include "kernel/tetrahedra/constrained.h"
 
 namespace cnrg {
 namespace {
@@ -543,12 +544,13 @@ class Refiner {
     if (is_full()) {
       text += "it may have " + std::to_string(options_.max_points) +
               " points; ask for larger sizes, or give a greater --max-points";
-    } else {
-      text += std::string(fixed ? "a facet there is thinner than the digits of its points"
-                                : "doubles have no room for more points there") +
-              "; ask for larger sizes, or move the model nearer to the origin";
+      throw InputError(text);
     }
-    throw InputError(text);
+    text += fixed ? "a facet there is thinner than the digits of its points"
+                  : "doubles have no room for more points there";
+    throw NearFault(text +
+                    "; join what nearly touches by --join, ask for larger sizes, or move the model nearer to "
+                    "the origin");
   }
 
   /// Are points for it lacking that might be between doubles?

@@ -13,6 +13,8 @@ struct SurfaceTriangles {
   RoundingReport rounding;
   std::vector<FaceTriangles> groups;
   std::size_t kept = 0;  ///< facets that keep their triangles since others of doubles would cross what is near
+  std::string notice{};  ///< what the user should know of how it was made; else empty
+  std::vector<std::string> warnings{};  ///< regions that had to go
 };
 
 /// Meshes all faces, edges, wires and points of a closed result, with regions or without: conforming, since what
@@ -26,7 +28,8 @@ struct SurfaceTriangles {
 /// (csg/result/rounding.h). Facets near which that fails keep the triangles that they have.
 ///
 /// Throws InputError for a result with neither faces nor wires, for one that is not closed or reaches the frame,
-/// and as `refine` does; RoundingFault; Stopped.
+/// and as `refine` does; RoundingFault; NearFault (kernel/tetrahedra/constrained.h) where sizes that are asked for
+/// have no room between doubles; Stopped.
 SurfaceTriangles surface_triangles(const ResultView& view, const SurfaceOptions& options = {});
 
 /// The same triangles and segments as the facets and segments of a complex to fill, without seeds. The points of

@@ -39,9 +39,11 @@ constexpr double kSizedQuality = 2;          // where no quality is asked for; i
 
 class TetrahedraMaker {
  public:
-  TetrahedraMaker(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline)
+  TetrahedraMaker(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline,
+                  const TetgenTrial& trial)
       : view_(view),
         options_(options),
+        trial_(trial),
         deadline_(deadline),
         watch_(deadline.watch()),
         flat_(flatten_for_mesh(view)) {}
@@ -62,12 +64,13 @@ class TetrahedraMaker {
     watch_.begin("mesh: rounding");
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra", watch_.stop);
     ask_for_sizes(rounded);
-    const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
-    of_tetgen_ = !options_.constrained && refused.empty() && !thin_;
+    const std::string refused = asks_tetgen() ? ask_tetgen(rounded) : trial_.fault;
+    if (trial_.only && !refused.empty()) throw TetgenFault(refused);
+    of_tetgen_ = asks_tetgen() && refused.empty() && !thin_;
     if (options_.constrained || !refused.empty()) {
       surface_first_ = options_.surface_first;
       if (keeps_boundary()) throw InputError(refused);  // constrained tetrahedra need points on it
-      if (!refused.empty() && bounded())
+      if (asks_tetgen() && bounded())
         foretell(rounded, thin_ ? Maker::flat : Maker::own);  // once more: it makes others than TetGen
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
       watch_.begin("mesh: constrained tetrahedra");
@@ -112,6 +115,7 @@ class TetrahedraMaker {
 
   const ResultView& view_;
   const TetrahedraOptions options_;
+  const TetgenTrial trial_;
   const Deadline& deadline_;
   const Watch& watch_;  // of the deadline
   const FlatComplex flat_;
@@ -136,6 +140,7 @@ class TetrahedraMaker {
   double afterwards_ = 0;   // seconds that are kept for what follows the improver, for each tetrahedron
 
   Mesh& mesh() { return result_.mesh; }
+  bool asks_tetgen() const { return !options_.constrained && trial_.fault.empty(); }
   bool sized() const { return bool(too_large_); }
 
   /// What the mesh is to be, and how many tetrahedra that takes.
@@ -143,7 +148,7 @@ class TetrahedraMaker {
     set_sizes(rounded.points(), false);
     if (surface_first_ && !bounded()) surface_ = surface_complex(rounded);
     find_thin(rounded.points());
-    foretell(rounded, rationed_ || thin_ ? Maker::flat : options_.constrained ? Maker::own : Maker::tetgen);
+    foretell(rounded, rationed_ || thin_ ? Maker::flat : asks_tetgen() ? Maker::tetgen : Maker::own);
   }
 
   void set_sizes(const RoundedPoints& points, bool wide) {
@@ -464,11 +469,8 @@ class TetrahedraMaker {
     Vector n{};
     const Vector origin = out_.points[loop[0]];
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      const Vector &p = out_.points[loop[i]], &q = out_.points[loop[i + 1]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
-        n[k] += (p[u] - origin[u]) * (q[v] - origin[v]) - (p[v] - origin[v]) * (q[u] - origin[u]);
-      }
+      const Vector part = cross(minus(out_.points[loop[i]], origin), minus(out_.points[loop[i + 1]], origin));
+      for (std::size_t k = 0; k < 3; ++k) n[k] += part[k];
     }
     return n;
   }
@@ -480,8 +482,7 @@ class TetrahedraMaker {
     for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
       if (std::size_t(out_.facet[i]) >= plc_.facets.size()) continue;  // on the box
       auto t = out_.triangles[i];
-      const Vector n = normal_of({t[0], t[1], t[2]}), &m = normals[std::size_t(out_.facet[i])];
-      if (n[0] * m[0] + n[1] * m[1] + n[2] * m[2] < 0) std::swap(t[1], t[2]);
+      if (dot(normal_of({t[0], t[1], t[2]}), normals[std::size_t(out_.facet[i])]) < 0) std::swap(t[1], t[2]);
       mesh().triangles.push_back({t, plc_.facets[std::size_t(out_.facet[i])].face});
     }
     sort_by_entity(mesh().triangles);
@@ -602,8 +603,9 @@ class TetrahedraMaker {
 
 }  // namespace
 
-TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline) {
-  return TetrahedraMaker(view, options, deadline).run();
+TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline,
+                           const TetgenTrial& trial) {
+  return TetrahedraMaker(view, options, deadline, trial).run();
 }
 
 TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options) {

@@ -4,6 +4,7 @@
 #include "csg/mesh/deadline.h"
 #include "csg/mesh/mesh.h"
 #include "csg/mesh/quality.h"
+#include "kernel/base/error.h"
 
 namespace cnrg {
 
@@ -40,8 +41,20 @@ struct TetrahedralMesh {
 /// features so near to each other that there is none in doubles; TimeOver where `seconds` were over before there
 /// was any mesh; Stopped. What time has kept from being improved `notice` says.
 TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options = {});
+
+/// What TetGen says, or does, instead of a mesh.
+class TetgenFault : public InputError {
+ public:
+  using InputError::InputError;
+};
+/// What is known of TetGen and this result.
+struct TetgenTrial {
+  bool only = false;    ///< nobody else is asked: throws TetgenFault where it makes no mesh
+  std::string fault{};  ///< if not empty it is not asked: it has failed so before
+};
 /// The same as a part of work with a deadline, which counts instead of the time and the watch of the options:
 /// throws Stopped when that is over.
-TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline);
+TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline,
+                           const TetgenTrial& trial = {});
 
 }  // namespace cnrg

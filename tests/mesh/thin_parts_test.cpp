@@ -155,7 +155,7 @@ TEST_CASE("where TetGen does not end with a surface that was meshed first, it fi
   CHECK_THROWS_WITH(tetrahedra(block, options),
                     Catch::StartsWith("TetGen did not end in its time; give it more by "
                                       "--seconds") &&
-                        Catch::EndsWith("join what nearly touches by --join"));
+                        Catch::EndsWith("join what nearly touches by --join, or leave out --keep-boundary"));
 }
 
 TEST_CASE("a plate without a double inside is refused where faces are kept, with what helps",
