@@ -194,6 +194,9 @@ Rational extent_of(const Result& result) {
   return from_double(longest);
 }
 
+/// May what is joined take something of the model away?
+enum class Losses { none, said };
+
 /// What is joined so that there is a good mesh, in parts of the extent: some of the last digits of doubles, then
 /// more, and not more than somebody who draws by hand would see.
 constexpr double kJoined[] = {0x1p-40, 0x1p-32, 0x1p-24, 0x1p-16};
@@ -211,14 +214,18 @@ class MadeOfDoubles {
     report_ = {};
     return snapped_if_broken(result_, report_, watch_, make);
   }
-  /// Nothing if nothing was so near. `part`: of the extent; `before`: how it was without that.
+  /// Nothing if nothing was so near, or more than slivers of faces would be lost. `part`: of the extent; `before`:
+  /// how it was without that.
   template <class Make>
-  std::optional<Made> joined(double part, const std::string& before, const Make& make) {
+  std::optional<Made> joined(double part, Losses losses, const std::string& before, const Make& make) {
     const Rational within = extent_of(exact_) * from_double(part);
     JoinReport joined;
     report_ = {};
     result_ = join(exact_, within, &joined, watch_);
     if (joined.rounds == 0) return {};
+    const bool whole =
+        joined.regions_after == joined.regions_before && joined.lost_regions.empty() && joined.lost_wires == 0;
+    if (!whole && losses == Losses::none) return {};
     Made made = snapped_if_broken(result_, report_, watch_, make);
     made.notice =
         before + " without that: " + joined.text(within) + (made.notice.empty() ? "" : "; ") + made.notice;
@@ -253,7 +260,8 @@ TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, Sn
     options.foretold = {};
     const std::string fault = std::exchange(trial.fault, {});
     try {
-      if (auto made = made_of.joined(kJoined[0], without_remedy(fault), make)) return std::move(*made);
+      if (auto made = made_of.joined(kJoined[0], Losses::none, without_remedy(fault), make))
+        return std::move(*made);
     } catch (const TetgenFault&) {
     } catch (const NearFault&) {
     }
@@ -267,7 +275,8 @@ TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, Sn
   }
   for (const double part : kJoined) {
     try {
-      if (auto made = made_of.joined(part, "there were no tetrahedra in doubles", make)) return std::move(*made);
+      if (auto made = made_of.joined(part, Losses::said, "there were no tetrahedra in doubles", make))
+        return std::move(*made);
     } catch (const NearFault&) {
     }
   }
@@ -310,7 +319,7 @@ SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions&
       near = std::current_exception();
       words = fault.what();
     }
-    if (auto made = made_of.joined(kJoined[0], without_remedy(words), make)) return std::move(*made);
+    if (auto made = made_of.joined(kJoined[0], Losses::none, without_remedy(words), make)) return std::move(*made);
     std::rethrow_exception(near);
   });
 }

@@ -370,5 +370,6 @@ result: model
   INFO(made.notice);
   CHECK(made.quality.bad == 0);
   CHECK(made.mesh.tetrahedra.size() < 100'000);
-  CHECK((made.notice.empty() || made.notice.find("without that: joined 2 pairs nearer than") != std::string::npos));
+  CHECK(
+      (made.notice.empty() || made.notice.find("without that: joined 2 pairs nearer than") != std::string::npos));
 }
