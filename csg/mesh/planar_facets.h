@@ -8,12 +8,12 @@
 #pragma once
 
 #include "csg/result/flat.h"
+#include "csg/result/snap_drawing.h"
 
 namespace cnrg {
 
-/// So many units in the last place of the largest coordinate may points be off the plane of their facet: the first
-/// grid of snapping.
-inline constexpr double kPlanarDigits = 64;
+/// So many units in the last place of the largest coordinate may points be off the plane of their facet.
+inline constexpr double kPlanarDigits = kSnapFirstCell;
 
 /// The result flattened for meshes. Of a curved face of a snapped or joined result, facets beside each other are
 /// one where they are so near to one plane, and their triangles are seen from one side; edges and points of the

@@ -122,11 +122,6 @@ std::vector<HotCells::Pass> HotCells::across(const Xyz& a, const Xyz& b, const X
   return passes;
 }
 
-Xyz on_grain(Xyz p, double grain) {
-  for (double& c : p) c = std::nearbyint(c / grain) * grain + 0.0;  // no -0
-  return p;
-}
-
 std::vector<Xyz> where_near(const std::vector<std::array<Xyz, 2>>& segments, double within, const Watch& watch) {
   std::vector<Box> boxes(segments.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {

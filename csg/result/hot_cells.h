@@ -52,10 +52,6 @@ class HotCells {
   const std::vector<Xyz>& choose_centers(const std::vector<Xyz>& points);
 };
 
-/// The nearest multiples of `grain`, a power of two. Doubles near zero are dense: surfaces that nearly coincide
-/// there would cross again and again if new points were only rounded to doubles.
-HotCells::Xyz on_grain(HotCells::Xyz p, double grain);
-
 /// The middles between segments without a common end that pass at most `within` from each other (units of the
 /// model), there; not where an end is nearest.
 std::vector<HotCells::Xyz> where_near(const std::vector<std::array<HotCells::Xyz, 2>>& segments, double within,

@@ -136,6 +136,12 @@ class Router {
     for (const Xyz& p : fresh) places.push_back(on_grain(p, grain));
     return places;
   }
+  /// Doubles near zero are dense: surfaces that nearly coincide there would cross again and again if new points
+  /// were only rounded to doubles.
+  static Xyz on_grain(Xyz p, double grain) {
+    for (double& c : p) c = std::nearbyint(c / grain) * grain + 0.0;  // no -0
+    return p;
+  }
 
   void list_points() {
     for (std::size_t i = 0; i < here_.size(); ++i) {

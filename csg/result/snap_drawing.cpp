@@ -373,7 +373,7 @@ class Snapper {
   }
 
   /// Corners of triangles that were cut, and new vertices.
-  std::vector<Xyz> at_crossings(const State& state, const Refined& refined) const {
+  static std::vector<Xyz> at_crossings(const State& state, const Refined& refined) {
     const Complex& complex = *refined.complex;
     std::vector<Xyz> points;
     std::vector<char> corner(state.xyz.size(), 0);
@@ -387,7 +387,7 @@ class Snapper {
       if (corner[p]) points.push_back(state.xyz[p]);
     }
     for (const VertexId v : complex.vertices) {
-      if (!refined.settled[v.index()]) points.push_back(on_grain(nearest_doubles(complex.points, v), unit_));
+      if (!refined.settled[v.index()]) points.push_back(nearest_doubles(complex.points, v));
     }
     return points;
   }
