@@ -206,14 +206,22 @@ template <class Made>
 class MadeOfDoubles {
  public:
   MadeOfDoubles(Result& result, SnapReport& report, const Watch& watch)
-      : result_(result), exact_(result), report_(report), watch_(watch) {}
+      : result_(result), exact_(result), whole_(result), report_(report), watch_(watch) {}
 
   template <class Make>
   Made as_it_is(const Make& make) {
-    result_ = exact_;
-    report_ = {};
-    return snapped_if_broken(result_, report_, watch_, make);
+    result_ = whole_;
+    report_ = snapped_;
+    try {
+      return snapped_if_broken(result_, report_, watch_, make);
+    } catch (const InputError&) {  // it need not be snapped once more
+      whole_ = result_;
+      snapped_ = report_;
+      throw;
+    }
   }
+  /// What was snapped has been drawn together already.
+  bool is_snapped() const { return snapped_.rounds > 0; }
   /// Nothing if nothing was so near, or more than slivers of faces would be lost. `part`: of the extent; `before`:
   /// how it was without that.
   template <class Make>
@@ -236,6 +244,8 @@ class MadeOfDoubles {
  private:
   Result& result_;
   const Result exact_;
+  Result whole_;  // exact, or snapped
+  SnapReport snapped_;
   SnapReport& report_;
   const Watch& watch_;
 };
@@ -260,8 +270,10 @@ TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, Sn
     options.foretold = {};
     const std::string fault = std::exchange(trial.fault, {});
     try {
-      if (auto made = made_of.joined(kJoined[0], Losses::none, without_remedy(fault), make))
-        return std::move(*made);
+      if (!made_of.is_snapped()) {
+        if (auto made = made_of.joined(kJoined[0], Losses::none, without_remedy(fault), make))
+          return std::move(*made);
+      }
     } catch (const TetgenFault&) {
     } catch (const NearFault&) {
     }
