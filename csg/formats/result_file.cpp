@@ -250,8 +250,6 @@ class MadeOfDoubles {
   const Watch& watch_;
 };
 
-std::string without_remedy(const std::string& words) { return words.substr(0, words.find(';')); }
-
 /// By TetGen; where it fails, of what has been joined in the last digits, which it stumbles over. Then constrained
 /// ones, of what has been joined more and more where there are none in doubles.
 TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, SnapReport& report,
@@ -267,8 +265,8 @@ TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, Sn
     } catch (const NearFault& fault) {
       trial.fault = fault.what();
     }
-    options.foretold = {};
     const std::string fault = std::exchange(trial.fault, {});
+    const auto foretold = std::exchange(options.foretold, {});  // it was told already
     try {
       if (!made_of.is_snapped()) {
         if (auto made = made_of.joined(kJoined[0], Losses::none, without_remedy(fault), make))
@@ -278,6 +276,7 @@ TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, Sn
     } catch (const NearFault&) {
     }
     trial = {false, fault};
+    options.foretold = foretold;  // others are made now
   }
   std::exception_ptr near;
   try {
@@ -285,6 +284,7 @@ TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, Sn
   } catch (const NearFault&) {
     near = std::current_exception();
   }
+  options.foretold = {};
   for (const double part : kJoined) {
     try {
       if (auto made = made_of.joined(part, Losses::said, "there were no tetrahedra in doubles", make))

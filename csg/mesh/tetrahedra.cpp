@@ -78,7 +78,7 @@ class TetrahedraMaker {
       take(watch_);
       to_sizes_ = !sizes_.empty();
       if (!refused.empty()) {  // without its advice
-        result_.notice = refused.substr(0, refused.find(';')) + "; these are constrained tetrahedra, improved";
+        result_.notice = without_remedy(refused) + "; these are constrained tetrahedra, improved";
       }
     }
     if (thin_) to_sizes_ = sized();
@@ -148,7 +148,8 @@ class TetrahedraMaker {
     set_sizes(rounded.points(), false);
     if (surface_first_ && !bounded()) surface_ = surface_complex(rounded);
     find_thin(rounded.points());
-    foretell(rounded, rationed_ || thin_ ? Maker::flat : asks_tetgen() ? Maker::tetgen : Maker::own);
+    const bool own = options_.constrained || (!asks_tetgen() && bounded());
+    foretell(rounded, rationed_ || thin_ ? Maker::flat : own ? Maker::own : Maker::tetgen);
   }
 
   void set_sizes(const RoundedPoints& points, bool wide) {
@@ -230,7 +231,8 @@ class TetrahedraMaker {
     expected_ = mesh.tetrahedra;
     for_shapes_ = mesh.for_shapes;
     in_seconds_ = mesh.seconds;
-    if (options_.foretold) options_.foretold(mesh);
+    const bool told = !trial_.fault.empty() && !bounded();  // with TetGen, and it is the same
+    if (options_.foretold && !told) options_.foretold(mesh);
   }
 
   bool keeps_boundary() const { return options_.keep_boundary || surface_first_; }
@@ -334,13 +336,13 @@ class TetrahedraMaker {
       if (may_fill && !thin_) {
         thin_ = true;
         flat_text_ =
-            refused.substr(0, refused.find(';')) +
+            without_remedy(refused) +
             " with the triangles of the surface; it has filled the regions, and the tetrahedra are improved";
         i = 0;  // the first attempt that keeps the boundary follows
       }
     }
     if (options_.surface_first)
-      refused = refused.substr(0, refused.find(';')) +
+      refused = without_remedy(refused) +
                 "; leave out --surface-first, give other sizes, or join what nearly touches by --join";
     return refused;
   }

@@ -1,6 +1,8 @@
 // A result as tetrahedra: conforming to every region, wall, dangling face, wire and point of it.
 #pragma once
 
+#include <string>
+
 #include "csg/mesh/deadline.h"
 #include "csg/mesh/mesh.h"
 #include "csg/mesh/quality.h"
@@ -47,6 +49,9 @@ class TetgenFault : public InputError {
  public:
   using InputError::InputError;
 };
+/// The words of an error without what helps, which follows a `;`.
+inline std::string without_remedy(const std::string& words) { return words.substr(0, words.find(';')); }
+
 /// What is known of TetGen and this result.
 struct TetgenTrial {
   bool only = false;    ///< nobody else is asked: throws TetgenFault where it makes no mesh

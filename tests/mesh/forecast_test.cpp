@@ -109,6 +109,13 @@ std::pair<MeshForecast, double> told_and_made(const std::string& nodes, Tetrahed
   return {told, double(made.mesh.tetrahedra.size())};
 }
 
+double volume_of(const Model& model) {
+  double volume = 0;
+  for (const RegionTetrahedra& region : tetrahedra(result_of(model.nodes), {}).regions)
+    volume += to_double(region.volume);
+  return volume;
+}
+
 }  // namespace
 
 TEST_CASE("what lies between a wall and a face beside it is foretold", "[size][forecast]") {
@@ -127,12 +134,9 @@ TEST_CASE("what lies between a wall and a face beside it is foretold", "[size][f
 
 TEST_CASE("what a bound of volumes makes is foretold within 30 %", "[forecast]") {
   for (const Model& model : models()) {
-    const Result result = result_of(model.nodes);
     if (model.nodes.find("size:") != std::string::npos) continue;
-    double volume = 0;
-    for (const RegionTetrahedra& region : tetrahedra(result, {}).regions) volume += to_double(region.volume);
     TetrahedraOptions options;
-    options.max_volume = volume / 10'000;
+    options.max_volume = volume_of(model) / 10'000;
     const auto [told, made] = told_and_made(model.nodes, options);
     INFO(model.name << ": " << told.tetrahedra << " foretold, " << made << " made");
     CHECK(told.tetrahedra / made > 0.7);
@@ -152,13 +156,10 @@ TEST_CASE("what a bound of volumes makes is foretold within 30 %", "[forecast]")
 
 TEST_CASE("what a bound of volumes makes of constrained tetrahedra is foretold", "[forecast]") {
   for (const Model& model : models()) {
-    const Result result = result_of(model.nodes);
     if (model.nodes.find("size:") != std::string::npos) continue;
-    double volume = 0;
-    for (const RegionTetrahedra& region : tetrahedra(result, {}).regions) volume += to_double(region.volume);
     TetrahedraOptions options;
     options.constrained = true;
-    options.max_volume = volume / 10'000;
+    options.max_volume = volume_of(model) / 10'000;
     const auto [told, made] = told_and_made(model.nodes, options);
     INFO(model.name << ": " << told.least << " to " << told.most << " foretold, " << made << " made");
     CHECK(told.least < made);

@@ -151,6 +151,13 @@ TEST_CASE("where TetGen does not end with a surface that was meshed first, it fi
   options.surface_first = false;
   CHECK_THAT(tetrahedra(block, options).notice,
              Catch::StartsWith("TetGen did not end in its time; these are constrained tetrahedra, improved"));
+  int told = 0;  // also what others make
+  options.foretold = [&](const MeshForecast&) { ++told; };
+  Result result = block;
+  SnapReport report;
+  CHECK_THAT(snapped_tetrahedra(result, options, report).notice,
+             Catch::Contains("; these are constrained tetrahedra, improved"));
+  CHECK(told == 2);
   options.keep_boundary = true;
   CHECK_THROWS_WITH(tetrahedra(block, options),
                     Catch::StartsWith("TetGen did not end in its time; give it more by "
