@@ -23,12 +23,6 @@
 namespace cnrg::app {
 namespace {
 
-std::string decimal(double x, const char* format) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, format, x);
-  return buffer;
-}
-
 std::string shape_text(double x) { return decimal(x, x < 0.01 ? "%.2g" : "%.2f"); }
 
 /// A histogram in one line: a block for each bar, as high as it is beside the highest; blank where there is none.

@@ -5,6 +5,8 @@
 #include <array>
 #include <exception>
 #include <optional>
+#include <ranges>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -22,6 +24,7 @@
 #include "csg/result/rounding.h"
 #include "csg/result/vanished.h"
 #include "csg/text/file.h"
+#include "csg/text/table.h"
 #include "csg/topology/region_graph.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/tetrahedra/constrained.h"
@@ -194,12 +197,11 @@ Rational extent_of(const Result& result) {
   return from_double(longest);
 }
 
-/// May what is joined take something of the model away?
-enum class Losses { none, said };
-
 /// What is joined so that there is a good mesh, in parts of the extent: some of the last digits of doubles, then
-/// more, and not more than somebody who draws by hand would see.
+/// more, and not more than somebody who draws by hand would see. The first ones nobody draws, and they are joined
+/// where that takes nothing away.
 constexpr double kJoined[] = {0x1p-40, 0x1p-32, 0x1p-24, 0x1p-16};
+constexpr std::size_t kDigits = 2;
 
 /// A result, and what is made of it in doubles: as it is, or with joined what is near.
 template <class Made>
@@ -220,24 +222,28 @@ class MadeOfDoubles {
       throw;
     }
   }
-  /// What was snapped has been drawn together already.
-  bool is_snapped() const { return snapped_.rounds > 0; }
-  /// Nothing if nothing was so near, or more than slivers of faces would be lost. `part`: of the extent; `before`:
-  /// how it was without that.
+  /// What the user may join himself, since it was not to be joined unasked; empty: nothing.
+  std::string advice() const {
+    const auto refused = std::ranges::find_if(joined_, [](const Joined& j) { return j.report.refused; });
+    if (refused == joined_.end()) return {};
+    const std::string d = decimal(to_double(refused->within), "%.2g");
+    return "features nearer than " + d +
+           " were not joined, since that would take a region or a wire away, or be hundreds; --join " + d +
+           " does it and names what vanishes";
+  }
+  /// Nothing if nothing was so near, or was joined. `part`: of the extent; `before`: how it was without that, for
+  /// the notice.
   template <class Make>
-  std::optional<Made> joined(double part, Losses losses, const std::string& before, const Make& make) {
-    const Rational within = extent_of(exact_) * from_double(part);
-    JoinReport joined;
+  std::optional<Made> joined(double part, Joins joins, const std::string& before, const Make& make) {
+    const Joined& joined = joined_by(part, joins);
+    if (joined.report.rounds == 0) return {};
+    result_ = joined.result;
     report_ = {};
-    result_ = join(exact_, within, &joined, watch_);
-    if (joined.rounds == 0) return {};
-    const bool whole =
-        joined.regions_after == joined.regions_before && joined.lost_regions.empty() && joined.lost_wires == 0;
-    if (!whole && losses == Losses::none) return {};
     Made made = snapped_if_broken(result_, report_, watch_, make);
-    made.notice =
-        before + " without that: " + joined.text(within) + (made.notice.empty() ? "" : "; ") + made.notice;
-    made.warnings = vanished_warnings(joined.lost_regions, to_decimal(within, 6));
+    const std::string text =
+        (before.empty() ? "" : before + " without that: ") + joined.report.text(joined.within);
+    made.notice = text + (made.notice.empty() ? "" : "; ") + made.notice;
+    made.warnings = vanished_warnings(joined.report.lost_regions, to_decimal(joined.within, 6));
     return made;
   }
 
@@ -248,46 +254,75 @@ class MadeOfDoubles {
   SnapReport snapped_;
   SnapReport& report_;
   const Watch& watch_;
+
+  struct Joined {
+    double part;
+    Joins joins;
+    Rational within;
+    JoinReport report{};
+    Result result;
+  };
+  std::vector<Joined> joined_;
+
+  const Joined& joined_by(double part, Joins joins) {
+    for (const Joined& known : joined_) {
+      if (known.part == part && known.joins == joins) return known;
+    }
+    Joined joined{part, joins, extent_of(exact_) * from_double(part), {}, exact_};
+    joined.result = join(exact_, joined.within, &joined.report, watch_, joins);
+    return joined_.emplace_back(std::move(joined));
+  }
 };
 
 /// By TetGen; where it fails, of what has been joined in the last digits, which it stumbles over. Then constrained
-/// ones, of what has been joined more and more where there are none in doubles.
+/// ones of that, for what is so near makes bad shapes; and where there are none in doubles, of what has been
+/// joined more and more.
 TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, SnapReport& report,
                                    const Deadline& deadline) {
   MadeOfDoubles<TetrahedralMesh> made_of(result, report, deadline.watch());
   TetgenTrial trial{!options.constrained, {}};
   const auto make = [&] { return tetrahedra(result, options, deadline, trial); };
+  const std::span<const double> digits(kJoined, kDigits);
   if (trial.only) {
+    std::string fault;
     try {
       return made_of.as_it_is(make);
-    } catch (const TetgenFault& fault) {
-      trial.fault = fault.what();
-    } catch (const NearFault& fault) {
-      trial.fault = fault.what();
+    } catch (const TetgenFault& e) {
+      fault = e.what();
+    } catch (const NearFault& e) {
+      fault = e.what();
     }
-    const std::string fault = std::exchange(trial.fault, {});
     const auto foretold = std::exchange(options.foretold, {});  // it was told already
-    try {
-      if (!made_of.is_snapped()) {
-        if (auto made = made_of.joined(kJoined[0], Losses::none, without_remedy(fault), make))
+    for (const double part : digits) {
+      try {
+        if (auto made = made_of.joined(part, Joins::harmless, without_remedy(fault), make))
           return std::move(*made);
+      } catch (const TetgenFault&) {
+      } catch (const NearFault&) {
       }
-    } catch (const TetgenFault&) {
-    } catch (const NearFault&) {
     }
     trial = {false, fault};
     options.foretold = foretold;  // others are made now
+    for (const double part : digits | std::views::reverse) {
+      try {
+        if (auto made = made_of.joined(part, Joins::harmless, {}, make)) return std::move(*made);
+      } catch (const NearFault&) {
+      }
+    }
   }
   std::exception_ptr near;
   try {
-    return made_of.as_it_is(make);
+    TetrahedralMesh made = made_of.as_it_is(make);
+    if (const std::string advice = made_of.advice(); made.quality.bad > 0 && !advice.empty())
+      made.notice += "; " + advice;
+    return made;
   } catch (const NearFault&) {
     near = std::current_exception();
   }
   options.foretold = {};
   for (const double part : kJoined) {
     try {
-      if (auto made = made_of.joined(part, Losses::said, "there were no tetrahedra in doubles", make))
+      if (auto made = made_of.joined(part, Joins::all, "there were no tetrahedra in doubles", make))
         return std::move(*made);
     } catch (const NearFault&) {
     }
@@ -331,7 +366,8 @@ SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions&
       near = std::current_exception();
       words = fault.what();
     }
-    if (auto made = made_of.joined(kJoined[0], Losses::none, without_remedy(words), make)) return std::move(*made);
+    if (auto made = made_of.joined(kJoined[0], Joins::harmless, without_remedy(words), make))
+      return std::move(*made);
     std::rethrow_exception(near);
   });
 }

@@ -299,8 +299,10 @@ void require_smaller_than_result(const Rational& within, const Parts& parts) {
 /// `within`.
 class Joiner {
  public:
-  Joiner(const Result& result, const Rational& within, const Rational& reach, int patience, const Watch& watch)
+  Joiner(const Result& result, const Rational& within, const Rational& reach, int patience, Joins joins,
+         const Watch& watch)
       : watch_(watch),
+        joins_(joins),
         within_(within),
         reach_(reach),
         patience_(patience),
@@ -329,12 +331,14 @@ class Joiner {
   }
 
   const JoinReport& report() const { return report_; }
-  std::size_t work() const { return work_; }  ///< points, counted in each round
+  std::size_t work() const { return work_; }    ///< points, counted in each round
+  bool is_harmful() const { return harmful_; }  ///< and has ended for that
   std::shared_ptr<const Result::Data> data() const { return data_; }
 
  private:
   static constexpr std::size_t kFewPoints = 256;
   const Watch& watch_;
+  const Joins joins_;
   const Rational within_, reach_;
   const int patience_;  // rounds
   JoinReport report_;
@@ -343,6 +347,7 @@ class Joiner {
   std::set<RationalPoint> given_;  // points of the input
   Places places_;
   std::size_t most_points_ = 0, work_ = 0;
+  bool harmful_ = false;
   LostRegions lost_;
 
   /// Thin triangles with sides longer than the distance and heights below it would be bent back and forth: when
@@ -389,6 +394,8 @@ class Joiner {
     watch.check();
     const std::vector<NearPair> pairs = pairs_of_a_round(parts, watch);
     if (pairs.empty()) return false;
+    harmful_ = joins_ == Joins::harmless && pairs.size() > kFewPairs;
+    if (harmful_) return false;
     if (is_exhausted()) {
       give_up(parts);
       return false;
@@ -420,6 +427,10 @@ class Joiner {
       give_up(parts);
       return false;
     }
+    const bool lost =
+        !made->lost_regions.empty() || !made->lost_wires.empty() || active_regions(flat) != report_.regions_before;
+    harmful_ = joins_ == Joins::harmless && lost;
+    if (harmful_) return false;
     const bool first = report_.rounds++ == 0;
     for (const auto& [pair, place] : plan.joined) {
       report_.merged.push_back(text_of(view, parts, pair->kind, pair->a, pair->b, first) + ", at " +
@@ -437,7 +448,7 @@ class Joiner {
 
 }  // namespace
 
-Result join(const Result& result, const Rational& within, JoinReport* report, const Watch& watch) {
+Result join(const Result& result, const Rational& within, JoinReport* report, const Watch& watch, Joins joins) {
   if (within <= 0) {
     throw InputError("the distance within which features are joined must be positive, and is " +
                      to_decimal(within, 6));
@@ -446,8 +457,12 @@ Result join(const Result& result, const Rational& within, JoinReport* report, co
   std::shared_ptr<const Result::Data> data;
   std::size_t work = 0;
   for (const auto& [factor, patience] : kAttempts) {
-    Joiner joiner(result, within, from_double(factor) * within, patience, watch);
+    Joiner joiner(result, within, from_double(factor) * within, patience, joins, watch);
     joiner.run();
+    if (joiner.is_harmful()) {
+      if (report != nullptr) *report = {.refused = true};
+      return result;
+    }
     if (data == nullptr || joiner.report().remaining < best.remaining) {
       best = joiner.report();
       data = joiner.data();

@@ -31,6 +31,7 @@
 // Points of the result that was given keep their coordinates as long as they stay.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,7 @@ inline constexpr int kMostJoinMoves = 16;
 /// What `join` did.
 struct JoinReport {
   int rounds = 0;           ///< in which something was moved; 0: nothing was near, the result is the same
+  bool refused = false;     ///< something was, and is left as it was (Joins::harmless)
   Rational reach;           ///< what was nearer than this was joined: the distance asked for, or up to twice that
   double displacement = 0;  ///< no point of the result moved farther (units)
   /// What met, the nearest first in each round, a line each, such as `point v3 of bolt and face f2 of fault, at
@@ -63,11 +65,20 @@ struct JoinReport {
   std::vector<std::string> warnings(const Rational& within) const;
 };
 
+enum class Joins : std::uint8_t {
+  all,
+  /// None at all where more pairs than kFewPairs are near, as where surfaces nearly coincide, or where a region or
+  /// a wire would be lost or parted: then the result is returned as it is, with a report that says so.
+  harmless
+};
+inline constexpr std::size_t kFewPairs = 500;
+
 /// `within`: the distance d (units), positive. Throws InputError if it is not, if it is not smaller than the
 /// result itself, if a face or line of the result reaches the frame of unbounded leaves, and if nothing would be
 /// left; Stopped, as the watch asks. What the result knew of true surfaces (parameters) is gone where anything was
 /// joined. Components of which nothing is left are gone; the others keep their order. A group stays a group, in
 /// which a region that has been parted is two.
-Result join(const Result& result, const Rational& within, JoinReport* report = nullptr, const Watch& watch = {});
+Result join(const Result& result, const Rational& within, JoinReport* report = nullptr, const Watch& watch = {},
+            Joins joins = Joins::all);
 
 }  // namespace cnrg

@@ -2,6 +2,7 @@
 #include "csg/text/table.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "csg/text/escape.h"
 #include "kernel/base/error.h"
@@ -66,6 +67,12 @@ std::string grouped(std::size_t number) {
   std::string digits = std::to_string(number);
   for (std::ptrdiff_t i = std::ptrdiff_t(digits.size()) - 3; i > 0; i -= 3) digits.insert(std::size_t(i), 1, ',');
   return digits;
+}
+
+std::string decimal(double x, const char* format) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, format, x);
+  return buffer;
 }
 
 std::string counted(std::size_t n, std::string_view one, std::string_view many) {

@@ -45,6 +45,9 @@ std::string padded(std::string text, std::size_t width);
 /// An integer in groups of three digits, for people: 1234567 -> `1,234,567`.
 std::string grouped(std::size_t number);
 
+/// As printf prints it.
+std::string decimal(double x, const char* format);
+
 /// A number and the word for so many: `1 vertex`, `3 vertices`.
 std::string counted(std::size_t n, std::string_view one, std::string_view many);
 

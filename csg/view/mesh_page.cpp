@@ -61,11 +61,6 @@ tr.all td { border-top: 1px solid var(--muted); font-weight: 600; }
 i.swatch { display: inline-block; width: 11px; height: 11px; border-radius: 3px; margin-right: 7px; }
 )";
 
-std::string decimal(double x, const char* format) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, format, x);
-  return buffer;
-}
 std::string shape_text(double x) { return decimal(x, x < 0.01 ? "%.2g" : "%.2f"); }
 std::string list_of(const std::vector<std::string>& names) {
   std::string out;

@@ -9,6 +9,7 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
+#include "csg/result/join.h"
 #include "csg/tree/tree.h"
 #include "kernel/tetrahedra/constrained.h"
 #include "tests/scenes/seeds.h"
@@ -372,4 +373,51 @@ result: model
   CHECK(made.mesh.tetrahedra.size() < 100'000);
   CHECK(
       (made.notice.empty() || made.notice.find("without that: joined 2 pairs nearer than") != std::string::npos));
+}
+
+// Sheets between corners and middles of a box, but for 1e-11: TetGen stops at both, whatever is joined of the
+// first.
+TEST_CASE("where TetGen fails, what is near is joined, or it is said by what", "[mesh][quality]") {
+  const auto model = [](const std::string& sheets, const std::string& names) {
+    return "cnrg: 1\nnodes:\n  rock: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n" + sheets + "  sheets: {union: [" +
+           names + "]}\n  in: {intersection: [sheets, rock]}\n" +
+           "  model: {union: [in, rock], dominance: left}\nresult: model\n";
+  };
+  const auto sheet = [](const std::string& name, const std::string& points) {
+    return "  " + name + ": {mesh: {points: [" + points +
+           "], faces: [[0, 1, 4], [0, 4, 5], [1, 2, 3], [1, 3, 4]], fill: none}}\n";
+  };
+  const auto fails = [](const TetrahedralMesh& made) {
+    return made.notice.find("these are constrained tetrahedra") != std::string::npos;
+  };
+  const TetrahedralMesh joined = meshed(model(
+      sheet("s0",
+            "[5.4e-12, 1.4e-11, 0], [0.5000000000038, 0.5, 0], [1.0000000000008, 1, 0], "
+            "[1.0000000000152, 1.0000000000299, 1], [0.5000000000226, 0.5000000000007, 1], [0, -3.1e-12, 1]") +
+          sheet("s1",
+                "[4.1e-12, 1, 0], [0.4999999999977, 0.5000000000025, 0], [1.0000000000237, 0, 0], "
+                "[0.9999999999942, -8.7e-12, 1], [0.5000000000055, 0.5000000000012, 1], [5.7e-12, 1, 1]") +
+          sheet("s2",
+                "[0.5, -6.9e-13, 0], [0.5000000000103, 0.4999999999993, 0], [0.5000000000027, 1, 0], "
+                "[0.500000000002, 1.0000000000066, 1], [0.5000000000023, 0.5000000000158, 1], "
+                "[0.5000000000037, 9.5e-13, 1]"),
+      "s0, s1, s2"));
+  INFO(joined.notice);
+  CHECK((!fails(joined) || Catch::Contains("joined ").match(joined.notice)));
+  const std::string apart =
+      model(sheet("s0",
+                  "[-6.9e-12, -4.8e-12, 0], [0.5, 0.5, 0], [0.9999999999978, 1, 0], [1.0000000000061, 1, 1], "
+                  "[0.5, 0.5, 1], [-6.5e-12, -5.4e-12, 1]") +
+                sheet("s1",
+                      "[2.2e-12, 0.9999999999872, 0], [0.5000000000022, 0.5, 0], [0.9999999999866, 0, 0], "
+                      "[1.0000000000242, 0, 1], [0.4999999999805, 0.5, 1], [-2.9e-11, 1.0000000000255, 1]"),
+            "s0, s1");
+  const TetrahedralMesh made = meshed(apart);
+  INFO(made.notice);
+  CHECK((!fails(made) || Catch::Contains("--join 2.3e-10 does it").match(made.notice)));
+  Result near = evaluate(parse_tree(apart, "test.yaml")).result();
+  near = join(near, Rational(1, 4'000'000'000));
+  SnapReport report;
+  const TetrahedralMesh good = snapped_tetrahedra(near, {}, report);
+  CHECK((good.quality.bad == 0 && made.quality.bad > 100));
 }

@@ -178,6 +178,9 @@ TEST_CASE("join: a bolt's end goes to the fault, which stays flat", "[join]") {
   const Result after = join(before, Rational(1, 1000), &report);
   check_joined(before, after, report, Rational(1, 1000));
   CHECK(report.rounds == 1);
+  JoinReport harmless;
+  CHECK(shape_of(join(before, Rational(1, 1000), &harmless, {}, Joins::harmless)) == shape_of(after));
+  CHECK((harmless.rounds == 1 && !harmless.refused));
   REQUIRE(report.merged.size() == 1);
   CHECK_THAT(report.merged[0], Catch::Contains("point v") && Catch::Contains("of leaf0 and face f") &&
                                    Catch::Contains("of leaf1, at (2, 2, 2): 1e-05 apart"));
@@ -230,8 +233,12 @@ TEST_CASE("join: a region thinner than the distance vanishes and is named", "[jo
   c.show(c.unite(Dominance::left));
   const Result before = result_of(c);
   JoinReport report;
+  const Result whole = join(before, Rational(1, 1000), &report, {}, Joins::harmless);
+  CHECK(&whole.complex() == &before.complex());
+  CHECK((report.refused && report.rounds == 0 && report.lost_regions.empty()));
   const Result after = join(before, Rational(1, 1000), &report);
   check_joined(before, after, report, Rational(1, 1000));
+  CHECK_FALSE(report.refused);
   REQUIRE(report.lost_regions.size() == 1);
   CHECK_THAT(report.lost_regions[0], Catch::StartsWith("dust, r") && Catch::Contains(", at (0, 0, 1)"));
   CHECK(volumes(after) == std::map<std::string, Rational>{{"low", 1}, {"high", 1}});
@@ -340,6 +347,8 @@ TEST_CASE("join: two surfaces of many triangles in one place become one", "[join
   check_joined(before, after, report, d);
   CHECK(report.remaining == 0);
   CHECK(active_counts(after.cells())[0] > 2 * corners);
+  CHECK(&join(before, d, &report, {}, Joins::harmless).complex() == &before.complex());
+  CHECK(report.refused);  // so many pairs
 }
 
 TEST_CASE("join: a group is a group again, and its file has the same cells", "[join]") {
