@@ -141,7 +141,7 @@ class Router {
       if (!settled[v.index()]) fresh.push_back(here);
       else if (is_near_broken(box)) places.push_back(here);
     }
-    const std::vector<Xyz> near = where_near(edges, size / 2, watch_);
+    const std::vector<Xyz> near = where_near(edges, size * HotCells::kPass, watch_);
     fresh.insert(fresh.end(), near.begin(), near.end());
     for (const Xyz& p : fresh) places.push_back(on_grain(p, grain));
     return places;

@@ -9,16 +9,17 @@
 //     middle between two edges, are *hot* (as pixels of a grid are, halperin2002) if they hold a new vertex, or if
 //     something else passes through. All that is in a hot cell goes to its center, and each face and edge that
 //     passes through one gets a corner there (hot_routes.h). So a vertex does not pass through an edge or a face
-//     that lies nearer to it than half a cell: these come to it. Vertices that are doubles stay where they are.
+//     that lies nearer to it than a quarter of a cell: these come to it. Vertices that are doubles stay where they
+//     are.
 //   * That is done near the crossings. Where they are many it is done everywhere first: then surfaces nearly
 //     coincide, and where a part of one moves, its neighbours cross the other surface next.
 //   * The first cells are 64 units in the last place of the largest coordinate: surfaces that should coincide, and
 //     have been rounded, are some units apart. Those that were rounded to fewer digits are farther apart, and
 //     cross at angles so small that a unit moves their crossing lines by more than a cell: crossings multiply
 //     then. As soon as they do, or stay too long, all begins with the first rounding again, everywhere, and with
-//     cells 256 times as large (lazard2025 coarsens its grid, too), until they hold what is between the surfaces.
+//     cells 64 times as large (lazard2025 coarsens its grid, too), until they hold what is between the surfaces.
 //
-// So there is an end after few rounds: at most 5 starts, each with so many rounds as the crossings can be halved,
+// So there is an end after few rounds: at most 6 starts, each with so many rounds as the crossings can be halved,
 // and some between two halvings. After the last start there is an error. No proof says that a start comes to rest;
 // devillers2018 has an algorithm with one, of high degree, which parts each face along the shadows of all edges.
 // Cells that grow until they hold all would bring an end, too, but then nothing is left of the model.
@@ -34,8 +35,8 @@ namespace cnrg {
 
 /// The first cells, in units in the last place of the largest coordinate; how much larger those of each next
 /// start are; and how many starts there are.
-inline constexpr double kSnapFirstCell = 64, kSnapGrowth = 256;
-inline constexpr int kSnapStarts = 5;
+inline constexpr double kSnapFirstCell = 64, kSnapGrowth = 64;
+inline constexpr int kSnapStarts = 6;
 /// A start is given up after so many rounds in turn that did not halve the fewest crossings, of few crossings
 /// after some more: these are a matter of luck. And at once when there are more than twice the fewest and so few:
 /// from there on they multiply.
