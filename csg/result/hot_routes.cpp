@@ -41,7 +41,9 @@ class Router {
         hot_(cells_.centers().size(), 0) {
     cell_.assign(here_.size(), kNoCell);
     for (const VertexId v : complex_.vertices) {
-      if (const auto cell = cells_.cell_of(here_[v.index()])) cell_[v.index()] = *cell;
+      const Xyz& here = here_[v.index()];  // one that is not settled may be in a cell on the grain only
+      if (const auto cell = cells_.cell_of(settled[v.index()] ? here : on_grain(here, grain)))
+        cell_[v.index()] = *cell;
       if (!settled[v.index()]) hot_[cell_[v.index()]] = 1;
     }
   }
