@@ -58,7 +58,7 @@ bool plane_meets(const Xyz& from, const Xyz& normal, const Box& box) {
 }  // namespace
 
 HotCells::HotCells(const std::vector<Xyz>& points, double size)
-    : size_(size), tree_(boxes_around(choose_centers(points), size / 2)) {}
+    : size_(size), tree_(boxes_around(choose_centers(points), size * kPass)) {}
 
 const std::vector<Xyz>& HotCells::choose_centers(const std::vector<Xyz>& points) {
   for (const Xyz& p : points) {

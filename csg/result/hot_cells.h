@@ -4,6 +4,10 @@
 // away, also where two things are a unit in the last place apart. Here a cube lies around a point of the drawing,
 // and what is near goes there: nearly all stays where it is, and less of what is around is disturbed.
 //
+// Points within half a size of a center go there, so centers are farther apart than that. What passes by is drawn
+// to a center from half as far only: else of two centers with cells that overlap an edge would be drawn to both,
+// and turn between them by as much as they are apart.
+//
 // All is told in doubles, so what only touches a cell may be missed or told: who routes something through the
 // centers of cells looks at what comes out.
 #pragma once
@@ -38,6 +42,8 @@ class HotCells {
   const Xyz& center(std::size_t cell) const { return centers_[cell]; }
   /// Of the cells that the point lies in or on that with the nearest center; nothing if there is none.
   std::optional<std::size_t> cell_of(const Xyz& p) const;
+  /// A segment or plane passes through a cell when it comes so near to the center, in sizes, along each axis.
+  static constexpr double kPass = 0.25;
   /// The cells that a segment passes through, from a to b.
   std::vector<Pass> along(const Xyz& a, const Xyz& b) const;
   /// The cells that the plane of a triangle passes through and that meet the box around the triangle.

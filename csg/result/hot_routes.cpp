@@ -11,6 +11,7 @@
 #include "kernel/base/parallel.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/base/sorted.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/exact/triangulate.h"
@@ -40,7 +41,9 @@ class Router {
         hot_(cells_.centers().size(), 0) {
     cell_.assign(here_.size(), kNoCell);
     for (const VertexId v : complex_.vertices) {
-      if (const auto cell = cells_.cell_of(here_[v.index()])) cell_[v.index()] = *cell;
+      const Xyz& here = here_[v.index()];  // one that is not settled may be in a cell on the grain only
+      if (const auto cell = cells_.cell_of(settled[v.index()] ? here : on_grain(here, grain)))
+        cell_[v.index()] = *cell;
       if (!settled[v.index()]) hot_[cell_[v.index()]] = 1;
     }
   }
@@ -99,7 +102,7 @@ class Router {
       boxes.push_back(box);
     };
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
-      if (is_crossed(complex_, f, settled)) add(box_of(f));
+      if (is_crossed(f, settled)) add(box_of(f));
     }
     for (const VertexId v : complex_.vertices) {
       if (settled[v.index()]) continue;
@@ -108,6 +111,15 @@ class Router {
       add(box);
     }
     return boxes;
+  }
+  /// True if a vertex of the face, or in it, is not doubles.
+  bool is_crossed(FaceId f, const std::vector<char>& settled) const {
+    const auto isolated = complex_.face_vertices[f];
+    return std::any_of(isolated.begin(), isolated.end(), [&](VertexId v) { return !settled[v.index()]; }) ||
+           std::ranges::any_of(complex_.face_loops[f], [&](LoopId l) {
+             return std::ranges::any_of(complex_.loop[l],
+                                        [&](HalfEdge h) { return !settled[complex_.origin(h).index()]; });
+           });
   }
   bool is_near_broken(const Box& box) const {
     if (everywhere_) return true;
@@ -131,7 +143,7 @@ class Router {
       if (!settled[v.index()]) fresh.push_back(here);
       else if (is_near_broken(box)) places.push_back(here);
     }
-    const std::vector<Xyz> near = where_near(edges, size / 2, watch_);
+    const std::vector<Xyz> near = where_near(edges, size * HotCells::kPass, watch_);
     fresh.insert(fresh.end(), near.begin(), near.end());
     for (const Xyz& p : fresh) places.push_back(on_grain(p, grain));
     return places;
@@ -259,14 +271,38 @@ class Router {
       std::vector<VertexId> isolated = isolated_in(f);
       isolated.insert(isolated.end(), corners_[f.index()].begin(), corners_[f.index()].end());
       const auto imprinted = edges_across(f, walks, isolated);
-      if (imprinted.empty() && corners_[f.index()].empty()) return;
       for (const auto& [a, b] : imprinted) {
         walks.push_back({a, b});
         std::erase(isolated, a);
         std::erase(isolated, b);
       }
-      routes_.triangles[f.index()] = triangles_of(f, walks, isolated);
+      Triangles& triangles = routes_.triangles[f.index()];
+      if (!imprinted.empty() || !corners_[f.index()].empty()) triangles = triangles_of(f, walks, isolated);
+      else if (!is_near_broken(box_of(f))) return;
+      flip_edges(triangles, walks, [this, axes = axes(f)](VertexId p, VertexId a, VertexId q, VertexId b) {
+        return is_better_there(axes, p, a, q, b);
+      });
     });
+  }
+
+  /// Whether triangles (p, a, b) and (q, b, a) had better meet in pq. That depends on where the corners go only,
+  /// as far as their face has room: all faces with these four have the same diagonal then, and none that passes by
+  /// a corner that has come to lie between its ends. It is the Delaunay one, as angles tell it: of two that are as
+  /// good that of the place with the least number.
+  bool is_better_there(Projection axes, VertexId p, VertexId a, VertexId q, VertexId b) const {
+    constexpr double kTie = 1e-9;
+    if (orient2d(table_, axes, p, a, q) <= 0 || orient2d(table_, axes, q, b, p) <= 0) return false;
+    const auto angle_at = [&](VertexId v) {  // its cosine and sine, times the lengths of the sides
+      const auto from = [&](VertexId end) { return minus(routes_.to[end.index()], routes_.to[v.index()]); };
+      const Xyz u = from(a), w = from(b), normal = accurate_cross(u, w);
+      return std::array<double, 2>{dot(u, w), std::hypot(normal[0], normal[1], normal[2])};
+    };
+    const auto [cos_p, sin_p] = angle_at(p);
+    const auto [cos_q, sin_q] = angle_at(q);
+    const double sum = sin_p * cos_q + cos_p * sin_q;  // the sine of both angles together
+    if (std::abs(sum) > kTie * (sin_p * std::abs(cos_q) + std::abs(cos_p) * sin_q)) return sum < 0;
+    const auto goal = [&](VertexId v) { return goal_[v.index()]; };
+    return std::min(goal(p), goal(q)) < std::min(goal(a), goal(b));
   }
 
   template <class Body>
@@ -456,15 +492,6 @@ class Router {
 };
 
 }  // namespace
-
-bool is_crossed(const Complex& complex, FaceId f, const std::vector<char>& settled) {
-  const auto isolated = complex.face_vertices[f];
-  return std::any_of(isolated.begin(), isolated.end(), [&](VertexId v) { return !settled[v.index()]; }) ||
-         std::ranges::any_of(complex.face_loops[f], [&](LoopId l) {
-           return std::ranges::any_of(complex.loop[l],
-                                      [&](HalfEdge h) { return !settled[complex.origin(h).index()]; });
-         });
-}
 
 HotRoutes route(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size,
                 double grain, const Watch& watch) {

@@ -1,6 +1,10 @@
 // A refined drawing, drawn to the centers of hot cells: each edge and face that passes through one gets a corner
 // there. Boxes around the cells, refined together with the drawing, would cut it there, too; but their own corners
 // are no doubles, and of two surfaces that nearly coincide each such corner crosses the other surface again.
+//
+// Faces are cut into triangles anew, and their diagonals are chosen by where the corners go, not where they are:
+// three corners of a wide triangle may go to one line, and the longest side of that would cross what its middle
+// corner is drawn to.
 #pragma once
 
 #include <array>
@@ -21,13 +25,11 @@ struct HotRoutes {
   double displacement = 0;                                      ///< no point goes farther (units of the model)
 };
 
-/// `settled`: of each vertex, whether it is doubles. True if one of the face, or in it, is not.
-bool is_crossed(const Complex& complex, FaceId f, const std::vector<char>& settled);
-
-/// The cells of vertices that are not settled are hot. So are those in which a vertex or edge is that something
-/// else passes through: of all, if asked for, and else of what lies near faces with vertices that are no doubles.
-/// `size`: of a cell; `grain`: new centers are multiples of it, a power of two (units of the model). Throws
-/// InputError for coordinates beyond the range of doubles; Stopped, as the watch asks.
+/// `settled`: of each vertex, whether it is doubles. The cells of those that are not are hot. So are those in
+/// which a vertex or edge is that something else passes through: of all, if asked for, and else of what lies near
+/// faces with vertices that are no doubles. `size`: of a cell; `grain`: new centers are multiples of it, a power
+/// of two (units of the model). Throws InputError for coordinates beyond the range of doubles; Stopped, as the
+/// watch asks.
 HotRoutes route(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size,
                 double grain, const Watch& watch);
 

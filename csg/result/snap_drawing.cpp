@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -19,8 +18,6 @@
 #include "kernel/base/point_hash.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
-#include "kernel/exact/triangulate.h"
-#include "kernel/refine/box_faces.h"
 
 namespace cnrg {
 namespace {
@@ -61,18 +58,6 @@ bool has_doubles(const PointTable& table, VertexId v) {
   return is_double(p[0]) && is_double(p[1]) && is_double(p[2]);
 }
 
-void add_box(Soup& soup, LeafId leaf, const Xyz& center, double half) {
-  PointId p[8];
-  for (int i = 0; i < 8; ++i) {
-    p[i] = soup.add_point(center[0] + (i & 1 ? half : -half), center[1] + (i & 2 ? half : -half),
-                          center[2] + (i & 4 ? half : -half));
-  }
-  for (const auto& f : kBoxFaces) {
-    const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
-    soup.add_face(leaf, std::span(&loop, 1), 0, 0);
-  }
-}
-
 class Snapper {
  public:
   Snapper(const PointTable& table, const NumberedDrawing& drawing, const Watch& asked)
@@ -106,13 +91,28 @@ class Snapper {
 
   MovedDrawing run() {
     Refined first = refine(start_);
-    if (first.crossings == 0) return finish(start_, first, 1);
     int rounds = 1;
-    std::optional<MovedDrawing> done = by_routes(first, rounds);
-    if (!done) done = by_boxes(first, rounds);
-    if (done) return std::move(*done);
+    if (first.crossings == 0) return finish(start_, first, rounds);
+    // Where surfaces nearly coincide crossings are many, and what is near them is nearly all.
+    const bool many = kManyCrossings * first.crossings > start_.triangles.size();
+    double cell = unit_ * kSnapFirstCell;
+    for (int start = 0; start < kSnapStarts; ++start, cell *= kSnapGrowth) {
+      State state = routed(start_, first, many || start > 0, cell);
+      std::size_t fewest = std::numeric_limits<std::size_t>::max();
+      for (int tries = 0;;) {
+        begin_round(++rounds);
+        Refined refined = refine(state);
+        const std::size_t now = refined.crossings;
+        if (now == 0) return finish(state, refined, rounds);
+        tries = 2 * now <= fewest ? 0 : tries + 1;
+        fewest = std::min(fewest, now);
+        if (tries >= (now > kSnapFewCrossings ? kSnapPatience : kSnapFewPatience)) break;
+        if (now > 2 * fewest + kSnapFewCrossings) break;
+        state = routed(state, refined, false, cell);
+      }
+    }
     std::string last;
-    append(last, unit_ * kSnapFirstBox * std::pow(kSnapGrowth, kSnapStarts - 1));
+    append(last, cell / kSnapGrowth);
     throw InputError("rounding to doubles makes facets cross, and drawing together what lies within " + last +
                      " still does; join what nearly touches by --join, move the model nearer to the origin, write "
                      ".json, which is exact, or give --no-snap");
@@ -156,58 +156,6 @@ class Snapper {
   Lists lists_;
   State start_;      // each point rounded by itself
   double unit_ = 1;  // one unit in the last place of the largest coordinate
-
-  /// A way to move the drawing, from one start after the other, with larger cells each time. Its rules compare
-  /// the crossings of a round with the fewest before since the same start.
-  struct Way {
-    double first_cell;  // in units
-    double growth;      // of the cells after a round without progress
-    int patience;       // rounds without progress
-    bool (*is_progress)(std::size_t now, std::size_t fewest);
-    bool (*is_growth)(std::size_t now, std::size_t fewest);  // then the start is given up
-  };
-  /// `next(state, refined, cell)`: the state of the next round.
-  template <class Next>
-  std::optional<MovedDrawing> from_starts(const Refined& first, const Way& way, int& rounds, const Next& next) {
-    for (int start = 0; start < kSnapStarts; ++start) {
-      double cell = unit_ * way.first_cell * std::pow(kSnapGrowth, start);
-      State state = next(start_, first, cell);
-      std::size_t fewest = std::numeric_limits<std::size_t>::max();
-      for (int patience = way.patience;;) {
-        begin_round(++rounds);
-        Refined refined = refine(state);
-        if (refined.crossings == 0) return finish(state, refined, rounds);
-        const bool progress = way.is_progress(refined.crossings, fewest);
-        fewest = std::min(fewest, refined.crossings);
-        if (way.is_growth(refined.crossings, fewest)) break;
-        if (progress) patience = way.patience;
-        else if (--patience == 0) break;
-        else cell *= way.growth;
-        state = next(state, refined, cell);
-      }
-    }
-    return {};
-  }
-
-  std::optional<MovedDrawing> by_routes(const Refined& first, int& rounds) {
-    // Where surfaces nearly coincide crossings are many, and what is near them is nearly all.
-    const bool many = kManyCrossings * first.crossings > start_.triangles.size();
-    const Way way{kSnapFirstCell, kSnapLocalGrowth, kSnapPatience,
-                  [](std::size_t now, std::size_t fewest) { return 2 * now <= fewest; },
-                  [](std::size_t now, std::size_t fewest) { return now > 2 * fewest + kSnapFewCrossings; }};
-    return from_starts(first, way, rounds, [&](const State& state, const Refined& refined, double cell) {
-      return routed(state, refined, many && &refined == &first, cell);
-    });
-  }
-
-  std::optional<MovedDrawing> by_boxes(const Refined& first, int& rounds) {
-    const Way way{kSnapFirstBox, 1, kSnapBoxPatience,
-                  [](std::size_t now, std::size_t fewest) { return now < fewest; },
-                  [](std::size_t now, std::size_t fewest) { return now > 8 * fewest + 64; }};
-    return from_starts(first, way, rounds, [&](const State& state, const Refined& refined, double cell) {
-      return boxed(state, refined, cell);
-    });
-  }
 
   void begin_round(int number) { watch_ = part_of(asked_, "snap, round " + std::to_string(number)); }
 
@@ -268,8 +216,8 @@ class Snapper {
     for (Index& p : state.at) p = p == kNone ? kNone : number[p];
   }
 
-  /// Source i is triangle i; the cells come after them.
-  ComplexDraft complex_of(const State& state, const std::vector<Xyz>& centers = {}, double cell = 0) const {
+  /// Source i is triangle i.
+  ComplexDraft complex_of(const State& state) const {
     Soup soup;
     const LeafId leaf = soup.add_leaf(Fill::none);
     for (const Xyz& p : state.xyz) soup.add_point(p[0], p[1], p[2]);
@@ -291,7 +239,6 @@ class Snapper {
     for (const Index p : drawing_.isolated) {
       if (!held[state.at[p]]) soup.add_isolated(leaf, PointId(state.at[p]));
     }
-    for (const Xyz& center : centers) add_box(soup, leaf, center, cell / 2);
     RefineOptions options;
     options.watch = watch_;
     return ComplexDraft(soup, options);
@@ -353,105 +300,6 @@ class Snapper {
       for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
         add_piece(next, to[chain[k].index()], to[chain[k + 1].index()], edges[e.index()]);
       }
-    }
-    for (const Index p : state.at) next.at.push_back(p == kNone ? kNone : to[p]);
-    return next;
-  }
-
-  static void triangulate_face(const Complex& complex, FaceId f, std::vector<std::array<VertexId, 3>>& out) {
-    std::vector<std::vector<VertexId>> walks;
-    for (const LoopId l : complex.face_loops[f]) {
-      auto& walk = walks.emplace_back();
-      for (const HalfEdge h : complex.loop[l]) walk.push_back(complex.origin(h));
-    }
-    const auto isolated = complex.face_vertices[f];
-    if (walks.size() == 1 && walks[0].size() == 3 && isolated.empty()) {
-      out.push_back({walks[0][0], walks[0][1], walks[0][2]});
-      return;
-    }
-    out = triangulate(complex.points, complex.sheet_projection[complex.face_sheet[f]], walks, isolated);
-  }
-
-  /// Corners of triangles that were cut, and new vertices.
-  static std::vector<Xyz> at_crossings(const State& state, const Refined& refined) {
-    const Complex& complex = *refined.complex;
-    std::vector<Xyz> points;
-    std::vector<char> corner(state.xyz.size(), 0);
-    for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
-      if (!is_crossed(complex, f, refined.settled)) continue;
-      for (const Cover& cover : complex.cover(f)) {
-        for (const Index p : state.triangles[cover.source.index()].points) corner[p] = 1;
-      }
-    }
-    for (Index p = 0; p < corner.size(); ++p) {
-      if (corner[p]) points.push_back(state.xyz[p]);
-    }
-    for (const VertexId v : complex.vertices) {
-      if (!refined.settled[v.index()]) points.push_back(nearest_doubles(complex.points, v));
-    }
-    return points;
-  }
-
-  /// The drawing, cut on the boundaries of hot cells, with all that lies in these drawn together in their centers.
-  State boxed(const State& state, const Refined& refined, double size) {
-    const HotCells cells(at_crossings(state, refined), size);
-    const ComplexDraft draft = complex_of(state, cells.centers(), size);
-    const Complex& complex = *draft;
-    std::vector<Index> faces, edges;
-    std::vector<char> used(complex.points.size(), 0);
-    for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
-      if (f.index() % kUnchecked == 0) watch_.check();
-      faces.push_back(faces_on(state, complex, f));
-      if (lists_[faces.back()].empty()) continue;
-      for (const LoopId l : complex.face_loops[f]) {
-        for (const HalfEdge h : complex.loop[l]) used[complex.origin(h).index()] = 1;
-      }
-      for (const VertexId v : complex.face_vertices[f]) used[v.index()] = 1;
-    }
-    for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
-      edges.push_back(edges_on(state, complex, e));
-      if (lists_[edges.back()].empty()) continue;
-      for (const VertexId v : complex.edge_ends[e]) used[v.index()] = 1;
-    }
-    for (const Index p : drawing_.isolated) used[state.at[p]] = 1;
-
-    std::vector<Xyz> there(complex.points.size());
-    std::vector<double> moves(complex.points.size(), 0);
-    for_each_of(complex.vertices, [&](VertexId v) {
-      if (v.index() % kUnchecked == 0) watch_.check();
-      if (!used[v.index()]) return;
-      const Xyz here = nearest_doubles(complex.points, v);
-      const auto cell = cells.cell_of(here);
-      there[v.index()] = cell ? cells.center(*cell) : here;
-      if (there[v.index()] != here || !complex.points.is_double(v)) {
-        moves[v.index()] = distance_above(complex.points, v, there[v.index()]);
-      }
-    });
-
-    State next;
-    next.displacement = state.displacement + *std::max_element(moves.begin(), moves.end());
-    std::vector<Index> to(complex.points.size(), kNone);
-    Numbering numbers(next.xyz);
-    for (const VertexId v : complex.vertices) {
-      if (used[v.index()]) to[v.index()] = numbers(there[v.index()]);
-    }
-    std::vector<std::vector<std::array<VertexId, 3>>> made(complex.face_count());
-    for_each_index(
-        made.size(),
-        [&](std::size_t f) {
-          watch_.check();
-          if (!lists_[faces[f]].empty()) triangulate_face(complex, FaceId(f), made[f]);
-        },
-        64);
-    for (std::size_t f = 0; f < made.size(); ++f) {
-      for (const auto& [a, b, c] : made[f]) {
-        next.triangles.push_back({{to[a.index()], to[b.index()], to[c.index()]}, faces[f]});
-      }
-    }
-    for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
-      if (lists_[edges[e.index()]].empty()) continue;
-      const auto& [a, b] = complex.edge_ends[e];
-      add_piece(next, to[a.index()], to[b.index()], edges[e.index()]);
     }
     for (const Index p : state.at) next.at.push_back(p == kNone ? kNone : to[p]);
     return next;

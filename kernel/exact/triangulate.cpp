@@ -125,7 +125,8 @@ bool certainly_in_circle(const Plane2& plane, const Triangle& t, VertexId d) {
 /// Lawson's flips over the edges that are not in `walked`. Corners of a circle that are rounded lie on no circle,
 /// and may ask for the square of their number of flips, each of which improves nothing that can be seen: so there
 /// is a bound, far above what other shapes need.
-void make_delaunay(const Plane2& plane, const std::map<Edge, unsigned>& walked, std::vector<Triangle>& triangles) {
+template <class IsBetter>
+void flip(const std::map<Edge, unsigned>& walked, std::vector<Triangle>& triangles, const IsBetter& is_better) {
   struct Sides {
     std::uint32_t side[2] = {UINT32_MAX, UINT32_MAX};
   };
@@ -166,11 +167,11 @@ void make_delaunay(const Plane2& plane, const std::map<Edge, unsigned>& walked, 
     if (found == sides.end()) continue;  // flipped away
     const auto [i, j] = found->second.side;
     const VertexId p = apex(i, e), q = apex(j, e);
-    if (!certainly_in_circle(plane, triangles[i], q)) continue;
-    ++flips;
     // Triangle i is (p, a, b), triangle j is (q, b, a), both counter-clockwise.
     const int k = int(std::find(triangles[i].begin(), triangles[i].end(), p) - triangles[i].begin());
     const VertexId a = triangles[i][(k + 1) % 3], b = triangles[i][(k + 2) % 3];
+    if (!is_better(p, a, q, b)) continue;
+    ++flips;
     triangles[i] = {p, a, q};
     triangles[j] = {q, b, p};
     sides.erase(found);
@@ -181,6 +182,13 @@ void make_delaunay(const Plane2& plane, const std::map<Edge, unsigned>& walked, 
       if (!walked.contains(next)) stack.push_back(next);
     }
   }
+}
+
+std::map<Edge, unsigned> walked_edges(std::span<const std::vector<VertexId>> loops) {
+  std::map<Edge, unsigned> walked;
+  for (const auto& loop : loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) ++walked[edge_of(loop[i], loop[(i + 1) % loop.size()])];
+  return walked;
 }
 
 /// Two triangles of a quad, or none if neither diagonal works; of two that work the Delaunay one, or the shorter
@@ -251,11 +259,9 @@ std::vector<Triangle> general(const Plane2& plane, std::span<const std::vector<V
     hint = handle->face();
     return handle;
   };
-  std::map<Edge, unsigned> walked;
-  for (const auto& loop : loops) {
+  for (const auto& loop : loops)
     for (const VertexId v : loop) insert(v);
-    for (std::size_t i = 0; i < loop.size(); ++i) ++walked[edge_of(loop[i], loop[(i + 1) % loop.size()])];
-  }
+  const std::map<Edge, unsigned> walked = walked_edges(loops);
   for (const VertexId v : isolated) insert(v);
   try {
     for (const auto& [edge, count] : walked) t.insert_constraint(handles.at(edge.first), handles.at(edge.second));
@@ -264,7 +270,9 @@ std::vector<Triangle> general(const Plane2& plane, std::span<const std::vector<V
   }
   if (t.dimension() < 2) return {};
   std::vector<Triangle> triangles = inside(t, walked);
-  make_delaunay(plane, walked, triangles);
+  flip(walked, triangles, [&](VertexId p, VertexId a, VertexId q, VertexId b) {
+    return certainly_in_circle(plane, {p, a, b}, q);
+  });
   return triangles;
 }
 
@@ -289,6 +297,11 @@ std::vector<Triangle> triangulate(const PointTable& points, Projection axes,
     }
   }
   return general(plane, loops, isolated);
+}
+
+void flip_edges(std::vector<Triangle>& triangles, std::span<const std::vector<VertexId>> loops,
+                const std::function<bool(VertexId, VertexId, VertexId, VertexId)>& is_better) {
+  flip(walked_edges(loops), triangles, is_better);
 }
 
 }  // namespace cnrg

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,5 +25,11 @@ namespace cnrg {
 std::vector<std::array<VertexId, 3>> triangulate(const PointTable& points, Projection axes,
                                                  std::span<const std::vector<VertexId>> loops,
                                                  std::span<const VertexId> isolated = {});
+
+/// Lawson's flips: triangles (p, a, b) and (q, b, a) whose common edge no loop walks meet in pq instead where
+/// `is_better(p, a, q, b)`, which has to see that the quad is convex. There is a bound on their number, as wishes
+/// may have no end.
+void flip_edges(std::vector<std::array<VertexId, 3>>& triangles, std::span<const std::vector<VertexId>> loops,
+                const std::function<bool(VertexId p, VertexId a, VertexId q, VertexId b)>& is_better);
 
 }  // namespace cnrg

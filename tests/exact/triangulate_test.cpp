@@ -1,6 +1,7 @@
 // Triangulation: areas add up exactly, triangles turn left, every vertex and slit is there.
 #include "kernel/exact/triangulate.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -113,6 +114,29 @@ TEST_CASE("constructed points are corners like any other") {
   const VertexId c = t.add(RationalPoint{0, 7, 1});
   const VertexId d = t.add(RationalPoint{Rational(1, 3), Rational(1, 7), Rational(1, 49)});
   check(t, kXY, {{a, b, c}}, {d});
+}
+
+TEST_CASE("edges are flipped as the caller wishes, but for those that loops walk") {
+  PointTable t;
+  const auto p = add(t, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  auto triangles = check(t, kXY, {p});
+  const auto has = [&](VertexId v, VertexId w) {
+    return std::all_of(triangles.begin(), triangles.end(), [&](const auto& corners) {
+      return std::count(corners.begin(), corners.end(), v) + std::count(corners.begin(), corners.end(), w) == 2;
+    });
+  };
+  // A wish that never ends comes to its end; one for a diagonal is met.
+  flip_edges(triangles, Walks{p}, [](auto...) { return true; });
+  for (const auto& wanted : {std::pair{p[0], p[2]}, std::pair{p[1], p[3]}}) {
+    flip_edges(triangles, Walks{p}, [&](VertexId from, VertexId, VertexId to, VertexId) {
+      return std::minmax(from, to) == std::minmax(wanted.first, wanted.second);
+    });
+    REQUIRE(triangles.size() == 2);
+    CHECK(has(wanted.first, wanted.second));
+    for (const auto& [a, b, c] : triangles) CHECK(orient2d(t, kXY, a, b, c) > 0);
+  }
+  flip_edges(triangles, Walks{p, {p[1], p[3]}}, [](auto...) { return true; });
+  CHECK(has(p[1], p[3]));
 }
 
 TEST_CASE("faces that are none are refused") {

@@ -101,3 +101,22 @@ TEST_CASE("hot cells: points that come first stay, what is near goes to the near
   CHECK(next == centers.size());
   CHECK(!cells.cell_of({-10, 0, 0}));
 }
+
+TEST_CASE("hot cells: what passes comes nearer than what belongs to a cell", "[snap]") {
+  const HotCells cells({{0, 0, 0}, {5, 0, 0}, {10, 3, 0}}, 4);
+  const auto passed = [&](double height) {
+    std::vector<std::size_t> found;
+    for (const auto& pass : cells.along({-9, height, 0}, {19, height, 0})) found.push_back(pass.cell);
+    return found;
+  };
+  CHECK(passed(0.5) == std::vector<std::size_t>{0, 1});
+  CHECK(passed(1.5).empty());
+  CHECK(passed(2.5) == std::vector<std::size_t>{2});
+  CHECK(cells.cell_of({1, 1.5, 0}) == 0);
+  const auto planes = [&](double height) {
+    return cells.across({-9, height, -20}, {19, height, -20}, {4, height, 40}).size();
+  };
+  CHECK(planes(0.5) == 2);
+  CHECK(planes(1.5) == 0);
+  CHECK(planes(2.5) == 1);
+}
