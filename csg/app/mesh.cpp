@@ -1,6 +1,5 @@
 // `cnrg mesh`: tetrahedra that fill a result, made once and written to every file, and a row per region.
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -146,21 +145,13 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
 
 std::string text_of(const CurvedReport& bent) {
   std::string text = std::to_string(bent.moved) + " points moved to the surfaces";
-  if (bent.moved > 0) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.3g", bent.farthest);
-    text += std::string(", by ") + buffer + " at most";
-  }
+  if (bent.moved > 0) text += ", by " + decimal(bent.farthest, "%.3g") + " at most";
   text += "; " + std::to_string(bent.middles) + " edges bent";
   if (bent.left > 0) text += "; " + std::to_string(bent.left) + " points and middles left where they were";
   return text + "\n";
 }
 
-std::string number_text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value);
-  return buffer;
-}
+std::string number_text(double value) { return decimal(value, "%.6g"); }
 
 /// A row per group of faces and one for all. `quads`: these were asked for.
 std::string table_of(const SurfaceTriangles& made, bool quads) {

@@ -460,7 +460,7 @@ Result join(const Result& result, const Rational& within, JoinReport* report, co
     Joiner joiner(result, within, from_double(factor) * within, patience, joins, watch);
     joiner.run();
     if (joiner.is_harmful()) {
-      if (report != nullptr) *report = {.refused = true};
+      if (report != nullptr) *report = {}, report->refused = true;
       return result;
     }
     if (data == nullptr || joiner.report().remaining < best.remaining) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "csg/picture/draw.h"
 #include "csg/picture/mesh_scene.h"
