@@ -45,6 +45,7 @@ class Forecast {
            double max_volume, const Watch& watch, bool rough)
       : watch_(watch),
         most_(rough ? kMost / 8 : kMost),
+        of_narrow_(rough ? kOfNarrow / 8 : kOfNarrow),
         flat_(flat),
         sizes_(sizes),
         regions_(regions),
@@ -91,11 +92,13 @@ class Forecast {
   };
   static constexpr std::size_t kFewest = 600, kMost = 40'000;  // cells
   static constexpr double kLeastShare = 1e-7;                  // of the model; absurd, and numbers stay numbers
+  static constexpr double kOfNarrow = 16'000;                  // points in all narrow cells together
   static constexpr double kPerCell = 60;                       // tetrahedra, between these bounds
   static constexpr double kThin = 0.125;                       // of lengths that are wanted
 
   const Watch& watch_;
   const std::size_t most_;  // cells
+  const double of_narrow_;  // points
   const FlatComplex& flat_;
   const MeshSizes& sizes_;
   const RegionLocator& regions_;
@@ -196,13 +199,16 @@ class Forecast {
     if (cell.kind == Kind::outside) return cell;
     const double here = size_at(middle, cell.region);
     const double slope = sizes_.field.growth() * std::hypot(half[0], half[1], half[2]);
-    if (cell.kind == Kind::inside) {
-      const double room = (here + slope) / 2;
-      cell.narrow = regions_.meets_faces({low[0] - room, low[1] - room, low[2] - room},
-                                         {high[0] + room, high[1] + room, high[2] + room});
-    }
     // The field may fall to a source within the cell, and there is one at most as far away as it could have risen.
     const double least = std::max(here - slope, here / 8), most = here + slope;
+    const auto around = [&](double room) {
+      return std::pair<Vector, Vector>{{low[0] - room, low[1] - room, low[2] - room},
+                                       {high[0] + room, high[1] + room, high[2] + room}};
+    };
+    const auto [near_low, near_high] = around(most / 2);
+    const auto [far_low, far_high] = around(most);
+    cell.narrow = (cell.kind == Kind::mixed || regions_.meets_faces(near_low, near_high)) &&
+                  regions_.may_have_plates(far_low, far_high);
     cell.share = count(half, here, here, here);
     cell.doubt = count(half, least, least, least) - count(half, most, most, most);
     if (cell.kind == Kind::mixed) cell.doubt += cell.share;
@@ -266,9 +272,10 @@ class Forecast {
     if (cell.kind == Kind::outside) return 0;
     constexpr Vector kStep{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
     constexpr Vector kMove{0.6180339887498949, 0.4142135623730951, 0.7320508075688772};
-    constexpr double kLeastPoints = 4, kMostPoints = 64, kOfNarrow = 16'000;  // of all narrow cells together
+    constexpr double kLeastPoints = 4, kMostPoints = 64;
     const double cells = double(cells_.size()), share = shares_ > 0 ? cell.share / shares_ : 0;
-    const double least = cell.narrow ? std::clamp(kOfNarrow / cells, kLeastPoints, kMostPoints / 2) : kLeastPoints;
+    const double least =
+        cell.narrow ? std::clamp(of_narrow_ / cells, kLeastPoints, kMostPoints / 2) : kLeastPoints;
     const auto n = std::size_t(std::clamp(4 * share * cells, least, kMostPoints));
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -426,8 +433,7 @@ MeshForecast unbounded(const ResultView& view, const FlatComplex& flat, const Ro
 
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points,
-                      bool rough) {
+                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points) {
   constexpr double kLeast = 0.7, kMost = 1.3;
   const double volume = options.max_volume, strict = for_quality(options.quality);
   const bool by_shapes = sizes.empty() && volume == 0;
@@ -449,10 +455,10 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
                                                    : kGrowthOfNothing;
     const bool wide = maker == Maker::flat;
     const MeshSizes features = mesh_sizes(view, flat, points, {0, growth, true, false, wide});
-    const bool quick = rough || maker != Maker::tetgen;  // a range
+    const bool quick = by_shapes || maker != Maker::tetgen;  // a range
     n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch, quick);
   } else {
-    n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch, rough);
+    n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch);
   }
   // What is thin gets points for shapes, too, if these are of use there.
   const double rationed = maker == Maker::flat

@@ -51,13 +51,11 @@ MeshForecast with_costs(double tetrahedra, double least, double most, Maker make
 
 /// What is foretold of the mesh that the options ask for; of none where nothing can be told. `sizes` are those of
 /// the options, and `regions` are there where sizes are. `most` may be infinite: then only the least is known.
-/// `complex_points`: of what the mesh is begun with, where that has more points than the result. `rough`: as of
-/// `expected_tetrahedra`. Throws Stopped by
-/// `watch`, not by that of the options.
+/// `complex_points`: of what the mesh is begun with, where that has more points than the result. Throws Stopped
+/// by `watch`, not by that of the options.
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points = 0,
-                      bool rough = false);
+                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points = 0);
 
 /// More than that are refused.
 inline constexpr double kMostTetrahedra = 2e8;

@@ -41,6 +41,8 @@ class RegionLocator {
 
   /// False only if no face passes through the box.
   bool meets_faces(const Vector& low, const Vector& high) const;
+  /// False only if no chord of a plate lies in the box.
+  bool may_have_plates(const Vector& low, const Vector& high) const;
 
  private:
   struct Data;

@@ -126,8 +126,9 @@ class TetrahedraMaker {
   std::vector<Index> region_entity_;  // of each region of the result, or kNone
   MeshSizes sizes_;
   std::optional<RegionLocator> regions_;
-  TooLarge too_large_;        // where sizes are asked for
-  TooLarge has_to_be_split_;  // where what is wide is bounded
+  TooLarge too_large_;                                    // where sizes are asked for
+  TooLarge has_to_be_split_;                              // where what is wide is bounded
+  std::array<std::optional<MeshForecast>, 3> forecasts_;  // by makers
   double expected_ = 0;
   double for_shapes_ = 0;  // as many would be made if points that nobody asks for were not rationed
   double in_seconds_ = 0;  // that what is expected takes, at most
@@ -154,6 +155,7 @@ class TetrahedraMaker {
 
   void set_sizes(const RoundedPoints& points, bool wide) {
     sizes_ = mesh_sizes(view_, flat_, points, {options_.size, options_.growth, false, false, wide});
+    forecasts_ = {};
     if (sizes_.empty()) return;
     if (!regions_) regions_.emplace(flat_, points);
     too_large_ = larger_than(sizes_, *regions_, flat_);
@@ -192,7 +194,7 @@ class TetrahedraMaker {
                                : "those there are as flat as they have to be" + to_have_all(told));
   }
   /// As whoever is asked would make them, shapes in thin regions included.
-  MeshForecast for_good_shapes(const RoundedPoints& points) const {
+  MeshForecast for_good_shapes(const RoundedPoints& points) {
     if (!options_.constrained) return forecast_of(points, Maker::tetgen);
     MeshForecast told = forecast_of(points, sized() ? Maker::own : Maker::tetgen);
     told.seconds = kSecondsOfShapes * told.tetrahedra;
@@ -217,14 +219,18 @@ class TetrahedraMaker {
         "are as flat as they have to be";
   }
 
-  MeshForecast forecast_of(const RoundedPoints& points, Maker maker, bool rough = true) const {
-    watch_.begin("mesh: forecast");
-    return forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_, surface_.points.size(),
-                    rough);
+  /// To the sizes that there are; each is made once.
+  const MeshForecast& forecast_of(const RoundedPoints& points, Maker maker) {
+    std::optional<MeshForecast>& made = forecasts_[std::size_t(maker)];
+    if (!made) {
+      watch_.begin("mesh: forecast");
+      made = forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_, surface_.points.size());
+    }
+    return *made;
   }
 
   void foretell(const RoundedResult& rounded, Maker maker) {
-    const MeshForecast mesh = forecast_of(rounded.points(), maker, false);
+    const MeshForecast mesh = forecast_of(rounded.points(), maker);
     if (mesh.tetrahedra == 0) return;
     if (!options_.keep_boundary) require_possible(mesh, double(memory_of_machine()));  // else few may do
     if (std::isinf(mesh.most)) return;
