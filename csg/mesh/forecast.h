@@ -27,13 +27,20 @@ namespace cnrg {
 /// or the improver out of those that TetGen fills thin regions with, and leaves them as flat as they have to be.
 enum class Maker : std::uint8_t { tetgen, own, flat };
 
+/// How many there are, by what decides how long edges are: `even` where it is the overall size or that of a
+/// region, `growing` where lengths grow from something.
+struct ExpectedTetrahedra {
+  double even = 0, growing = 0, by_thickness = 0, by_volume = 0;
+  double all() const { return even + growing + by_thickness + by_volume; }
+};
+
 /// Of the mesh of a result, together, within 30 % where it is meshed by sizes or by a bound of volumes (0: none)
 /// and has thousands; bounds of shapes are not seen. Takes some milliseconds, and up to a second for meshes of
 /// millions. `sizes` are not empty. `rough`: a tenth more or less does not matter, and it takes an eighth of the
 /// time. Throws Stopped.
-double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
-                           const RegionLocator& regions, Maker maker, double max_volume = 0,
-                           const Watch& watch = {}, bool rough = false);
+ExpectedTetrahedra expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points,
+                                       const MeshSizes& sizes, const RegionLocator& regions, Maker maker,
+                                       double max_volume = 0, const Watch& watch = {}, bool rough = false);
 
 /// As TetGen makes them where only volumes or shapes are bounded, growth of the sizes that facets and pieces have.
 inline constexpr double kGrowthOfFeatures = 0.8, kGrowthOfShapes = 0.6;

@@ -201,7 +201,9 @@ RegionLocator::Plate RegionLocator::plate(const Vector& p, double most) const {
     const Wall behind = wall(p, {-way[0], -way[1], -way[2]}, least.thickness - ahead.distance);
     if (behind.triangle == nullptr) continue;
     const Vector n = normal_of(*ahead.triangle), m = normal_of(*behind.triangle);
-    if (are_parallel(n, m, kAlike)) least = {ahead.distance + behind.distance, are_parallel(n, m, kEven)};
+    if (!are_parallel(n, m, kAlike)) continue;
+    const Vector across = cross(n, m);
+    least = {ahead.distance + behind.distance, std::sqrt(dot(across, across) / dot(n, n) / dot(m, m))};
   }
   return least;
 }
