@@ -173,7 +173,7 @@ class Forecast {
       const Vector to{turn * n[0], turn * n[1], turn * n[2]};
       constexpr int kFew = 3, kMany = 32;
       struct Thin {
-        double size, thick;
+        double size, thick, beyond;
       };
       std::array<Thin, kMany> found;
       std::size_t count = 0;
@@ -185,14 +185,35 @@ class Forecast {
         if (u + v > 1) u = 1 - u, v = 1 - v;
         Vector p;
         for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + u * ab[k] + v * ac[k];
-        const double size = size_at(p, region), thick = regions_.gap(p, to, region, place, kThin * size);
-        if (!(thick < kThin * size)) continue;
+        const double size = size_at(p, region), most_thick = std::max(kThin, 1 / per_thickness_) * size;
+        const double thick = regions_.gap(p, to, region, place, most_thick);
+        if (!(thick < most_thick)) continue;
         most = kMany;
-        found[count++] = {size, thick};
+        const Index other = regions[std::size_t(1 - side)];
+        found[count++] = {size, thick, maker_ == Maker::tetgen ? beyond(p, to, other, place, thick) : 0};
       }
-      for (std::size_t i = 0; i < count; ++i)
-        add_density(found[i].size, found[i].thick, region, many * length / 2 / taken * found[i].thick / 2);
+      const double each = many * length / 2 / taken;
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto [size, thick, beyond] = found[i];
+        sum_.by_thickness += each * beyond;
+        if (thick < kThin * size) add_density(size, thick, region, each * thick / 2);
+      }
     }
+  }
+
+  /// Per unit of area: edges on the face of a thin part are short, and on its other side they grow from there.
+  /// What is counted there anyway is left out.
+  double beyond(const Vector& p, const Vector& to, Index region, std::size_t triangle, double thick) const {
+    if (!flat_.active(region)) return 0;
+    const double begin = per_thickness_ * std::max(thick, least_), size = size_at(p, region);
+    if (begin >= size) return 0;
+    const double most = size / per_thickness_;
+    const double other = regions_.gap(p, {-to[0], -to[1], -to[2]}, region, triangle, most);
+    const double way = std::min((size - begin) / kGrowthOfShapes, other < most ? other / 2 : HUGE_VAL);
+    const double end = begin + kGrowthOfShapes * way;
+    const double there = other < most ? per_thickness_ * std::max(other, least_) : size;
+    const double anyway = std::max(per_cube_ / there / there / std::min(there, other), density_);
+    return std::max(0.0, per_cube_ / (2 * kGrowthOfShapes) * (1 / begin / begin - 1 / end / end) - anyway * way);
   }
 
   Cell cell_at(const Vector& middle, const Vector& half) const {
@@ -451,7 +472,6 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
     const double most = mesh.most > kMostTetrahedra ? HUGE_VAL : std::max(mesh.most, kept.most);
     return of_unbounded(mesh.tetrahedra, kept.least, most);
   }
-  if (by_shapes && maker == Maker::own) return {};
   ExpectedTetrahedra parts;
   if (sizes.empty()) {  // shapes need as many as features make of them
     const double growth = by_shapes                ? kGrowthOfShapes

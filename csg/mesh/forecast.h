@@ -6,7 +6,8 @@
 // regions may be thin: a grid misses what is small, points at random come too late. So a box around the model is
 // halved along all axes where the doubt about its share is largest, and then points are strewn by share, the same
 // in every run. What is far thinner than edges are to be long no cell comes to: there the integral is one over
-// faces, times the distance to the face that is opposite.
+// faces, times the distance to the face that is opposite. On the other side of such a face edges are as short, and
+// grow from there: one more integral over faces.
 //
 // A bound of volumes is a least density. Where only shapes are bounded, refinement makes edges about as long as
 // features are wide and lets them grow from there, so that sizes that nobody asked for tell of it, but not within
@@ -56,10 +57,10 @@ double for_quality(double radius_edge);
 /// within a third. `by_sizes`: else by a bound of volumes.
 MeshForecast with_costs(double tetrahedra, double least, double most, Maker maker, bool by_sizes);
 
-/// What is foretold of the mesh that the options ask for; of none where nothing can be told. `sizes` are those of
-/// the options, and `regions` are there where sizes are. `most` may be infinite: then only the least is known.
-/// `complex_points`: of what the mesh is begun with, where that has more points than the result. Throws Stopped
-/// by `watch`, not by that of the options.
+/// What is foretold of the mesh that the options ask for. `sizes` are those of the options, or those by which ours
+/// come to a quality, and `regions` are there where sizes are. `most` may be infinite: then only the least is
+/// known. `complex_points`: of what the mesh is begun with, where that has more points than the result. Throws
+/// Stopped by `watch`, not by that of the options.
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
                       const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points = 0);
