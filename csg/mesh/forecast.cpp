@@ -339,7 +339,7 @@ constexpr double kGrowthOfNothing = 2, kLeastOfNothing = 0.3, kMostOfNothing = 3
 constexpr double kMostOfFewest = 20;
 // Of what edges that grow from features have, in shapes and volumes that are bounded.
 // Where shapes alone are, TetGen adds some hundreds where facets meet sharply.
-constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kFewForShapes = 600;
+constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kLeastOfHalves = 0.6, kFewForShapes = 600;
 // Of each point of a mesh, those on faces and of flat tetrahedra included.
 constexpr double kPerPoint = 7;
 
@@ -489,7 +489,11 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
   const double rationed = maker == Maker::flat
                               ? kPerPoint * double(points_for_shapes(std::max(points.xyz.size(), complex_points)))
                               : 0;
-  if (!sizes.empty()) return with_costs(n, kLeast * n, kMost * strict_n, maker, true);
+  if (!sizes.empty()) {  // ours halve what is still bad
+    const bool halves = maker == Maker::own && options.quality > 0;
+    return with_costs(n, (halves ? kLeastOfHalves : kLeast) * n, (halves ? kMostOfShapes : kMost) * strict_n,
+                      maker, true);
+  }
   if (maker == Maker::tetgen) {
     const double rest = n - parts.growing, shapes = strict * parts.growing;
     return with_costs(shapes + rest, kLeastOfShapes * shapes + kLeast * rest,
