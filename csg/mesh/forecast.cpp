@@ -204,8 +204,8 @@ class Forecast {
   /// Per unit of area: edges on the face of a thin part are short, and on its other side they grow from there.
   /// What is counted there anyway is left out.
   double beyond(const Vector& p, const Vector& to, Index region, std::size_t triangle, double thick) const {
-    if (!flat_.active(region)) return 0;
-    const double begin = per_thickness_ * std::max(thick, least_), size = size_at(p, region);
+    if (!flat_.active(region) || thick < least_) return 0;  // nobody refines for what is as near as that
+    const double begin = per_thickness_ * thick, size = size_at(p, region);
     if (begin >= size) return 0;
     const double most = size / per_thickness_;
     const double other = regions_.gap(p, {-to[0], -to[1], -to[2]}, region, triangle, most);
