@@ -45,6 +45,7 @@ class Forecast {
            double max_volume, const Watch& watch, bool rough)
       : watch_(watch),
         most_(rough ? kMost / 8 : kMost),
+        of_narrow_(rough ? kOfNarrow / 8 : kOfNarrow),
         flat_(flat),
         sizes_(sizes),
         regions_(regions),
@@ -57,20 +58,19 @@ class Forecast {
         for_growth_(maker == Maker::tetgen ? for_growth_of_tetgen(sizes.field.growth())
                                            : for_growth_of_ours(sizes.field.growth())) {}
 
-  double run(const std::vector<Vector>& points) {
-    if (points.empty()) return 0;
+  ExpectedTetrahedra run(const std::vector<Vector>& points) {
+    if (points.empty()) return {};
     cover(points);
-    const double thin = in_thin_parts(points);
+    in_thin_parts(points);
     while (!queue_.empty() && cells_.size() < most_cells()) {
       watch_.check();
       split();
     }
-    double sum = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       watch_.check();
-      sum += share_of(cells_[i], double(i));
+      add_share_of(cells_[i], double(i));
     }
-    return sum + thin;
+    return sum_;
   }
 
  private:
@@ -91,11 +91,13 @@ class Forecast {
   };
   static constexpr std::size_t kFewest = 600, kMost = 40'000;  // cells
   static constexpr double kLeastShare = 1e-7;                  // of the model; absurd, and numbers stay numbers
+  static constexpr double kOfNarrow = 16'000;                  // points in all narrow cells together
   static constexpr double kPerCell = 60;                       // tetrahedra, between these bounds
   static constexpr double kThin = 0.125;                       // of lengths that are wanted
 
   const Watch& watch_;
   const std::size_t most_;  // cells
+  const double of_narrow_;  // points
   const FlatComplex& flat_;
   const MeshSizes& sizes_;
   const RegionLocator& regions_;
@@ -106,6 +108,7 @@ class Forecast {
   std::priority_queue<Doubt> queue_;
   double shares_ = 0;
   double least_ = 0;  // shorter edges are counted as if they were as long
+  ExpectedTetrahedra sum_;
 
   std::size_t most_cells() const {
     return std::size_t(std::clamp(shares_ / kPerCell, double(kFewest), double(most_)));
@@ -118,54 +121,62 @@ class Forecast {
   }
   double size_at(const Vector& p, Index region) const { return std::max(sizes_.at(p, region), least_); }
 
-  double count_at(const Vector& p, Index region, const Cell& cell) const {
+  void add_at(const Vector& p, Index region, const Cell& cell, double volume) {
     const double size = size_at(p, region);
-    if (!cell.narrow) return volume_of(cell.half) * density(size, size, region);
+    if (!cell.narrow) return add_density(size, size, region, volume);
     const RegionLocator::Plate plate = regions_.plate(p, size);
-    if (plate.even && plate.thickness < kThin * size) return 0;  // `in_thin_parts` has it
-    return volume_of(cell.half) * density(size, plate.thickness, region);
+    if (plate.even() && plate.thickness < kThin * size) return;  // `in_thin_parts` has it
+    // Where the faces of a wedge meet it has no thickness, and tetrahedra that have an edge there have.
+    const double thick = plate.even() ? plate.thickness : std::max(plate.thickness, plate.sine * size);
+    add_density(size, thick, region, volume);
   }
-  /// Per unit of volume, where edges are to be so long and the region is so thick.
-  double density(double size, double thick, Index region) const {
+  /// In a volume where edges are to be so long and the region is so thick.
+  void add_density(double size, double thick, Index region, double volume) {
     const bool bounded =
         size == sizes_.field.overall() || (region < sizes_.regions.size() && size == sizes_.regions[region]);
     thick = std::max(thick, least_);
-    size = std::min(size, per_thickness_ * thick);
+    const bool thin = size > per_thickness_ * thick;  // then edges do not grow
+    if (thin) size = per_thickness_ * thick;
     const double flat = maker_ == Maker::tetgen ? 1 : for_flatness(thick / size);
     const double by_sizes = per_cube_ / size / size / std::min(size, thick);
-    if (by_sizes <= density_) return density_;  // the volumes' bound counts
-    return by_sizes * flat * (bounded ? 1 : for_growth_);
+    // In thin parts shapes and volumes want other points: slabs get as many as both.
+    if (thin) sum_.by_thickness += volume * by_sizes * flat;
+    if (by_sizes <= density_ || thin) sum_.by_volume += volume * density_;
+    else if (bounded) sum_.even += volume * by_sizes * flat;
+    else sum_.growing += volume * by_sizes * flat * for_growth_;
   }
 
   /// The integral over faces: each has half of what lies between it and the one opposite.
-  double in_thin_parts(const std::vector<Vector>& points) const {
+  void in_thin_parts(const std::vector<Vector>& points) {
     std::size_t all = 0, at = 0;
     for (const FlatComplex::Face& face : flat_.faces) all += face.triangles.size();
     const std::size_t step = 1 + all / most_;  // where there are many, some speak for all
-    double sum = 0;
     for (const FlatComplex::Face& face : flat_.faces) {
       for (const auto& t : face.triangles) {
         const std::size_t place = at++;
         if (place % step != 0) continue;
         watch_.check();
-        sum += beside(points[t[0]], points[t[1]], points[t[2]], face.regions, place);
+        add_beside(points[t[0]], points[t[1]], points[t[2]], face.regions, place, double(step));
       }
     }
-    return sum * double(step);
   }
-  /// Of a triangle: by few points, and by more where it is one of a thin part.
-  double beside(const Vector& a, const Vector& b, const Vector& c, const std::array<Index, 2>& regions,
-                std::size_t place) const {
+  /// Of a triangle, which stands for so many: by few points, and by more where it is one of a thin part.
+  void add_beside(const Vector& a, const Vector& b, const Vector& c, const std::array<Index, 2>& regions,
+                  std::size_t place, double many) {
     const Vector ab = minus(b, a), ac = minus(c, a), n = cross(ab, ac);
     const double length = std::sqrt(dot(n, n));
-    if (!(length > 0)) return 0;
-    double sum = 0;
+    if (!(length > 0)) return;
     for (const int side : {0, 1}) {
-      if (!flat_.active(regions[std::size_t(side)])) continue;
+      const Index region = regions[std::size_t(side)];
+      if (!flat_.active(region)) continue;
       const double turn = (side == 0 ? 1 : -1) / length;
       const Vector to{turn * n[0], turn * n[1], turn * n[2]};
       constexpr int kFew = 3, kMany = 32;
-      double all = 0;
+      struct Thin {
+        double size, thick, beyond;
+      };
+      std::array<Thin, kMany> found;
+      std::size_t count = 0;
       int taken = 0;
       for (int most = kFew; taken < most; ++taken) {
         // Points of a lattice of rank one, folded into the triangle.
@@ -174,19 +185,35 @@ class Forecast {
         if (u + v > 1) u = 1 - u, v = 1 - v;
         Vector p;
         for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + u * ab[k] + v * ac[k];
-        const double part = behind(p, to, regions[std::size_t(side)], place);
-        if (part > 0) most = kMany;
-        all += part;
+        const double size = size_at(p, region), most_thick = std::max(kThin, 1 / per_thickness_) * size;
+        const double thick = regions_.gap(p, to, region, place, most_thick);
+        if (!(thick < most_thick)) continue;
+        most = kMany;
+        const Index other = regions[std::size_t(1 - side)];
+        found[count++] = {size, thick, maker_ == Maker::tetgen ? beyond(p, to, other, place, thick) : 0};
       }
-      sum += length / 2 * all / taken;
+      const double each = many * length / 2 / taken;
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto [size, thick, beyond] = found[i];
+        sum_.by_thickness += each * beyond;
+        if (thick < kThin * size) add_density(size, thick, region, each * thick / 2);
+      }
     }
-    return sum;
   }
-  /// Per unit of area, behind a point of a face of that region; 0 where the region is not thin.
-  double behind(const Vector& p, const Vector& to, Index region, std::size_t triangle) const {
-    const double size = size_at(p, region), most = kThin * size,
-                 thick = regions_.gap(p, to, region, triangle, most);
-    return thick < most ? thick / 2 * density(size, thick, region) : 0;
+
+  /// Per unit of area: edges on the face of a thin part are short, and on its other side they grow from there.
+  /// What is counted there anyway is left out.
+  double beyond(const Vector& p, const Vector& to, Index region, std::size_t triangle, double thick) const {
+    if (!flat_.active(region) || thick < least_) return 0;  // nobody refines for what is as near as that
+    const double begin = per_thickness_ * thick, size = size_at(p, region);
+    if (begin >= size) return 0;
+    const double most = size / per_thickness_;
+    const double other = regions_.gap(p, {-to[0], -to[1], -to[2]}, region, triangle, most);
+    const double way = std::min((size - begin) / kGrowthOfShapes, other < most ? other / 2 : HUGE_VAL);
+    const double end = begin + kGrowthOfShapes * way;
+    const double there = other < most ? per_thickness_ * std::max(other, least_) : size;
+    const double anyway = std::max(per_cube_ / there / there / std::min(there, other), density_);
+    return std::max(0.0, per_cube_ / (2 * kGrowthOfShapes) * (1 / begin / begin - 1 / end / end) - anyway * way);
   }
 
   Cell cell_at(const Vector& middle, const Vector& half) const {
@@ -196,13 +223,16 @@ class Forecast {
     if (cell.kind == Kind::outside) return cell;
     const double here = size_at(middle, cell.region);
     const double slope = sizes_.field.growth() * std::hypot(half[0], half[1], half[2]);
-    if (cell.kind == Kind::inside) {
-      const double room = (here + slope) / 2;
-      cell.narrow = regions_.meets_faces({low[0] - room, low[1] - room, low[2] - room},
-                                         {high[0] + room, high[1] + room, high[2] + room});
-    }
     // The field may fall to a source within the cell, and there is one at most as far away as it could have risen.
     const double least = std::max(here - slope, here / 8), most = here + slope;
+    const auto around = [&](double room) {
+      return std::pair<Vector, Vector>{{low[0] - room, low[1] - room, low[2] - room},
+                                       {high[0] + room, high[1] + room, high[2] + room}};
+    };
+    const auto [near_low, near_high] = around(most / 2);
+    const auto [far_low, far_high] = around(most);
+    cell.narrow = (cell.kind == Kind::mixed || regions_.meets_faces(near_low, near_high)) &&
+                  regions_.may_have_plates(far_low, far_high);
     cell.share = count(half, here, here, here);
     cell.doubt = count(half, least, least, least) - count(half, most, most, most);
     if (cell.kind == Kind::mixed) cell.doubt += cell.share;
@@ -262,15 +292,15 @@ class Forecast {
   /// The mean of some points of a cell: a lattice of rank one, whose points lie evenly however many there are,
   /// moved for each cell (cranley1976): a wall beside a face is in the same part of all cells along it, and points
   /// in the same places of all would miss what lies between. There may be more of that than of all else.
-  double share_of(const Cell& cell, double number) const {
-    if (cell.kind == Kind::outside) return 0;
+  void add_share_of(const Cell& cell, double number) {
+    if (cell.kind == Kind::outside) return;
     constexpr Vector kStep{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
     constexpr Vector kMove{0.6180339887498949, 0.4142135623730951, 0.7320508075688772};
-    constexpr double kLeastPoints = 4, kMostPoints = 64, kOfNarrow = 16'000;  // of all narrow cells together
+    constexpr double kLeastPoints = 4, kMostPoints = 64;
     const double cells = double(cells_.size()), share = shares_ > 0 ? cell.share / shares_ : 0;
-    const double least = cell.narrow ? std::clamp(kOfNarrow / cells, kLeastPoints, kMostPoints / 2) : kLeastPoints;
+    const double least =
+        cell.narrow ? std::clamp(of_narrow_ / cells, kLeastPoints, kMostPoints / 2) : kLeastPoints;
     const auto n = std::size_t(std::clamp(4 * share * cells, least, kMostPoints));
-    double sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
       Vector p = cell.middle;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -278,17 +308,16 @@ class Forecast {
         p[k] += cell.half[k] * (2 * (place - std::floor(place)) - 1);
       }
       const Index region = cell.kind == Kind::inside ? cell.region : regions_.at(p);
-      if (flat_.active(region)) sum += count_at(p, region, cell);
+      if (flat_.active(region)) add_at(p, region, cell, volume_of(cell.half) / double(n));
     }
-    return sum / double(n);
   }
 };
 
 }  // namespace
 
-double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
-                           const RegionLocator& regions, Maker maker, double max_volume, const Watch& watch,
-                           bool rough) {
+ExpectedTetrahedra expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points,
+                                       const MeshSizes& sizes, const RegionLocator& regions, Maker maker,
+                                       double max_volume, const Watch& watch, bool rough) {
   return Forecast(flat, sizes, regions, maker, max_volume, watch, rough).run(points.xyz);
 }
 
@@ -308,6 +337,9 @@ namespace {
 constexpr double kGrowthOfNothing = 2, kLeastOfNothing = 0.3, kMostOfNothing = 3, kAddedForShapes = 10'000;
 // Facets that nearly touch everywhere, those of 442 faults, have 16 times as many as they touch at least.
 constexpr double kMostOfFewest = 20;
+// Of what edges that grow from features have, in shapes and volumes that are bounded.
+// Where shapes alone are, TetGen adds some hundreds where facets meet sharply.
+constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kLeastOfHalves = 0.6, kFewForShapes = 600;
 // Of each point of a mesh, those on faces and of flat tetrahedra included.
 constexpr double kPerPoint = 7;
 
@@ -409,7 +441,7 @@ MeshForecast unbounded(const ResultView& view, const FlatComplex& flat, const Ro
                        std::size_t complex_points, const Watch& watch) {
   const MeshSizes features = mesh_sizes(view, flat, points, {0, kGrowthOfNothing, true});
   const double for_shapes =
-      expected_tetrahedra(flat, points, features, RegionLocator(flat, points), Maker::own, 0, watch, true);
+      expected_tetrahedra(flat, points, features, RegionLocator(flat, points), Maker::own, 0, watch, true).all();
   const std::size_t begun = std::max(points.xyz.size(), complex_points);
   const double all = kPerPoint * double(begun + points_for_shapes(begun)), n = std::min(for_shapes, all);
   const double fewest = fewest_of(flat);
@@ -426,8 +458,7 @@ MeshForecast unbounded(const ResultView& view, const FlatComplex& flat, const Ro
 
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points,
-                      bool rough) {
+                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points) {
   constexpr double kLeast = 0.7, kMost = 1.3;
   const double volume = options.max_volume, strict = for_quality(options.quality);
   const bool by_shapes = sizes.empty() && volume == 0;
@@ -441,31 +472,40 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
     const double most = mesh.most > kMostTetrahedra ? HUGE_VAL : std::max(mesh.most, kept.most);
     return of_unbounded(mesh.tetrahedra, kept.least, most);
   }
-  if (by_shapes && maker == Maker::own) return {};
-  double n = 0;
+  ExpectedTetrahedra parts;
   if (sizes.empty()) {  // shapes need as many as features make of them
     const double growth = by_shapes                ? kGrowthOfShapes
                           : maker == Maker::tetgen ? kGrowthOfFeatures
                                                    : kGrowthOfNothing;
     const bool wide = maker == Maker::flat;
     const MeshSizes features = mesh_sizes(view, flat, points, {0, growth, true, false, wide});
-    const bool quick = rough || maker != Maker::tetgen;  // a range
-    n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch, quick);
+    const bool quick = by_shapes || maker != Maker::tetgen;  // a range
+    parts = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch, quick);
   } else {
-    n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch, rough);
+    parts = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch);
   }
+  const double n = parts.all(), strict_n = n + (strict - 1) * parts.growing;
   // What is thin gets points for shapes, too, if these are of use there.
   const double rationed = maker == Maker::flat
                               ? kPerPoint * double(points_for_shapes(std::max(points.xyz.size(), complex_points)))
                               : 0;
-  if (by_shapes) return with_costs(strict * n, 0.45 * strict * n, 1.7 * strict * n + rationed, maker, true);
-  if (sizes.empty() && maker != Maker::tetgen) {
-    // Features need less where flat tetrahedra are good enough, and more where facets are long and many.
-    constexpr double kMostOfOurs = 1.7;
-    const double by_volume = std::min(n, expected_of_volume(volume_of(flat, points), volume));
-    return with_costs(n, kLeast * by_volume, kMostOfOurs * strict * n + rationed, maker, false);
+  if (!sizes.empty()) {  // ours halve what is still bad
+    const bool halves = maker == Maker::own && options.quality > 0;
+    return with_costs(n, (halves ? kLeastOfHalves : kLeast) * n, (halves ? kMostOfShapes : kMost) * strict_n,
+                      maker, true);
   }
-  return with_costs(n, kLeast * n, kMost * strict * n, maker, !sizes.empty());
+  if (maker == Maker::tetgen) {
+    const double rest = n - parts.growing, shapes = strict * parts.growing;
+    return with_costs(shapes + rest, kLeastOfShapes * shapes + kLeast * rest,
+                      kMostOfShapes * shapes + (by_shapes ? kFewForShapes : 0) + kMost * rest, maker, by_shapes);
+  }
+  if (by_shapes) {
+    return with_costs(strict_n, std::min(fewest_of(flat), kLeastOfShapes * strict_n),
+                      kMostOfShapes * strict_n + rationed, maker, true);
+  }
+  // Features need less where flat tetrahedra are good enough, and more where facets are long and many.
+  const double by_volume = std::min(n, expected_of_volume(volume_of(flat, points), volume));
+  return with_costs(n, kLeast * by_volume, kMostOfShapes * strict_n + rationed, maker, false);
 }
 
 std::string impossible_text(const MeshForecast& mesh, double memory) {

@@ -6,7 +6,8 @@
 // regions may be thin: a grid misses what is small, points at random come too late. So a box around the model is
 // halved along all axes where the doubt about its share is largest, and then points are strewn by share, the same
 // in every run. What is far thinner than edges are to be long no cell comes to: there the integral is one over
-// faces, times the distance to the face that is opposite.
+// faces, times the distance to the face that is opposite. On the other side of such a face edges are as short, and
+// grow from there: one more integral over faces.
 //
 // A bound of volumes is a least density. Where only shapes are bounded, refinement makes edges about as long as
 // features are wide and lets them grow from there, so that sizes that nobody asked for tell of it, but not within
@@ -27,13 +28,20 @@ namespace cnrg {
 /// or the improver out of those that TetGen fills thin regions with, and leaves them as flat as they have to be.
 enum class Maker : std::uint8_t { tetgen, own, flat };
 
+/// How many there are, by what decides how long edges are: `even` where it is the overall size or that of a
+/// region, `growing` where lengths grow from something.
+struct ExpectedTetrahedra {
+  double even = 0, growing = 0, by_thickness = 0, by_volume = 0;
+  double all() const { return even + growing + by_thickness + by_volume; }
+};
+
 /// Of the mesh of a result, together, within 30 % where it is meshed by sizes or by a bound of volumes (0: none)
 /// and has thousands; bounds of shapes are not seen. Takes some milliseconds, and up to a second for meshes of
 /// millions. `sizes` are not empty. `rough`: a tenth more or less does not matter, and it takes an eighth of the
 /// time. Throws Stopped.
-double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
-                           const RegionLocator& regions, Maker maker, double max_volume = 0,
-                           const Watch& watch = {}, bool rough = false);
+ExpectedTetrahedra expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points,
+                                       const MeshSizes& sizes, const RegionLocator& regions, Maker maker,
+                                       double max_volume = 0, const Watch& watch = {}, bool rough = false);
 
 /// As TetGen makes them where only volumes or shapes are bounded, growth of the sizes that facets and pieces have.
 inline constexpr double kGrowthOfFeatures = 0.8, kGrowthOfShapes = 0.6;
@@ -49,15 +57,13 @@ double for_quality(double radius_edge);
 /// within a third. `by_sizes`: else by a bound of volumes.
 MeshForecast with_costs(double tetrahedra, double least, double most, Maker maker, bool by_sizes);
 
-/// What is foretold of the mesh that the options ask for; of none where nothing can be told. `sizes` are those of
-/// the options, and `regions` are there where sizes are. `most` may be infinite: then only the least is known.
-/// `complex_points`: of what the mesh is begun with, where that has more points than the result. `rough`: as of
-/// `expected_tetrahedra`. Throws Stopped by
-/// `watch`, not by that of the options.
+/// What is foretold of the mesh that the options ask for. `sizes` are those of the options, or those by which ours
+/// come to a quality, and `regions` are there where sizes are. `most` may be infinite: then only the least is
+/// known. `complex_points`: of what the mesh is begun with, where that has more points than the result. Throws
+/// Stopped by `watch`, not by that of the options.
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points = 0,
-                      bool rough = false);
+                      const TetrahedraOptions& options, const Watch& watch, std::size_t complex_points = 0);
 
 /// More than that are refused.
 inline constexpr double kMostTetrahedra = 2e8;

@@ -35,20 +35,27 @@ std::pair<double, bool> hit(const Vector& p, const Vector& along, const Corners&
   return {t, falling > 0};
 }
 
-/// True if the ray meets the box before `nearest`.
-bool meets(const Box& box, const Vector& p, const Vector& along, double nearest) {
-  double from = 0, to = nearest;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (along[k] == 0) {
-      if (p[k] < box.lo[k] || p[k] > box.hi[k]) return false;
-      continue;
-    }
-    const double low = (box.lo[k] - p[k]) / along[k], high = (box.hi[k] - p[k]) / along[k];
-    from = std::max(from, std::min(low, high));
-    to = std::min(to, std::max(low, high));
+/// From a point, and asked of many boxes.
+struct Ray {
+  Vector from, along, inverse;
+  Ray(const Vector& p, const Vector& way) : from(p), along(way) {
+    for (std::size_t k = 0; k < 3; ++k) inverse[k] = 1 / way[k];
   }
-  return from <= to;
-}
+  /// True if it meets the box before `nearest`.
+  bool meets(const Box& box, double nearest) const {
+    double begin = 0, end = nearest;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (along[k] == 0) {
+        if (from[k] < box.lo[k] || from[k] > box.hi[k]) return false;
+        continue;
+      }
+      const double low = (box.lo[k] - from[k]) * inverse[k], high = (box.hi[k] - from[k]) * inverse[k];
+      begin = std::max(begin, std::min(low, high));
+      end = std::min(end, std::max(low, high));
+    }
+    return begin <= end;
+  }
+};
 
 /// Planes at an angle of some 25 degrees at most, and of half a degree.
 constexpr double kAlike = 0.9, kEven = 0.99996;
@@ -58,6 +65,15 @@ bool are_parallel(const Vector& n, const Vector& m, double cosine) {
 }
 Vector normal_of(const Corners& c) { return cross(minus(c.at[1], c.at[0]), minus(c.at[2], c.at[0])); }
 
+/// About parallel and not in one plane.
+bool are_across(const Corners& one, const Corners& other, double even) {
+  const Vector n = normal_of(one), m = normal_of(other);
+  if (!are_parallel(n, m, kAlike)) return false;
+  const double most = even * std::sqrt(dot(n, n));
+  return std::any_of(other.at.begin(), other.at.end(),
+                     [&](const Vector& p) { return std::abs(dot(n, minus(p, one.at[0]))) > most; });
+}
+
 }  // namespace
 
 struct RegionLocator::Data {
@@ -65,6 +81,7 @@ struct RegionLocator::Data {
   std::vector<Corners> triangles;
   BoxTree boxes;
   Index outside = FlatComplex::kNone;
+  double even = 0;  // what lies no further from a plane lies in it
 };
 
 RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& points) {
@@ -79,7 +96,7 @@ RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& point
       all.extend(box);
     }
   }
-  // Room for the rounding of `meets`.
+  // Room for the rounding of `Ray::meets`.
   double room = 0;
   for (std::size_t k = 0; k < 3 && !boxes.empty(); ++k)
     room = std::max({room, std::abs(all.lo[k]), std::abs(all.hi[k])});
@@ -89,9 +106,9 @@ RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& point
   }
   const auto outside =
       std::find_if(flat.regions.begin(), flat.regions.end(), [](const auto& region) { return !region.bounded; });
-  data_.reset(
-      new Data{flat, std::move(triangles), BoxTree(std::move(boxes)),
-               outside == flat.regions.end() ? FlatComplex::kNone : Index(outside - flat.regions.begin())});
+  data_.reset(new Data{flat, std::move(triangles), BoxTree(std::move(boxes)),
+                       outside == flat.regions.end() ? FlatComplex::kNone : Index(outside - flat.regions.begin()),
+                       1e4 * room});
 }
 
 RegionLocator::~RegionLocator() = default;
@@ -106,10 +123,28 @@ bool RegionLocator::meets_faces(const Vector& low, const Vector& high) const {
   return met;
 }
 
+bool RegionLocator::may_have_plates(const Vector& low, const Vector& high) const {
+  constexpr std::size_t kMany = 16;  // of which some are parallel in nearly all cases
+  std::array<const Corners*, kMany> met;
+  std::size_t count = 0;
+  Box box;
+  box.extend(low, high);
+  bool may = false;
+  data_->boxes.query([&](const Box& other) { return !may && other.meets(box); },
+                     [&](std::uint32_t item) {
+                       const Corners& one = data_->triangles[item];
+                       for (std::size_t i = 0; i < count && !may; ++i) may = are_across(one, *met[i], data_->even);
+                       if (count == kMany) may = true;
+                       else met[count++] = &one;
+                     });
+  return may;
+}
+
 Index RegionLocator::at(const Vector& p) const {
   double nearest = std::numeric_limits<double>::infinity();
   Index region = data_->outside;
-  data_->boxes.query([&](const Box& box) { return meets(box, p, kAlong, nearest); },
+  const Ray ray(p, kAlong);
+  data_->boxes.query([&](const Box& box) { return ray.meets(box, nearest); },
                      [&](std::uint32_t item) {
                        const Corners& triangle = data_->triangles[item];
                        const auto [distance, front] = hit(p, kAlong, triangle);
@@ -128,7 +163,8 @@ struct RegionLocator::Wall {
 
 RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, double most, std::size_t but) const {
   Wall nearest{most};
-  data_->boxes.query([&](const Box& box) { return meets(box, p, along, nearest.distance); },
+  const Ray ray(p, along);
+  data_->boxes.query([&](const Box& box) { return ray.meets(box, nearest.distance); },
                      [&](std::uint32_t item) {
                        if (item == but) return;
                        const Corners& triangle = data_->triangles[item];
@@ -165,7 +201,9 @@ RegionLocator::Plate RegionLocator::plate(const Vector& p, double most) const {
     const Wall behind = wall(p, {-way[0], -way[1], -way[2]}, least.thickness - ahead.distance);
     if (behind.triangle == nullptr) continue;
     const Vector n = normal_of(*ahead.triangle), m = normal_of(*behind.triangle);
-    if (are_parallel(n, m, kAlike)) least = {ahead.distance + behind.distance, are_parallel(n, m, kEven)};
+    if (!are_parallel(n, m, kAlike)) continue;
+    const Vector across = cross(n, m);
+    least = {ahead.distance + behind.distance, std::sqrt(dot(across, across) / dot(n, n) / dot(m, m))};
   }
   return least;
 }

@@ -27,10 +27,12 @@ class RegionLocator {
   /// How thick the region is at a point, where it is a plate: the shortest of some chords between faces that are
   /// about parallel, or `most`, if there is none as short. (Near an edge each chord across is short.)
   double thickness(const Vector& p, double most) const { return plate(p, most).thickness; }
-  /// The same, and whether the faces of the chord are parallel but for half a degree.
+  /// The same, and the sine of the angle between the faces of the chord.
   struct Plate {
     double thickness;
-    bool even = false;
+    double sine = 0;
+    /// Parallel but for half a degree; else a wedge.
+    bool even() const { return sine < 0.009; }
   };
   Plate plate(const Vector& p, double most) const;
   /// How far the face that is parallel in this way is from a point of a triangle, seen through a region along the
@@ -41,6 +43,8 @@ class RegionLocator {
 
   /// False only if no face passes through the box.
   bool meets_faces(const Vector& low, const Vector& high) const;
+  /// False only if no chord of a plate lies in the box.
+  bool may_have_plates(const Vector& low, const Vector& high) const;
 
  private:
   struct Data;

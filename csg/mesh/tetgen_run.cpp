@@ -5,10 +5,13 @@
 // regions are as good as others.
 #include "csg/mesh/tetgen_run.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <csignal>
+#include <ctime>
 #include <new>
 
 #define TETLIBRARY
@@ -112,7 +115,35 @@ const SharedCount* looks = nullptr;
 /// How often it may look; 0: no bound. The child has it by the fork.
 std::atomic<std::size_t> most_looks = 0;
 
+/// The child's own bound of processor time, raised with each step that it takes: a walk through a facet may turn
+/// in a circle, where it looks at nothing any more.
+class TimeOfStep {
+ public:
+  void begin(int seconds) {
+    if (seconds <= 0 || getrlimit(RLIMIT_CPU, &all_) != 0) return;
+    step_ = rlim_t(seconds);
+    raise_bound();
+  }
+  void next() {
+    constexpr unsigned kLooks = 256;  // to ask the system costs as much as to look
+    if (step_ > 0 && ++looks_ % kLooks == 0) raise_bound();
+  }
+
+ private:
+  rlimit all_{};
+  rlim_t step_ = 0;  // 0: no bound
+  unsigned looks_ = 0;
+
+  void raise_bound() {
+    timespec used;
+    if (clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used) != 0) return;
+    const rlimit bound{std::min(all_.rlim_cur, rlim_t(used.tv_sec) + 1 + step_), all_.rlim_max};
+    setrlimit(RLIMIT_CPU, &bound);
+  }
+} time_of_step;
+
 bool has_to_be_split(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL) {
+  time_of_step.next();
   looks->add();
   if (most_looks > 0 && looks->value() > most_looks) std::raise(SIGXCPU);
   if (!*asked_of_all) return false;
@@ -121,9 +152,10 @@ bool has_to_be_split(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL) {
 }
 
 /// In the child: 0, or the number that TetGen throws.
-int mesh(const Plc& plc, std::string switches, TetgenFrame frame, const TooLarge& too_large,
+int mesh(const Plc& plc, std::string switches, TetgenFrame frame, int step, const TooLarge& too_large,
          const SharedCount& looked, const MemoryFile& result) {
   try {
+    time_of_step.begin(step);
     tetgenio in, out;
     fill(plc, frame, in);
     asked_of_all = &too_large;
@@ -216,7 +248,7 @@ PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame f
   const MemoryFile result("TetGen");
   const SharedCount looked;
   const ChildLimits limits{.seconds = std::size_t(std::max(time.seconds, 0))};
-  const auto work = [&] { return mesh(plc, letters(switches), frame, too_large, looked, result); };
+  const auto work = [&] { return mesh(plc, letters(switches), frame, time.step, too_large, looked, result); };
   const Deadline deadline(Watch{{}, stop}, time.clock);
   std::function<void()> meanwhile;
   if (looked_at) meanwhile = [&] { looked_at(looked.value()); };

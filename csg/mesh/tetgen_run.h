@@ -21,6 +21,7 @@ using TooLarge = std::function<bool(const std::array<std::array<double, 3>, 4>&)
 /// What TetGen may take: there are models on which it never ends.
 struct TetgenTime {
   int seconds = 0;   ///< of processor time; 0: no bound
+  int step = 0;      ///< the same until it begins to refine, and between two looks at tetrahedra after that
   double clock = 0;  ///< seconds by the clock; 0 or infinite: no bound
 };
 

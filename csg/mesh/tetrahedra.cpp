@@ -70,8 +70,11 @@ class TetrahedraMaker {
     if (options_.constrained || !refused.empty()) {
       surface_first_ = options_.surface_first;
       if (keeps_boundary()) throw InputError(refused);  // constrained tetrahedra need points on it
-      if (asks_tetgen() && bounded())
-        foretell(rounded, thin_ ? Maker::flat : Maker::own);  // once more: it makes others than TetGen
+      if (asks_tetgen() && bounded()) {                 // once more: it makes others than TetGen
+        ours_ = true;
+        set_sizes_of_shapes(rounded.points());
+        foretell(rounded, thin_ ? Maker::flat : Maker::own);
+      }
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
       watch_.begin("mesh: constrained tetrahedra");
       out_ = run_constrained(plc_, flat_, watch_);
@@ -126,13 +129,15 @@ class TetrahedraMaker {
   std::vector<Index> region_entity_;  // of each region of the result, or kNone
   MeshSizes sizes_;
   std::optional<RegionLocator> regions_;
-  TooLarge too_large_;        // where sizes are asked for
-  TooLarge has_to_be_split_;  // where what is wide is bounded
+  TooLarge too_large_;                                    // where sizes are asked for
+  TooLarge has_to_be_split_;                              // where what is wide is bounded
+  std::array<std::optional<MeshForecast>, 3> forecasts_;  // by makers
   double expected_ = 0;
   double for_shapes_ = 0;  // as many would be made if points that nobody asks for were not rationed
   double in_seconds_ = 0;  // that what is expected takes, at most
   bool surface_first_ = options_.surface_first;
-  bool rationed_ = false;   // points in narrow parts are
+  bool ours_ = options_.constrained || !trial_.fault.empty();  // TetGen is not asked, or has failed
+  bool rationed_ = false;                                      // points in narrow parts are
   bool thin_ = false;       // TetGen fills the regions and no more, since it would not end
   std::string flat_text_;   // why
   bool of_tetgen_ = false;  // it has made the mesh, to all bounds
@@ -148,15 +153,26 @@ class TetrahedraMaker {
     set_sizes(rounded.points(), false);
     if (surface_first_ && !bounded()) surface_ = surface_complex(rounded);
     find_thin(rounded.points());
+    set_sizes_of_shapes(rounded.points());
     const bool own = options_.constrained || (!asks_tetgen() && bounded());
     foretell(rounded, rationed_ || thin_ ? Maker::flat : own ? Maker::own : Maker::tetgen);
   }
 
   void set_sizes(const RoundedPoints& points, bool wide) {
     sizes_ = mesh_sizes(view_, flat_, points, {options_.size, options_.growth, false, false, wide});
+    forecasts_ = {};
     if (sizes_.empty()) return;
     if (!regions_) regions_.emplace(flat_, points);
     too_large_ = larger_than(sizes_, *regions_, flat_);
+  }
+
+  /// Ours come to a bound of shapes by lengths that change gradually: halves of what is bad alone make ever more
+  /// that is as bad, since nothing beside them is small.
+  void set_sizes_of_shapes(const RoundedPoints& points) {
+    if (!ours_ || options_.quality == 0 || !sizes_.empty() || rationed_ || thin_) return;
+    sizes_ = mesh_sizes(view_, flat_, points, {0, kGrowthOfShapes, true});
+    if (!regions_) regions_.emplace(flat_, points);
+    forecasts_ = {};
   }
 
   /// Are there regions in which good shapes take far more tetrahedra than all else? TetGen refines until no edge
@@ -192,7 +208,7 @@ class TetrahedraMaker {
                                : "those there are as flat as they have to be" + to_have_all(told));
   }
   /// As whoever is asked would make them, shapes in thin regions included.
-  MeshForecast for_good_shapes(const RoundedPoints& points) const {
+  MeshForecast for_good_shapes(const RoundedPoints& points) {
     if (!options_.constrained) return forecast_of(points, Maker::tetgen);
     MeshForecast told = forecast_of(points, sized() ? Maker::own : Maker::tetgen);
     told.seconds = kSecondsOfShapes * told.tetrahedra;
@@ -217,14 +233,18 @@ class TetrahedraMaker {
         "are as flat as they have to be";
   }
 
-  MeshForecast forecast_of(const RoundedPoints& points, Maker maker, bool rough = true) const {
-    watch_.begin("mesh: forecast");
-    return forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_, surface_.points.size(),
-                    rough);
+  /// To the sizes that there are; each is made once.
+  const MeshForecast& forecast_of(const RoundedPoints& points, Maker maker) {
+    std::optional<MeshForecast>& made = forecasts_[std::size_t(maker)];
+    if (!made) {
+      watch_.begin("mesh: forecast");
+      made = forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_, surface_.points.size());
+    }
+    return *made;
   }
 
   void foretell(const RoundedResult& rounded, Maker maker) {
-    const MeshForecast mesh = forecast_of(rounded.points(), maker, false);
+    const MeshForecast mesh = forecast_of(rounded.points(), maker);
     if (mesh.tetrahedra == 0) return;
     if (!options_.keep_boundary) require_possible(mesh, double(memory_of_machine()));  // else few may do
     if (std::isinf(mesh.most)) return;
@@ -249,18 +269,19 @@ class TetrahedraMaker {
             options_.max_volume > 0};
   }
 
-  /// For one way to ask it. There are models on which it never ends. Where only a mesh is wanted it takes a second
-  /// for some ten thousand points, and to wait long is of no use, since there is another way to a mesh.
+  /// For one way to ask it. There are models on which it never ends. To fill it takes a second for some ten
+  /// thousand points, and to wait long for that, or longer for a step of refinement, is of no use where there is
+  /// another way to a mesh.
   TetgenTime time_of_tetgen() const {
     const int part = options_.seconds ? 0 : TetrahedraOptions::kPartSeconds;
     const double clock = deadline_.seconds_left() / 3;  // so nearly a third is left after all ways to ask it
+    const int enough = 5 + int(plc_.points.size() / 4000);
+    if (!thin_ && keeps_boundary() && !(options_.surface_first && bounded())) return {part, 0, clock};
+    if (thin_ || !bounded()) return {part == 0 ? enough : std::min(part, enough), 0, clock};
     // It may still fill where it does not come to an end.
     constexpr double kLeast = 10, kSlow = 20;
-    const int patience = int(std::min(double(part), kLeast + kSlow * in_seconds_));
-    if (!thin_ && options_.surface_first && bounded()) return {patience, clock};
-    if (!thin_ && (bounded() || keeps_boundary())) return {part, clock};
-    const int enough = 5 + int(plc_.points.size() / 4000);
-    return {part == 0 ? enough : std::min(part, enough), clock};
+    const int patience = options_.surface_first ? int(std::min(double(part), kLeast + kSlow * in_seconds_)) : part;
+    return {patience, enough + int(2 * in_seconds_), clock};
   }
 
   /// In words, with its bound of time where it cannot say how far it is.
@@ -356,7 +377,7 @@ class TetrahedraMaker {
       asked.radius_edge = options_.quality;
       asked.volume = options_.max_volume;
     }
-    if ((sized() || thin_) && !of_tetgen_)
+    if ((to_sizes_ || thin_) && !of_tetgen_)
       asked.most = kMostOfExpected * std::max(std::size_t(expected_), kFewTetrahedra);
     const std::size_t few = points_for_shapes(out_.points.size());
     asked.points = bounded() && (!thin_ || options_.quality > 0) ? kPointsForBounds : few;
@@ -377,6 +398,7 @@ class TetrahedraMaker {
     out_ = improved(plc_, flat_, out_, asked, deadline_.asked(), &end);
     take(deadline_.asked());
     result_.notice = notice;
+    if (!sized()) asked.size = {};
     if (end != Improved::done) tell(unfinished_text(asked, end));
   }
 

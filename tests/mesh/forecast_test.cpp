@@ -132,6 +132,61 @@ TEST_CASE("what lies between a wall and a face beside it is foretold", "[size][f
   }
 }
 
+TEST_CASE("thin parts and what edges grow from there are foretold, whatever is asked for", "[size][forecast]") {
+  // A slab alone, one inside of a block, a sheet that ends beside a face, a slab beside one.
+  const std::string block = "  block: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n";
+  const std::string both = block + "  model: {union: [thin, block], dominance: left}\n";
+  for (const std::string& nodes :
+       {std::string("  model: {box: {min: [0, 0, 0], max: [10, 10, 1/10]}}\n"),
+        "  thin: {box: {min: [2, 2, 4], max: [7, 7, 41/10]}}\n" + both,
+        "  thin: {polygon: [[1, 1, 9.9], [9, 1, 9.9], [9, 9, 9.9], [1, 9, 9.9]]}\n" + both,
+        "  thin: {box: {min: [2, 2, 2], max: [8, 8, 9.9]}}\n" + both}) {
+    const int ask = GENERATE(1, 2, 3);
+    TetrahedraOptions options;
+    if (ask == 1) options.size = 1;
+    if (ask == 2) options.quality = 2;
+    if (ask == 3) options.max_volume = 1;
+    const auto [told, made] = told_and_made(nodes, options);
+    INFO(nodes << ask << ": " << told.least << " to " << told.most << " foretold, " << made << " made");
+    CHECK(told.least < made);
+    CHECK(made < told.most);
+    CHECK(told.most < 3 * told.least);
+  }
+}
+
+TEST_CASE("a wedge takes no more for being thin where its faces meet", "[size][forecast]") {
+  for (const char* z : {"9/5", "3"}) {
+    const std::string top = z;
+    const auto [told, made] =
+        told_and_made("  sheet: {polygon: [[0, 0, 0], [10, 0, " + top + "], [10, 10, " + top +
+                          "], [0, 10, 0]]}\n  block: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n"
+                          "  model: {union: [sheet, block], dominance: left}\n",
+                      sizes(1, 0.3));
+    INFO(z << ": " << told.tetrahedra << " foretold, " << made << " made");
+    CHECK(told.tetrahedra / made > 0.7);
+    CHECK(told.tetrahedra / made < 1.3);
+  }
+}
+
+TEST_CASE("constrained tetrahedra come to a quality by sizes, and are foretold", "[forecast]") {
+  for (const Model& model : models()) {
+    const std::string name = model.name;
+    if (name != "ball" && name != "shell" && name != "notch" && name != "rod") continue;
+    TetrahedraOptions options;
+    options.constrained = true;
+    options.quality = GENERATE(1.4, 2.0);
+    MeshForecast told;
+    options.foretold = [&](const MeshForecast& mesh) { told = mesh; };
+    const TetrahedralMesh made = tetrahedra(result_of(model.nodes), options);
+    const auto n = double(made.mesh.tetrahedra.size());
+    INFO(name << ", " << options.quality << ": " << told.least << " to " << told.most << ", made " << n);
+    CHECK(told.least < n);
+    CHECK(n < told.most);
+    CHECK(double(made.quality.beyond) < 0.25 * n);
+    if (options.quality == 2) CHECK(made.notice.empty());  // at 1.4 halves may be in vain
+  }
+}
+
 TEST_CASE("what a bound of volumes makes is foretold within 30 %", "[forecast]") {
   for (const Model& model : models()) {
     if (model.nodes.find("size:") != std::string::npos) continue;
