@@ -1,10 +1,6 @@
-// TetGen is asked in several ways (kAttempts) until its answer is proven to be a mesh of the result. Where all of
-// them fail, exact tetrahedra are made that are bound to conform (constrained_run.h). What there is then is
-// improved by moves that keep that (improved.h), and proven once more.
-//
-// It computes in doubles with tolerances and may fail, or return a mesh in which a face is missing or a region
-// leaks, without a word. So its answer is not believed: simplices are taken from it by their markers, and then
-// each statement of the header is checked (`prove_...`). Points that nothing uses are dropped at the end.
+// TetGen is asked in several ways (kAttempts) until its answer is proven to be a mesh of the result
+// (proven_mesh.h). Where all of them fail, exact tetrahedra are made that are bound to conform
+// (constrained_run.h). What there is then is improved by moves that keep that (improved.h), and proven once more.
 #include "csg/mesh/tetrahedra.h"
 
 #include <algorithm>
@@ -12,13 +8,12 @@
 #include <cmath>
 #include <optional>
 
-#include "csg/mesh/cell_mesh.h"
 #include "csg/mesh/constrained_run.h"
-#include "csg/mesh/exact_volume.h"
 #include "csg/mesh/forecast.h"
 #include "csg/mesh/has_to_be_split.h"
 #include "csg/mesh/improved.h"
 #include "csg/mesh/planar_facets.h"
+#include "csg/mesh/proven_mesh.h"
 #include "csg/mesh/surface_triangles.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
@@ -26,16 +21,13 @@
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
-#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Mesh::Index;
 using Vector = std::array<double, 3>;
-constexpr Index kNone = FlatComplex::kNone;
-constexpr std::size_t kUnchecked = 1 << 16;  // tetrahedra that are proven between two looks at the watch
-constexpr double kSizedQuality = 2;          // where no quality is asked for; it refines for sizes only with some
+constexpr double kSizedQuality = 2;  // where no quality is asked for; it refines for sizes only with some
 
 class TetrahedraMaker {
  public:
@@ -90,7 +82,7 @@ class TetrahedraMaker {
     improve_shapes();
     result_.rounding = rounded.report();
     result_.expected = expected_;
-    number_points();
+    number_points(result_.mesh, flat_, out_.points);
     std::vector<std::string> leaves;
     for (const LeafInfo& leaf : *view_.leaves) leaves.push_back(leaf.name);
     result_.quality = quality_of(mesh(), leaves, options_.quality, options_.max_volume);
@@ -126,7 +118,6 @@ class TetrahedraMaker {
   Plc surface_;  // of surfaces, where these come first
   PlcMesh out_;
   TetrahedralMesh result_;
-  std::vector<Index> region_entity_;  // of each region of the result, or kNone
   MeshSizes sizes_;
   std::optional<RegionLocator> regions_;
   TooLarge too_large_;                                    // where sizes are asked for
@@ -392,12 +383,10 @@ class TetrahedraMaker {
         if (!sizes_.regions.empty()) asked.region_size.push_back(sizes_.regions[region.region]);
       }
     }
-    const std::string notice = std::move(result_.notice);
     // There is a mesh: when time is over it is proven and kept as it is then.
     Improved end = Improved::done;
     out_ = improved(plc_, flat_, out_, asked, deadline_.asked(), &end);
     take(deadline_.asked());
-    result_.notice = notice;
     if (!sized()) asked.size = {};
     if (end != Improved::done) tell(unfinished_text(asked, end));
   }
@@ -440,188 +429,17 @@ class TetrahedraMaker {
   /// What the mesher returns, once it is proven.
   void take(const Watch& watch) {
     const auto begin = std::chrono::steady_clock::now();
-    result_ = {};
-    region_entity_.clear();
     watch.begin("mesh: proof");
-    make_entities();
-    take_tetrahedra(watch);
-    take_triangles();
-    take_segments();
-    take_vertices();
-    watch.check();
-    prove_boundary_kept();
-    prove_edges(mesh(), flat_);
-    prove_faces(mesh(), flat_);
-    watch.check();
-    prove_sides(mesh(), flat_, region_entity_, watch);
-    prove_volumes(watch);
+    const KeptBoundary kept = surface_first_           ? KeptBoundary::facets
+                              : options_.keep_boundary ? KeptBoundary::points
+                                                       : KeptBoundary::no;
+    ProvenMesh proven = proven_mesh(view_, flat_, plc_, out_, kept, watch);
+    result_.mesh = std::move(proven.mesh);
+    result_.regions = std::move(proven.regions);
     // What is improved is proven once more, measured and written.
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     constexpr double kMost = 6e-6;  // small meshes say little of large ones
     afterwards_ = std::min(kMost, 2 * took.count() / double(std::max<std::size_t>(out_.tetrahedra.size(), 1)));
-  }
-
-  void make_entities() {
-    mesh() = mesh_of_cells(view_, flat_, true);
-    region_entity_.assign(flat_.regions.size(), kNone);
-    for (Index i = 0; i < flat_.regions.size(); ++i) {
-      if (flat_.regions[i].component == 0) continue;
-      region_entity_[i] = Index(result_.regions.size());
-      const Mesh::Entity& entity = mesh().entities[3][region_entity_[i]];
-      result_.regions.push_back({mesh().groups[3][entity.groups[0] - 1], 0, 0});
-    }
-  }
-
-  /// Those of active regions, turned so that their determinant is positive, by region.
-  void take_tetrahedra(const Watch& watch) {
-    PointTable table;
-    for (const Vector& p : out_.points) table.add(p[0], p[1], p[2]);
-    for (std::size_t i = 0; i < out_.tetrahedra.size(); ++i) {
-      if (i % kUnchecked == 0) watch.check();
-      const std::int32_t attribute = out_.attribute[i];
-      if (attribute < 1 || attribute > std::int32_t(plc_.regions.size())) continue;
-      auto t = out_.tetrahedra[i];
-      const int sign = orient3d(table, VertexId(t[0]), VertexId(t[1]), VertexId(t[2]), VertexId(t[3]));
-      require(sign != 0, "tetrahedra: the mesher returns a flat tetrahedron");
-      if (sign < 0) std::swap(t[2], t[3]);
-      mesh().tetrahedra.push_back({t, region_entity_[plc_.regions[std::size_t(attribute) - 1].region]});
-    }
-    sort_by_entity(mesh().tetrahedra);
-  }
-
-  Vector normal_of(const std::vector<Index>& loop) const {
-    Vector n{};
-    const Vector origin = out_.points[loop[0]];
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      const Vector part = cross(minus(out_.points[loop[i]], origin), minus(out_.points[loop[i + 1]], origin));
-      for (std::size_t k = 0; k < 3; ++k) n[k] += part[k];
-    }
-    return n;
-  }
-
-  /// Turned as their facets are: the two planes are the same or opposite, so doubles tell.
-  void take_triangles() {
-    std::vector<Vector> normals;
-    for (const auto& facet : plc_.facets) normals.push_back(normal_of(facet.polygons[0]));
-    for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
-      if (std::size_t(out_.facet[i]) >= plc_.facets.size()) continue;  // on the box
-      auto t = out_.triangles[i];
-      if (dot(normal_of({t[0], t[1], t[2]}), normals[std::size_t(out_.facet[i])]) < 0) std::swap(t[1], t[2]);
-      mesh().triangles.push_back({t, plc_.facets[std::size_t(out_.facet[i])].face});
-    }
-    sort_by_entity(mesh().triangles);
-  }
-
-  void take_segments() {
-    for (std::size_t i = 0; i < out_.segments.size(); ++i) {
-      if (out_.edge[i] < 0) continue;
-      mesh().segments.push_back({out_.segments[i], Index(out_.edge[i])});
-    }
-    sort_by_entity(mesh().segments);
-  }
-
-  void take_vertices() {
-    for (Index i = 0; i < flat_.vertices.size(); ++i) mesh().vertices.push_back({{flat_.vertices[i].point}, i});
-  }
-
-  /// With `keep_boundary`: nothing but points of the result on faces and edges.
-  void prove_boundary_kept() {
-    if (surface_first_) return prove_surface_kept();
-    if (!options_.keep_boundary) return;
-    const auto kept = [&](const auto& simplex) {
-      return std::all_of(simplex.points.begin(), simplex.points.end(),
-                         [&](Index p) { return p < plc_.points.size(); });
-    };
-    if (!std::all_of(mesh().triangles.begin(), mesh().triangles.end(), kept) ||
-        !std::all_of(mesh().segments.begin(), mesh().segments.end(), kept)) {
-      throw InputError(
-          "TetGen cannot fill the regions without new points on faces or edges; leave out "
-          "--keep-boundary");
-    }
-  }
-
-  /// With `surface_first`: on faces are its triangles, and on edges its segments, and no others.
-  void prove_surface_kept() {
-    const auto sorted = [](auto simplices) {
-      for (auto& s : simplices) std::sort(s.first.begin(), s.first.end());
-      std::sort(simplices.begin(), simplices.end());
-      return simplices;
-    };
-    std::vector<std::pair<std::array<Index, 3>, Index>> given, found;
-    for (const auto& f : plc_.facets)
-      given.push_back({{f.polygons[0][0], f.polygons[0][1], f.polygons[0][2]}, f.face});
-    for (const auto& t : mesh().triangles) found.emplace_back(t.points, t.entity);
-    std::vector<std::pair<std::array<Index, 2>, Index>> given_segments, found_segments;
-    for (const auto& s : plc_.segments) given_segments.emplace_back(s.ends, s.edge);
-    for (const auto& s : mesh().segments) found_segments.emplace_back(s.points, s.entity);
-    require(sorted(given) == sorted(found) && sorted(given_segments) == sorted(found_segments),
-            "tetrahedra: the mesher does not keep the triangles of surfaces");
-  }
-
-  /// Of each face, as the mesher has got them: those of the result, or with `surface_first` those of surfaces.
-  std::vector<std::vector<std::array<Index, 3>>> given_triangles() const {
-    std::vector<std::vector<std::array<Index, 3>>> given(flat_.faces.size());
-    for (Index f = 0; f < given.size() && !surface_first_; ++f)
-      given[f].assign(flat_.faces[f].triangles.begin(), flat_.faces[f].triangles.end());
-    for (std::size_t i = 0; i < plc_.facets.size() && surface_first_; ++i) {
-      const auto& p = plc_.facets[i].polygons[0];
-      given[plc_.facets[i].face].push_back({p[0], p[1], p[2]});
-    }
-    return given;
-  }
-
-  void prove_volumes(const Watch& watch) {
-    ExactVolume volume(out_.points);
-    const auto& all = mesh().tetrahedra;
-    std::size_t at = 0;
-    const std::vector<std::vector<std::array<Index, 3>>> boundary = given_triangles();
-    Vector low = plc_.points[0], high = low;
-    for (const Vector& p : plc_.points) {
-      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-    }
-    const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    for (Index i = 0; i < flat_.regions.size(); ++i) {
-      const Index entity = region_entity_[i];
-      if (entity == kNone) continue;
-      RegionTetrahedra& region = result_.regions[entity];
-      volume.clear();
-      for (; at < all.size() && all[at].entity == entity; ++at) {
-        if (at % kUnchecked == 0) watch.check();
-        const auto& t = all[at].points;
-        volume.add(t[0], t[1], t[2], t[3]);
-        ++region.tetrahedra;
-      }
-      region.volume = volume.value();
-      volume.clear();
-      double area = 0;
-      for (const auto& shell : flat_.regions[i].shells) {
-        for (const Index side : shell) {
-          for (const auto& t : boundary[side >> 1]) {
-            if ((side & 1) == 0) volume.add(0, t[0], t[2], t[1]);
-            else volume.add(0, t[0], t[1], t[2]);
-            const Vector n = normal_of({t[0], t[1], t[2]});
-            area += std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
-          }
-        }
-      }
-      const Rational difference = abs(region.volume - volume.value());
-      const Rational bound = keeps_boundary() ? Rational(0) : from_double(area * 1e-8 * size);
-      require(difference <= bound, "tetrahedra: those of region `" + region.name + "` have the volume " +
-                                       to_decimal(region.volume) + " and not " + to_decimal(volume.value()));
-    }
-    require(at == all.size(), "tetrahedra: the mesher returns a tetrahedron of no region");
-  }
-
-  /// Points in use, in their order: those of the result, then those that TetGen added.
-  void number_points() {
-    std::vector<char> filled(out_.points.size(), 0);
-    for (const auto& t : mesh().tetrahedra)
-      for (const Index p : t.points) filled[p] = 1;
-    for (const auto& v : flat_.vertices) {
-      const bool inside = v.region != kNone && flat_.active(v.region);
-      require(!inside || filled[v.point], "tetrahedra: the mesher lost a point inside of a region");
-    }
-    take_points(mesh(), out_.points);
   }
 };
 
