@@ -4,8 +4,10 @@
 // kind of exception becomes one message and its exit status.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -19,6 +21,7 @@
 #include "csg/app/memory.h"
 #include "csg/app/output.h"
 #include "csg/app/program_text.h"
+#include "csg/result/rounding.h"
 #include "csg/text/file.h"
 #include "csg/text/number.h"
 #include "csg/tree/suggest.h"
@@ -61,13 +64,28 @@ int guarded(const std::function<int()>& program) {
 /// What is wrong with the name of a file, a folder or a node.
 std::string name_fault(const std::string& name) { return name.empty() ? "the name is empty" : ""; }
 
+/// A whole number from `low` to `high`.
+CLI::Validator whole_check(std::uint64_t low, std::uint64_t high) {
+  const std::string from = std::to_string(low), to = std::to_string(high);
+  return CLI::Validator(
+      [=](std::string& text) {
+        std::uint64_t value = 0;
+        const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool read = fault == std::errc() && end == text.data() + text.size();
+        return read && value >= low && value <= high
+                   ? std::string()
+                   : "`" + text + "` is not a whole number from " + from + " to " + to;
+      },
+      "INT in [" + from + " - " + to + "]");
+}
+
 /// How a tree is read.
 template <class Arguments>
 void add_fineness(CLI::App* sub, Arguments& arguments) {
   sub->add_option("--finer", arguments.finer,
                   "Curved leaves are K times finer than the tree says: segments times K, chord by K squared")
       ->type_name("K")
-      ->check(CLI::Range(1, 1000));
+      ->check(whole_check(1, 1000));
   sub->add_option("--inside", arguments.inside,
                   "For a tree that is not trusted: refuse every file that it names outside of this folder")
       ->type_name("FOLDER")
@@ -84,16 +102,19 @@ void add_tree(CLI::App* sub, Arguments& arguments,
 
 /// What all commands have that evaluate.
 void add_threads(CLI::App* sub, int& threads) {
-  sub->add_option("--threads", threads, "Threads; 0 is one per core")->type_name("K")->check(CLI::Range(0, 4096));
+  sub->add_option("--threads", threads, "Threads; 0 is one per core")->type_name("K")->check(whole_check(0, 4096));
 }
 
-/// A finite number between two bounds.
+/// A number between two bounds, as trees have them; it becomes a double.
 CLI::Validator number_check(double above, double below, const std::string& wanted) {
   return CLI::Validator(
       [=](std::string& text) {
-        double value = 0;
-        const bool read = CLI::detail::lexical_cast(text, value);
-        return read && value > above && value < below ? std::string() : "`" + text + "` is not " + wanted;
+        const NumberText number = read_number(text);
+        const double value = number.value ? to_double(*number.value) : above;
+        if (!(value > above && value < below)) return "`" + text + "` is not " + wanted;
+        text.clear();
+        append(text, value);
+        return std::string();
       },
       "");
 }
@@ -355,30 +376,30 @@ int run(int argc, char** argv) {
   sub->add_option("--size", mesh.options.size,
                   "Edges are about as long as H, or shorter where the model asks for it")
       ->type_name("H")
-      ->check(number_check(0, HUGE_VAL, "a positive number"));
+      ->transform(number_check(0, HUGE_VAL, "a positive number"));
   sub->add_option(
          "--growth", mesh.options.growth,
          "How much longer edges may be per unit of distance from where they are to be short, from 0.05 to 2")
       ->type_name("G")
-      ->check(number_check(0.0499999, 2.0000001, "a number from 0.05 to 2"))
+      ->transform(number_check(0.0499999, 2.0000001, "a number from 0.05 to 2"))
       ->capture_default_str();
   CLI::Option* const max_volume =
       sub->add_option("--max-volume", mesh.options.max_volume, "No tetrahedron is larger than V cubic units")
           ->type_name("V")
-          ->check(number_check(0, HUGE_VAL, "a positive number"));
+          ->transform(number_check(0, HUGE_VAL, "a positive number"));
   CLI::Option* const quality =
       sub->add_option("--quality", mesh.options.quality,
                       "Largest ratio of circumradius to shortest edge, from 1.1: 2 is usual, below 1.4 may take "
                       "very long; thin regions take as many tetrahedra as that needs, if that is no more than "
                       "15 seconds or --seconds allow; else, and without it, they are as flat as they are")
           ->type_name("Q")
-          ->check(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
+          ->transform(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
   sub->add_option(
          "--seconds", mesh.options.seconds,
          "For all of the meshing, by the clock: a mesh that is there then is kept as it is, and said to be so; 0: "
          "no bound. Without it TetGen has 150 for each way to ask it, shapes 150, --surface 600")
       ->type_name("S")
-      ->check(CLI::Range(0, 1'000'000));
+      ->check(whole_check(0, 1'000'000));
   CLI::Option* const keep_boundary = sub->add_flag(
       "-Y,--keep-boundary", mesh.options.keep_boundary,
       "No new points on faces and edges, so that the meshes of neighbours fit; inside only is there room for "
@@ -402,7 +423,7 @@ int run(int argc, char** argv) {
   sub->add_option("--max-points", mesh.max_points,
                   "Of --surface: no points are added beyond N; parts that are very narrow get a fiftieth of them")
       ->type_name("N")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
+      ->check(whole_check(1, 1'000'000'000))
       ->capture_default_str()
       ->needs(surface);
   sub->add_flag("--surface-first", mesh.options.surface_first,

@@ -304,15 +304,16 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
 }  // namespace
 
 int run_mesh(const MeshArguments& arguments) {
+  constexpr const char* kPage = " .html";  // is written besides
   require_distinct(arguments.files);
   for (const std::string& path : arguments.files) {  // before the work, not after it
     if (is_page(path)) {
       require_no_directory(path);
       continue;
     }
-    if (arguments.curved || arguments.options.order == 2) check_second_order_file_name(path, " .html");
-    else if (arguments.quads) check_quads_file_name(path);
-    else check_mesh_file_name(path, " .html");
+    if (arguments.curved || arguments.options.order == 2) check_second_order_file_name(path, kPage);
+    else if (arguments.quads) check_quads_file_name(path, kPage);
+    else check_mesh_file_name(path, kPage);
   }
   const Tree tree = tree_of(arguments);
   require_writable(arguments.files, tree);

@@ -30,8 +30,8 @@ CurvedReport curve(const Result& result, TetrahedralMesh& made, const Watch& wat
 void check_second_order_file_name(const std::string& path, const std::string& others = {});
 
 /// The formats of meshes with quadrilaterals: all of tetrahedra but .h5m. Throws InputError for any other
-/// extension.
-void check_quads_file_name(const std::string& path);
+/// extension; `others` are named, too.
+void check_quads_file_name(const std::string& path, const std::string& others = {});
 
 /// Writes the mesh of a result to `path`; the file appears whole or not at all (csg/text/file.h), also where it is
 /// stopped (Stopped).

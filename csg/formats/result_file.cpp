@@ -391,11 +391,11 @@ void check_second_order_file_name(const std::string& path, const std::string& ot
                    known_mesh_formats(true) + others + " for --curved and --order 2");
 }
 
-void check_quads_file_name(const std::string& path) {
-  check_mesh_file_name(path);
+void check_quads_file_name(const std::string& path, const std::string& others) {
+  check_mesh_file_name(path, others);
   if (mesh_format_of(path).quads) return;
   throw InputError(path + ": this format is read by programs that take triangles only; use one of" +
-                   known_mesh_formats(false, true) + " for --quads");
+                   known_mesh_formats(false, true) + others + " for --quads");
 }
 
 void write(const std::string& path, const Result& result, const Mesh& mesh, const std::stop_token& stop) {

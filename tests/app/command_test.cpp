@@ -483,7 +483,7 @@ result: a
   }
   const Outcome none = w.run("eval t.yaml --finer 0");
   CHECK(none.status == 2);
-  CHECK_THAT(none.err, Contains("--finer: Value 0 not in range 1 to 1000"));
+  CHECK_THAT(none.err, Contains("--finer: `0` is not a whole number from 1 to 1000"));
 }
 
 TEST_CASE("locate names cell, component and region", "[app]") {

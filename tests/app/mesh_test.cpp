@@ -512,6 +512,14 @@ TEST_CASE("mesh: sizes are foretold before they are made", "[app][mesh][size]") 
     CHECK(o.status == 2);
     CHECK_THAT(o.err, Contains("is not a"));
   }
+  for (const std::string option : {"--seconds 1.5", "--seconds -1", "--threads x", "--max-points 0"}) {
+    INFO(option);
+    CHECK_THAT(w.run("mesh t.yaml -o bad.msh --surface " + option).err, Contains("` is not a whole number from "));
+  }
+  w.run("mesh t.yaml -o third.msh --size 1/3");
+  w.run("mesh t.yaml -o decimal.msh --size 0.33333333333333331");
+  CHECK(w.read("third.msh") == w.read("decimal.msh"));
+  CHECK_THAT(w.run("mesh t.yaml -o bad.h5m --surface --quads").err, Contains(".xdmf .html for --quads"));
 }
 
 }  // namespace
