@@ -162,20 +162,38 @@ def away(points, places, room):
 
 def along(chains, segments, room):
     """Length of the segments of a mesh on chains of points, but for room, and how many pieces both have. Groups of a
-    mesh name but the first of several wires that lie on each other, so it is looked where they are."""
+    mesh name but the first of several wires that lie on each other, so it is looked where they are. A segment may lie
+    on several pieces: a vertex between two that go straight on is none of what was joined."""
     ordered = sorted((min(a[0], b[0]), k) for k, (a, b) in enumerate(segments))
     starts = [x for x, _ in ordered]
     widest = max((abs(a[0] - b[0]) for a, b in segments), default=0.0)
-    on, pieces = set(), 0
+    on, pieces = defaultdict(list), 0
     for chain in chains:
         for p, q in zip(chain, chain[1:]):
             pieces += 1
             low, high = min(p[0], q[0]) - room - widest, max(p[0], q[0]) + room
             for _, k in ordered[bisect_left(starts, low):bisect_right(starts, high)]:
-                middle = tuple((x + y) / 2 for x, y in zip(*segments[k]))
-                if off(middle, p, q) <= room and all(off(x, p, q) <= 3 * room for x in segments[k]):
-                    on.add(k)
-    return math.fsum(math.dist(*segments[k]) for k in on), pieces + len(on)
+                part = common(segments[k], p, q, room)
+                if part:
+                    on[k].append(part)
+    lengths = []
+    for k, parts in on.items():
+        end = 0.0
+        for begin, to in sorted(parts):
+            lengths.append(max(0.0, to - max(begin, end)) * math.dist(*segments[k]))
+            end = max(end, to)
+    return math.fsum(lengths), pieces + sum(map(len, on.values()))
+
+
+def common(segment, p, q, room):
+    """From which to which part of its length a segment lies on another one, but for room; nothing if it does not."""
+    a, b = segment
+    way = [y - x for x, y in zip(a, b)]
+    square = sum(w * w for w in way)
+    ends = sorted(sum((x - y) * w for x, y, w in zip(end, a, way)) / square for end in (p, q))
+    begin, to = max(ends[0], 0.0), min(ends[1], 1.0)
+    far = max(off([x + t * w for x, w in zip(a, way)], p, q) for t in (begin, to)) if begin < to else math.inf
+    return (begin, to) if far <= room else None
 
 
 def off(x, p, q):

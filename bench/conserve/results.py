@@ -3,6 +3,7 @@ import json
 import math
 from collections import defaultdict
 from fractions import Fraction
+from itertools import combinations
 
 from exact import ZERO, area_of, integers, length_of, plus, size, tetrahedron
 
@@ -76,8 +77,14 @@ class Result:
         return self.vertices
 
     def ends(self):
-        """Of wires: what is joined or snapped keeps them, and may lose corners in the middle of a straight side."""
-        return [chain[k] for _, chain in self.wire_parts for k in (0, -1)]
+        """Of wires: what is joined or snapped keeps them, and may lose corners from where wires go straight on."""
+        ways = defaultdict(list)
+        for _, chain in self.wire_parts:
+            for end, to in (chain[:2], chain[:-3:-1]):
+                way = [float(y - x) for x, y in zip(end, to)]
+                ways[end].append([w / math.hypot(*way) for w in way])
+        return [end for end, all_of in ways.items()
+                if not any(sum(x * y for x, y in zip(v, w)) < 1e-9 - 1 for v, w in combinations(all_of, 2))]
 
 
 class Tetrahedra:
