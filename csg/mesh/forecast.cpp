@@ -337,8 +337,9 @@ namespace {
 constexpr double kGrowthOfNothing = 2, kLeastOfNothing = 0.3, kMostOfNothing = 3, kAddedForShapes = 10'000;
 // Facets that nearly touch everywhere, those of 442 faults, have 16 times as many as they touch at least.
 constexpr double kMostOfFewest = 20;
-// Of what edges that grow from features have, in shapes and volumes that are bounded.
-// Where shapes alone are, TetGen adds some hundreds where facets meet sharply.
+// The least and the most of what edges that grow from features make, where shapes or volumes are bounded; of ours
+// with sizes, whose halves come on top, the least. Where shapes alone are bounded TetGen adds some hundreds where
+// facets meet sharply.
 constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kLeastOfHalves = 0.6, kFewForShapes = 600;
 // Of each point of a mesh, those on faces and of flat tetrahedra included.
 constexpr double kPerPoint = 7;
