@@ -65,9 +65,10 @@ std::string bad_ones(const MeshQuality& quality, const PlaceText& place) {
     table.add_row(
         {shape_text(bad.measures.shape), decimal(bad.measures.dihedral, "%.2g"), place(bad.at), nodes, bad.why});
   }
-  const std::string forced = forced_text(quality);
-  return "the worst shapes of " + std::to_string(quality.bad) + " below 0.1:\n" + table.text() + forced +
-         (forced.empty() ? "" : "\n");
+  std::string text = "the worst shapes of " + std::to_string(quality.bad) + " below 0.1:\n" + table.text();
+  for (const std::string& more : {forced_text(quality), joining_text(quality)})
+    if (!more.empty()) text += more + "\n";
+  return text;
 }
 
 /// `; 24 are in slab, 3 in rock`: where shapes are beyond what was asked for, if there are several regions.
@@ -119,7 +120,7 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
   };
   std::size_t tetrahedra = 0, curved = 0, straight = 0;
   Rational volume = 0;
-  for (std::size_t i = 0; i < made.regions.size(); ++i) {
+  for (const std::size_t i : listed_regions(made)) {
     const RegionTetrahedra& region = made.regions[i];
     const std::size_t of_curved = bent != nullptr ? bent->curved[i] : 0;
     const std::size_t of_straight = bent != nullptr ? bent->straight[i] : 0;

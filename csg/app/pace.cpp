@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kFirst = 1;      // seconds before anything is told
 constexpr double kSample = 0.25;  // seconds that a speed is taken over at least
+constexpr double kLeast = 0.01;   // part of the steps that is done
 constexpr double kMemory = 4;     // seconds after which a speed counts 1 / e of what it did
 
 }  // namespace
@@ -35,7 +36,7 @@ std::optional<double> Pace::speed(double now) const {
 }
 
 std::optional<double> Pace::left(double now) const {
-  if (done_ == 0 || done_ >= total_ || now - begun_ < kFirst) return std::nullopt;
+  if (double(done_) < kLeast * double(total_) || done_ >= total_ || now - begun_ < kFirst) return std::nullopt;
   const std::optional<double> so_fast = speed(now);
   if (!so_fast || *so_fast <= 0) return std::nullopt;
   return double(total_ - done_) / *so_fast;

@@ -17,8 +17,8 @@ class Pace {
   void begin(double now);
   /// So many of its steps are done. Fewer than before: it begins anew.
   void see(std::size_t done, std::size_t total, double now);
-  /// Seconds until all steps are done; nothing in the first second of a stage, where steps are not known, and at
-  /// the end.
+  /// Seconds until all steps are done; nothing in the first second of a stage and before a hundredth of them is
+  /// done, where steps are not known, and at the end.
   std::optional<double> left(double now) const;
 
  private:

@@ -338,9 +338,10 @@ constexpr double kGrowthOfNothing = 2, kLeastOfNothing = 0.3, kMostOfNothing = 3
 // Facets that nearly touch everywhere, those of 442 faults, have 16 times as many as they touch at least.
 constexpr double kMostOfFewest = 20;
 // The least and the most of what edges that grow from features make, where shapes or volumes are bounded; of ours
-// with sizes, whose halves come on top, the least. Where shapes alone are bounded TetGen adds some hundreds where
-// facets meet sharply.
-constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kLeastOfHalves = 0.6, kFewForShapes = 600;
+// with sizes and a quality, whose halves come on top, both. Where shapes alone are
+// bounded TetGen adds some hundreds where facets meet sharply, and needs as many less elsewhere.
+constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kLeastOfHalves = 0.6, kMostOfHalves = 4.5,
+                 kFewForShapes = 800;
 // Of each point of a mesh, those on faces and of flat tetrahedra included.
 constexpr double kPerPoint = 7;
 
@@ -492,13 +493,15 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
                               : 0;
   if (!sizes.empty()) {  // ours halve what is still bad
     const bool halves = maker == Maker::own && options.quality > 0;
-    return with_costs(n, (halves ? kLeastOfHalves : kLeast) * n, (halves ? kMostOfShapes : kMost) * strict_n,
+    return with_costs(n, (halves ? kLeastOfHalves : kLeast) * n, (halves ? kMostOfHalves : kMost) * strict_n,
                       maker, true);
   }
   if (maker == Maker::tetgen) {
     const double rest = n - parts.growing, shapes = strict * parts.growing;
-    return with_costs(shapes + rest, kLeastOfShapes * shapes + kLeast * rest,
-                      kMostOfShapes * shapes + (by_shapes ? kFewForShapes : 0) + kMost * rest, maker, by_shapes);
+    const double few = by_shapes ? kFewForShapes : 0;
+    const double least = std::max(kLeastOfShapes * shapes - few, std::min(shapes, fewest_of(flat)));
+    return with_costs(shapes + rest, least + kLeast * rest, kMostOfShapes * shapes + few + kMost * rest, maker,
+                      by_shapes);
   }
   if (by_shapes) {
     return with_costs(strict_n, std::min(fewest_of(flat), kLeastOfShapes * strict_n),

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <string_view>
 
@@ -83,6 +84,11 @@ class Explainer {
       if (const auto f = face(t, k)) name({2, *f, 0}, bad.nodes);
     return bad;
   }
+  /// Is its shortest edge far shorter than the longest, and between two cells of the model?
+  bool is_between_near(const Mesh::Simplex<4>& t) const {
+    const Shortest s = shortest_edge(t);
+    return s.is_short() && s.cells[0].dimension < 3 && s.cells[1].dimension < 3 && !(s.cells[0] == s.cells[1]);
+  }
   /// Does the model meet in it at less than MeshQuality::kForced: two faces at an edge, two edges or an edge and a
   /// face at a corner?
   bool is_forced(const Mesh::Simplex<4>& t) const {
@@ -131,6 +137,22 @@ class Explainer {
   std::vector<std::pair<std::array<Index, 3>, Index>> faces_;  // sorted
   std::vector<std::pair<Index, Index>> faces_at_;              // by points on edges and vertices
   std::vector<std::array<Index, 2>> lines_;                    // of segments, and between facets; sorted
+
+  struct Shortest {
+    double length = HUGE_VAL, longest = 0;  // of all six
+    std::array<Cell, 2> cells{};            // of its ends
+    bool is_short() const { return length < kShort * longest; }
+  };
+  Shortest shortest_edge(const Mesh::Simplex<4>& t) const {
+    Shortest out;
+    for (const auto& [i, j] : kEdges) {
+      const Index a = t.points[i], b = t.points[j];
+      const double l = length(minus(mesh_.points[a], mesh_.points[b]));
+      out.longest = std::max(out.longest, l);
+      if (l < out.length) out.length = l, out.cells = {cell_[a], cell_[b]};
+    }
+    return out;
+  }
 
   bool is_line(Index a, Index b) const {
     return std::binary_search(lines_.begin(), lines_.end(), std::array{std::min(a, b), std::max(a, b)});
@@ -208,18 +230,11 @@ class Explainer {
   }
 
   std::string why(const Mesh::Simplex<4>& t, const std::array<Vector, 4>& p) const {
-    double longest = 0, shortest = HUGE_VAL;
-    std::size_t at = 0;
-    for (std::size_t e = 0; e < 6; ++e) {
-      const double l = length(minus(p[kEdges[e][0]], p[kEdges[e][1]]));
-      longest = std::max(longest, l);
-      if (l < shortest) shortest = l, at = e;
-    }
-    if (shortest < kShort * longest) {
-      const Cell a = cell_[t.points[kEdges[at][0]]], b = cell_[t.points[kEdges[at][1]]];
-      if (a == b && a.dimension < 3) return "points of " + words(a) + " are " + short_text(shortest) + " apart";
-      if (a.dimension < 3 && b.dimension < 3)
-        return words(a) + " and " + words(b) + " are " + short_text(shortest) + " apart";
+    const Shortest s = shortest_edge(t);
+    const auto& [a, b] = s.cells;
+    if (s.is_short() && a.dimension < 3 && b.dimension < 3) {
+      const std::string apart = " are " + short_text(s.length) + " apart";
+      return a == b ? "points of " + words(a) + apart : words(a) + " and " + words(b) + apart;
     }
     for (std::size_t e = 0; e < 6; ++e) {
       const double angle = dihedral(p, e);
@@ -234,10 +249,10 @@ class Explainer {
       if (!f || corner.dimension == 3) continue;
       const Vector &a = p[(k + 1) % 4], n = cross(minus(p[(k + 2) % 4], a), minus(p[(k + 3) % 4], a));
       const double height = std::fabs(dot(minus(p[k], a), n)) / length(n);
-      if (height < kShort * longest)
+      if (height < kShort * s.longest)
         return words(corner) + " is " + short_text(height) + " from the plane of " + words({2, *f, 0});
     }
-    const std::string near = between(p, kShort * longest);
+    const std::string near = between(p, kShort * s.longest);
     return near.empty() ? "no local move makes it better" : near;
   }
 
@@ -367,7 +382,10 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
   const std::size_t shown = std::min(bad.size(), MeshQuality::kShown);
   std::partial_sort(bad.begin(), bad.begin() + std::ptrdiff_t(shown), bad.end());
   const Explainer explainer(mesh, leaves);
-  for (const auto& [shape, i] : bad) out.forced += explainer.is_forced(mesh.tetrahedra[i]);
+  for (const auto& [shape, i] : bad) {
+    out.forced += explainer.is_forced(mesh.tetrahedra[i]);
+    out.near += explainer.is_between_near(mesh.tetrahedra[i]);
+  }
   for (std::size_t i = 0; i < shown; ++i) {
     out.worst_ones.push_back(explainer.explain(mesh.tetrahedra[bad[i].second]));
     out.worst_ones.back().tetrahedron = bad[i].second;
@@ -380,6 +398,15 @@ std::string forced_text(const MeshQuality& quality) {
   return std::to_string(quality.forced) + (quality.forced == 1 ? " of them is" : " of them are") +
          " where faces or edges of the model meet at less than " + short_text(MeshQuality::kForced) +
          " degrees: no tetrahedron there has a shape of 0.1";
+}
+
+std::string joining_text(const MeshQuality& quality) {
+  constexpr double kMany = 0.01;
+  const auto all = std::accumulate(quality.shapes.begin(), quality.shapes.end(), std::size_t{0});
+  if (quality.near == 0 || double(quality.bad) <= kMany * double(all)) return {};
+  return "in " + std::to_string(quality.near) +
+         " of them two cells of the model nearly touch; `cnrg check --features` lists what is near, and --join "
+         "joins it";
 }
 
 std::string larger_text(const MeshQuality& quality) {

@@ -40,6 +40,8 @@ struct MeshQuality {
   std::vector<Region> regions;  ///< as the mesh's entities of dimension 3
   std::size_t bad = 0;
   std::size_t forced = 0;  ///< of them where the model is sharper than `kForced`: whatever else is there is bad
+  /// Of the bad ones those in which two cells of the model are much nearer to each other than others.
+  std::size_t near = 0;
   std::size_t beyond = 0;  ///< whose ratio of circumradius to shortest edge is larger than asked for
   std::size_t larger = 0;  ///< whose volume is larger than asked for
   double largest = 0;      ///< volume of all
@@ -57,6 +59,9 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
 
 /// `2 of them are where faces or edges of the model meet at less than 0.9 degrees: ...`; empty where none is.
 std::string forced_text(const MeshQuality& quality);
+
+/// What helps where more than a hundredth is bad for what nearly touches; empty elsewhere.
+std::string joining_text(const MeshQuality& quality);
 
 /// `6 tetrahedra are larger than --max-volume, the largest 0.167`; empty where none is.
 std::string larger_text(const MeshQuality& quality);

@@ -180,7 +180,7 @@ void require_done(const ChildEnd& end) {
   if (end.kind == Kind::done && end.number == 0) return;
   if (end.kind == Kind::memory || (end.kind == Kind::done && end.number == kNoMemory)) throw std::bad_alloc();
   if (end.kind == Kind::time) {
-    throw InputError(
+    throw TetgenLate(
         "TetGen did not end in its time; give it more by --seconds, or a larger --quality or --max-volume, "
         "remove slivers, join what nearly touches by --join, or leave out --keep-boundary");
   }

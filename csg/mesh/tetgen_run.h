@@ -7,6 +7,7 @@
 #include <string>
 
 #include "csg/mesh/plc.h"
+#include "kernel/base/error.h"
 
 namespace cnrg {
 
@@ -42,11 +43,17 @@ class TetgenLooksAtMost {
   TetgenLooksAtMost& operator=(const TetgenLooksAtMost&) = delete;
 };
 
+/// TetGen did not end in its time.
+class TetgenLate : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Told meanwhile how many tetrahedra it has looked at whether they have to be split.
 using LookedAt = std::function<void(std::size_t)>;
 
 /// Fills the box, all of it, with tetrahedra. `too_large`, if there is one, is asked of each tetrahedron while the
-/// mesh is refined. Throws InputError with what TetGen said and what helps, also where its time is over,
+/// mesh is refined. Throws InputError with what TetGen said and what helps, TetgenLate where its time is over,
 /// std::bad_alloc when it runs out of memory, Stopped.
 PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame frame, const TetgenTime& time,
                    const TooLarge& too_large = {}, const std::stop_token& stop = {},

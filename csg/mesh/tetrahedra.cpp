@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "csg/mesh/constrained_run.h"
@@ -58,15 +59,17 @@ class TetrahedraMaker {
     ask_for_sizes(rounded);
     const std::string refused = asks_tetgen() ? ask_tetgen(rounded) : trial_.fault;
     if (trial_.only && !refused.empty()) throw TetgenFault(refused);
-    of_tetgen_ = asks_tetgen() && refused.empty() && !thin_;
+    of_tetgen_ = asks_tetgen() && refused.empty() && !thin_ && !filled_;
+    if (asks_tetgen() && bounded() && (filled_ || !refused.empty())) {  // others than it would have made
+      ours_ = true;
+      set_sizes_of_shapes(rounded.points());
+      leave_out_quality(rounded.points());
+      foretell(rounded, thin_ ? Maker::flat : Maker::own);
+    }
+    to_sizes_ = filled_ && !sizes_.empty();
     if (options_.constrained || !refused.empty()) {
       surface_first_ = options_.surface_first;
       if (keeps_boundary()) throw InputError(refused);  // constrained tetrahedra need points on it
-      if (asks_tetgen() && bounded()) {                 // once more: it makes others than TetGen
-        ours_ = true;
-        set_sizes_of_shapes(rounded.points());
-        foretell(rounded, thin_ ? Maker::flat : Maker::own);
-      }
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
       watch_.begin("mesh: constrained tetrahedra");
       out_ = run_constrained(plc_, flat_, watch_);
@@ -85,7 +88,7 @@ class TetrahedraMaker {
     number_points(result_.mesh, flat_, out_.points);
     std::vector<std::string> leaves;
     for (const LeafInfo& leaf : *view_.leaves) leaves.push_back(leaf.name);
-    result_.quality = quality_of(mesh(), leaves, options_.quality, options_.max_volume);
+    result_.quality = quality_of(mesh(), leaves, asked_quality_, options_.max_volume);
     tell_rationed();
     tell_larger(rounded);
     return std::move(result_);
@@ -109,7 +112,8 @@ class TetrahedraMaker {
   static constexpr std::size_t kPointsForBounds = 3'000'000;
 
   const ResultView& view_;
-  const TetrahedraOptions options_;
+  TetrahedraOptions options_;
+  const double asked_quality_ = options_.quality;
   const TetgenTrial trial_;
   const Deadline& deadline_;
   const Watch& watch_;  // of the deadline
@@ -126,14 +130,16 @@ class TetrahedraMaker {
   double expected_ = 0;
   double for_shapes_ = 0;  // as many would be made if points that nobody asks for were not rationed
   double in_seconds_ = 0;  // that what is expected takes, at most
+  bool late_ = false;      // TetGen has not come to an end of refining
   bool surface_first_ = options_.surface_first;
   bool ours_ = options_.constrained || !trial_.fault.empty();  // TetGen is not asked, or has failed
   bool rationed_ = false;                                      // points in narrow parts are
-  bool thin_ = false;       // TetGen fills the regions and no more, since it would not end
-  std::string flat_text_;   // why
-  bool of_tetgen_ = false;  // it has made the mesh, to all bounds
-  bool to_sizes_ = false;   // the improver makes them
-  double afterwards_ = 0;   // seconds that are kept for what follows the improver, for each tetrahedron
+  bool thin_ = false;                    // TetGen fills the regions and no more, since it would not end
+  std::string flat_text_;                // why
+  bool fills_ = false, filled_ = false;  // it fills, or has filled, since it does not end of refining
+  bool of_tetgen_ = false;               // it has made the mesh, to all bounds
+  bool to_sizes_ = false;                // the improver makes them
+  double afterwards_ = 0;  // seconds that are kept for what follows the improver, for each tetrahedron
 
   Mesh& mesh() { return result_.mesh; }
   bool asks_tetgen() const { return !options_.constrained && trial_.fault.empty(); }
@@ -163,6 +169,24 @@ class TetrahedraMaker {
     if (!ours_ || options_.quality == 0 || !sizes_.empty() || rationed_ || thin_) return;
     sizes_ = mesh_sizes(view_, flat_, points, {0, kGrowthOfShapes, true});
     if (!regions_) regions_.emplace(flat_, points);
+    forecasts_ = {};
+  }
+
+  /// Where lengths that come to a quality take longer than there is time, all of it would go into short edges, and
+  /// none into shapes. Then these are improved as if no quality were asked for.
+  void leave_out_quality(const RoundedPoints& points) {
+    if (sized() || options_.quality == 0 || options_.max_volume > 0 || rationed_) return;
+    const double there = deadline_.bounded() ? deadline_.seconds_left()
+                         : options_.seconds  ? HUGE_VAL
+                                             : TetrahedraOptions::kPartSeconds;
+    const MeshForecast& told = forecast_of(points, Maker::own);
+    const double tetrahedra = std::sqrt(told.least * told.most), seconds = kSecondsOfShapes * tetrahedra;
+    if (seconds <= there) return;
+    flat_text_ += (flat_text_.empty() ? "" : "; ") + ("--quality would take " + count_text(tetrahedra)) +
+                  " tetrahedra and " + time_text(seconds) +
+                  ", which is too long, and is left out; --seconds 0 waits for it";
+    options_.quality = 0;
+    sizes_ = {};
     forecasts_ = {};
   }
 
@@ -247,11 +271,15 @@ class TetrahedraMaker {
   }
 
   bool keeps_boundary() const { return options_.keep_boundary || surface_first_; }
-  bool refines() const { return sized() && !thin_; }
+  TooLarge asked_of_each() const {
+    if (fills_) return {};
+    return sized() && !thin_ ? too_large_ : has_to_be_split_;
+  }
   bool bounded() const { return options_.quality > 0 || options_.max_volume > 0 || sized(); }
 
   TetgenSwitches switches() const {
     constexpr double kAny = 1e30;
+    if (fills_) return {.keep_boundary = keeps_boundary()};
     if (thin_) return {.keep_boundary = keeps_boundary(), .quality = has_to_be_split_ ? kAny : 0};
     return {keeps_boundary(),
             options_.quality > 0 ? options_.quality
@@ -267,18 +295,17 @@ class TetrahedraMaker {
     const int part = options_.seconds ? 0 : TetrahedraOptions::kPartSeconds;
     const double clock = deadline_.seconds_left() / 3;  // so nearly a third is left after all ways to ask it
     const int enough = 5 + int(plc_.points.size() / 4000);
-    if (!thin_ && keeps_boundary() && !(options_.surface_first && bounded())) return {part, 0, clock};
-    if (thin_ || !bounded()) return {part == 0 ? enough : std::min(part, enough), 0, clock};
-    // It may still fill where it does not come to an end.
+    if (keeps_boundary() && !bounded()) return {part, 0, clock};
+    if (thin_ || fills_ || !bounded()) return {part == 0 ? enough : std::min(part, enough), 0, clock};
     constexpr double kLeast = 10, kSlow = 20;
-    const int patience = options_.surface_first ? int(std::min(double(part), kLeast + kSlow * in_seconds_)) : part;
-    return {patience, enough + int(2 * in_seconds_), clock};
+    const double patience = kLeast + kSlow * in_seconds_;
+    return {part == 0 ? 0 : int(std::min(double(part), patience)), enough + int(2 * in_seconds_), clock};
   }
 
   /// In words, with its bound of time where it cannot say how far it is.
   std::string stage_of_tetgen(const TetgenTime& time) const {
     std::string text = "mesh: TetGen";
-    if (bounded() && expected_ > 0) return text;
+    if (bounded() && !fills_ && expected_ > 0) return text;
     if (std::isfinite(time.clock) && time.clock > 0)
       text += ", at most " + std::to_string(std::lround(std::ceil(time.clock))) + " s";
     else if (time.seconds > 0) text += ", at most " + std::to_string(time.seconds) + " s of processor";
@@ -289,7 +316,7 @@ class TetrahedraMaker {
   /// included. Measured on meshes of 1,500 to 480,000: 2.7 to 1.3 looks for each that stays. Nobody knows before
   /// what it will split, so that is no better than the forecast.
   LookedAt looked_at(const std::string& stage) const {
-    if (!watch_.progress || expected_ == 0) return {};
+    if (!watch_.progress || expected_ == 0 || fills_) return {};
     const auto total = std::size_t(1.3 * std::pow(5e5 / expected_, 0.125) * expected_);
     return [this, &stage, total](std::size_t looks) {
       if (looks > 0) watch_.progress(stage, std::min(looks, total - total / 50), total);
@@ -316,46 +343,55 @@ class TetrahedraMaker {
 
   /// Empty once there is a mesh; else why there is none.
   std::string ask_tetgen(const RoundedResult& rounded) {
-    std::string refused;
     if (surface_first_ && surface_.facets.empty()) surface_ = surface_complex(rounded);
     // Each triangle has a tetrahedron: if there are more than were foretold, the surface is finer than the sizes
     // inside, which TetGen would refine for without an end.
     if (surface_first_ && sized() && options_.quality == 0 && options_.max_volume == 0 && expected_ > 0 &&
         !thin_ && double(surface_.facets.size()) > expected_)
       keep_flat();
-    // Where it does not come to an end of refining, it may still fill.
-    const bool may_fill = options_.surface_first && bounded() && !thin_;
-    for (std::size_t i = 0; i < std::size(kAttempts); ++i) {
-      const Attempt& attempt = kAttempts[i];
+    std::string refused = ask_in_all_ways(rounded);
+    // Where it does not come to an end of refining, it may still fill. Where it stumbles, others do better, if
+    // they may have points on the boundary.
+    if (!refused.empty() && bounded() && !thin_ && (late_ || keeps_boundary())) {
+      const std::string why = without_remedy(refused);
+      fills_ = true;
+      refused = ask_in_all_ways(rounded);
+      fills_ = false;
+      filled_ = refused.empty();
+      if (filled_)
+        flat_text_ = why + (options_.surface_first ? " with the triangles of the surface" : "") +
+                     "; it has filled the regions, and the tetrahedra are improved";
+    }
+    if (options_.surface_first && !refused.empty())
+      refused = without_remedy(refused) +
+                "; leave out --surface-first, give other sizes, or join what nearly touches by --join";
+    return refused;
+  }
+  std::string ask_in_all_ways(const RoundedResult& rounded) {
+    std::string refused;
+    for (const Attempt& attempt : kAttempts) {
       if (keeps_boundary() && attempt.facets == PlcFacets::all) continue;
       try {
         plc_ = surface_first_ ? surface_ : plc_of(view_, flat_, rounded, attempt.facets);
-        plc_.max_volume = thin_ ? 0 : options_.max_volume;
+        plc_.max_volume = thin_ || fills_ ? 0 : options_.max_volume;
         set_seeds(plc_, rounded);
         const TetgenTime time = time_of_tetgen();
         const std::string stage = stage_of_tetgen(time);
         watch_.begin(stage);
-        out_ = run_tetgen(plc_, switches(), attempt.frame, time, refines() ? too_large_ : has_to_be_split_,
-                          watch_.stop, looked_at(stage));
+        out_ = run_tetgen(plc_, switches(), attempt.frame, time, asked_of_each(), watch_.stop, looked_at(stage));
         take(watch_);
         return {};
+      } catch (const TetgenLate& e) {
+        refused = e.what();
+        late_ = bounded() && !thin_ && !fills_;
+        if (late_) break;  // asked in another way it would take as long
       } catch (const InputError& e) {
         refused = e.what();
       } catch (const InvariantError& e) {  // the proof refuses what the mesher returns
         refused = std::string("what TetGen returns is not what was asked for (") + e.what() +
                   "); try --quality 2, curved leaves that are finer or coarser, or leave out --keep-boundary";
       }
-      if (may_fill && !thin_) {
-        thin_ = true;
-        flat_text_ =
-            without_remedy(refused) +
-            " with the triangles of the surface; it has filled the regions, and the tetrahedra are improved";
-        i = 0;  // the first attempt that keeps the boundary follows
-      }
     }
-    if (options_.surface_first)
-      refused = without_remedy(refused) +
-                "; leave out --surface-first, give other sizes, or join what nearly touches by --join";
     return refused;
   }
 
@@ -444,6 +480,15 @@ class TetrahedraMaker {
 };
 
 }  // namespace
+
+std::vector<std::size_t> listed_regions(const TetrahedralMesh& made) {
+  std::vector<std::size_t> order(made.regions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return listed_before(made.regions[a].name, made.regions[b].name);
+  });
+  return order;
+}
 
 TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline,
                            const TetgenTrial& trial) {

@@ -20,6 +20,9 @@ struct TetrahedralMesh {
   std::vector<std::string> warnings{};  ///< what nobody may miss: regions that had to go, so that there is a mesh
 };
 
+/// Its regions as people list them: their places in `regions`, by their names.
+std::vector<std::size_t> listed_regions(const TetrahedralMesh& made);
+
 /// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015), or, where it makes
 /// none that are proven or with `constrained`, constrained ones (constrained_run.h). Faces, wires and
 /// points outside of them are in the mesh as triangles, segments and points that conform, too. The boundary of a

@@ -42,6 +42,9 @@ std::size_t width_of(std::string_view text);
 /// The text and blanks behind it, `width` columns in all; as it is if it takes more.
 std::string padded(std::string text, std::size_t width);
 
+/// Do people list `a` before `b`? Digits count as the number that they are: `layer.9` before `layer.10`.
+bool listed_before(std::string_view a, std::string_view b);
+
 /// An integer in groups of three digits, for people: 1234567 -> `1,234,567`.
 std::string grouped(std::size_t number);
 

@@ -210,7 +210,7 @@ std::string regions_table(const Result& result, const TetrahedralMesh& made, con
                  {shape_text(shapes.worst), shape_text(shapes.median), grouped(shapes.bad), to_decimal(of)});
     table.row(cells, color == nullptr, color);
   };
-  for (std::size_t i = 0; i < made.regions.size(); ++i) {
+  for (const std::size_t i : listed_regions(made)) {
     const RegionTetrahedra& region = made.regions[i];
     const std::size_t curved = bent != nullptr ? bent->curved[i] : 0;
     const std::size_t straight = bent != nullptr ? bent->straight[i] : 0;
@@ -262,9 +262,12 @@ std::string mesh_page(const Result& result, const TetrahedralMesh& made, const C
       table.row({std::to_string(++number), shape_text(bad.measures.shape), decimal(bad.measures.dihedral, "%.2g"),
                  decimal(bad.measures.radius_edge, "%.3g"), place(bad.at), list_of(bad.nodes), bad.why});
     }
-    body += "<section><h2>The worst shapes</h2>\n<p class=\"note\">" + grouped(q.worst_ones.size()) + " of " +
-            grouped(q.bad) + " below 0.1, at the middle of each tetrahedron, with the nodes that meet there. " +
-            (q.forced > 0 ? forced_text(q) + "." : "") + "</p>\n" + table.text() + "</section>\n";
+    std::string note = grouped(q.worst_ones.size()) + " of " + grouped(q.bad) +
+                       " below 0.1, at the middle of each tetrahedron, with the nodes that meet there.";
+    for (const std::string& more : {forced_text(q), joining_text(q)})
+      if (!more.empty()) note += " " + more + ".";
+    body += "<section><h2>The worst shapes</h2>\n<p class=\"note\">" + in_xml(note) + "</p>\n" + table.text() +
+            "</section>\n";
   }
   return whole_page(options, facts, body);
 }

@@ -119,6 +119,23 @@ TEST_CASE("what the model forces is counted", "[mesh][quality]") {
   CHECK(forced_text({}).empty());
 }
 
+TEST_CASE("what nearly touches is said to be joined where much is bad for it", "[mesh][quality]") {
+  const MeshQuality near = meshed(
+                               "cnrg: 1\nnodes:\n  rock: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n"
+                               "  a: {polyline: [[5, 5, 5], [9, 4, 2]]}\n"
+                               "  b: {polyline: [[5, 5.001, 5], [1, 6, 2]]}\n"
+                               "  c: {polygon: [[1, 1, 9.99], [9, 1, 9.995], [9, 9, 9.99]]}\n"
+                               "  model: {union: [rock, a, b, c]}\nresult: model\n")
+                               .quality;
+  CHECK(near.near > 0);
+  CHECK(near.near <= near.bad);
+  CHECK_THAT(joining_text(near), Catch::StartsWith("in " + std::to_string(near.near) + " of them two cells") &&
+                                     Catch::EndsWith("--join joins it"));
+  MeshQuality few = near;
+  few.shapes.back() += 100 * few.bad;
+  CHECK(joining_text(few).empty());
+}
+
 TEST_CASE("measures of tetrahedra that are known", "[mesh][quality]") {
   const auto regular = measures_of({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}});
   CHECK(regular.shape == Approx(1));

@@ -132,37 +132,43 @@ TEST_CASE("what is flat is left as it is, and what is wide is bounded", "[mesh][
   CHECK(is_flat(b, c, {0, 0, 1e-9}, a));
 }
 
-TEST_CASE("where TetGen does not end with a surface that was meshed first, it fills", "[mesh][thin]") {
+TEST_CASE("where TetGen does not end of refining, it fills", "[mesh][thin]") {
   const Result block = result_of("  model: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n");
   TetrahedraOptions options;
-  options.surface_first = true;
   options.size = 0.3;
+  SECTION("sizes") {}
+  SECTION("a surface that was meshed first") { options.surface_first = true; }
+  SECTION("the boundary is kept") { options.keep_boundary = true; }
+  SECTION("volumes") { options.size = 0, options.max_volume = 0.01; }
+  SECTION("a quality") { options.size = 0, options.max_volume = 0.01, options.quality = 1.4; }
   const TetrahedralMesh ended = tetrahedra(block, options);
-  CHECK(ended.notice.empty());
+  CHECK(ended.notice.find("filled") == std::string::npos);
   const TetgenLooksAtMost few(20);
-  const TetrahedralMesh filled = tetrahedra(block, options);
-  CHECK_THAT(filled.notice,
-             Catch::StartsWith("TetGen did not end in its time with the triangles of the surface; it "
-                               "has filled the regions, and the tetrahedra are improved"));
-  CHECK(filled.mesh.triangles.size() == ended.mesh.triangles.size());
-  CHECK(filled.regions[0].volume == 1);
-  CHECK(double(filled.mesh.tetrahedra.size()) > 0.5 * double(ended.mesh.tetrahedra.size()));
-  // Without such a surface it has no more to do, and others make them.
-  options.surface_first = false;
-  CHECK_THAT(tetrahedra(block, options).notice,
-             Catch::StartsWith("TetGen did not end in its time; these are constrained tetrahedra, improved"));
   int told = 0;  // also what others make
   options.foretold = [&](const MeshForecast&) { ++told; };
-  Result result = block;
-  SnapReport report;
-  CHECK_THAT(snapped_tetrahedra(result, options, report).notice,
-             Catch::Contains("; these are constrained tetrahedra, improved"));
-  CHECK(told == 2);
-  options.keep_boundary = true;
-  CHECK_THROWS_WITH(tetrahedra(block, options),
-                    Catch::StartsWith("TetGen did not end in its time; give it more by "
-                                      "--seconds") &&
-                        Catch::EndsWith("join what nearly touches by --join, or leave out --keep-boundary"));
+  const TetrahedralMesh filled = tetrahedra(block, options);
+  CHECK_THAT(filled.notice, Catch::StartsWith("TetGen did not end in its time") &&
+                                Catch::Contains("; it has filled the regions, and the tetrahedra are improved"));
+  if (!options.keep_boundary) CHECK(told == 2);
+  if (options.surface_first || options.keep_boundary)
+    CHECK(filled.mesh.triangles.size() == ended.mesh.triangles.size());
+  CHECK(filled.regions[0].volume == 1);
+  CHECK(filled.quality.larger == 0);
+  CHECK(double(filled.mesh.tetrahedra.size()) > 0.5 * double(ended.mesh.tetrahedra.size()));
+}
+
+TEST_CASE("where TetGen is late, a quality that takes too long is left out", "[mesh][thin]") {
+  const Result ball = result_of("  model: {sphere: {center: [0, 0, 0], radius: 5, segments: 64}}\n");
+  TetrahedraOptions options;
+  options.quality = 1.3;
+  options.seconds = 5;
+  const TetgenLooksAtMost few(20);
+  const TetrahedralMesh made = tetrahedra(ball, options);
+  CHECK_THAT(made.notice, Catch::Contains("it has filled the regions") &&
+                              Catch::Contains("--quality would take about ") &&
+                              Catch::Contains("is left out; --seconds 0 waits for it"));
+  CHECK(made.quality.beyond > 0);
+  CHECK(made.mesh.tetrahedra.size() < 100'000);
 }
 
 TEST_CASE("a plate without a double inside is refused where faces are kept, with what helps",
