@@ -8,6 +8,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/insertion.h"
+#include "kernel/tetrahedra/lengths.h"
 #include "kernel/tetrahedra/moves.h"
 
 namespace cnrg {
@@ -20,10 +21,10 @@ double cube(double x) { return x * x * x; }
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// While points are added, moves are tried on what is worse than this part of a good shape.
 constexpr double kRough = 0.5;
-/// Edges are as wanted between these, in lengths that are wanted.
-constexpr double kLong = 1.4142, kShort = 0.7071;
 /// Rounds of moves, of refinement to length, of refinement to shape, of pulling short edges together.
 constexpr int kMoveRounds = 6, kSizeRounds = 40, kShapeRounds = 40, kShortRounds = 6;
+/// The last of them is one that changes less than this part of the mesh.
+constexpr std::size_t kFewDone = 1000;
 /// Moves are tried on worse shapes while short edges are pulled together.
 constexpr double kSized = 0.6;
 /// A vertex moves where that makes the worst shape around it so many times as good (to the third power, as shapes
@@ -79,12 +80,12 @@ class Improver {
         mesh_(mesh, watch),
         moves_(mesh_, options.fixed, options.keep_boundary),
         insertion_(mesh_, options.fixed, options.keep_boundary),
+        lengths_(mesh_, moves_, options),
         begin_(std::chrono::steady_clock::now()) {
-    if (options_.size) {
-      for (Index v = 0; v < mesh_.point_count(); ++v) {
-        watch_.check();
-        wanted_.push_back(options_.size(mesh_.point(v)));
-      }
+    if (!options_.size) return;
+    for (Index v = 0; v < mesh_.point_count(); ++v) {
+      watch_.check();
+      lengths_.wanted(v);
     }
   }
 
@@ -114,8 +115,8 @@ class Improver {
   Stars mesh_;
   Moves moves_;
   Insertion insertion_;
+  Lengths lengths_;
   const std::chrono::steady_clock::time_point begin_;
-  std::vector<double> wanted_;        // by vertex
   std::vector<int> halvings_;         // by vertex
   std::vector<std::uint64_t> tried_;  // by tetrahedron: when no new vertex made it better
   double gain_of_bad_ = kNotable;     // in the next sweep
@@ -164,14 +165,18 @@ class Improver {
     if (moved) return true;
     for (const auto& [i, j] : kEdges) {
       const Index a = corners[std::size_t(i)], b = corners[std::size_t(j)];
-      const double longest = options_.size ? square(kLong * std::min(wanted(a), wanted(b))) : kInfinite;
+      const double longest = options_.size ? lengths_.most(a, b) : kInfinite;
       if (moves_.collapse(a, b, kInfinite, longest) || moves_.collapse(b, a, kInfinite, longest)) return true;
     }
     return false;
   }
   static double square(double x) { return x * x; }
 
-  std::size_t sweep(double below) {
+  /// May what is bad move for any gain in the next sweep? While edges are brought to length it would be for
+  /// nothing.
+  enum class Bad : std::uint8_t { notably, for_any_gain };
+
+  std::size_t sweep(double below, Bad next = Bad::for_any_gain) {
     std::size_t done = 0, bad = 0, all = 0;
     for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
       if (!mesh_.alive(t)) continue;
@@ -185,6 +190,7 @@ class Improver {
         ++done;
       }
     }
+    if (next == Bad::notably) return done;
     const bool few = all < kFew || static_cast<double>(bad) < kFewBad * static_cast<double>(all);
     const double gain = few ? kAny : kNotable;
     if (gain < gain_of_bad_) mesh_.unsettle();
@@ -192,69 +198,27 @@ class Improver {
     return done;
   }
 
-  double wanted(Index v) {
-    while (wanted_.size() < mesh_.point_count())
-      wanted_.push_back(options_.size(mesh_.point(Index(wanted_.size()))));
-    return wanted_[v];
-  }
-  /// How many of the lengths that are wanted there an edge has.
-  double length(Index a, Index b, std::int32_t region) {
-    double h = (wanted(a) + wanted(b)) / 2;
-    const auto r = static_cast<std::size_t>(region);
-    if (region >= 0 && r < options_.region_size.size()) h = std::min(h, options_.region_size[r]);
-    return std::sqrt(moves_.squared(a, b)) / h;
-  }
-
+  /// What is far too long is halved first, with moves between: they cost less while there are few tetrahedra.
   void to_length() {
+    const Lengths::Ends ends = [this](Index at) { return over(at); };
+    const Lengths::Ends ends_halving = [this](Index at) { return over(at) || ends_refining(); };
+    double longer = kInfinite;
     for (int round = 0; round < kSizeRounds && !over(); ++round) {
       begin("mesh: lengths, round " + of_rounds(round, kSizeRounds));
-      std::size_t done = 0;
-      const std::size_t all = mesh_.size();
-      for (Index t = 0; t < all && !over(t) && !ends_refining(); ++t) {
-        if (!mesh_.alive(t) || mesh_.at(t).region < 0) continue;
-        const auto& tet = mesh_.at(t);
-        double longest = kLong;
-        Index a = 0, b = 0;
-        for (const auto& [i, j] : kEdges) {
-          const Index p = tet.corners[std::size_t(i)], q = tet.corners[std::size_t(j)];
-          const double l = length(p, q, tet.region);
-          if (l > longest) longest = l, a = p, b = q;
-        }
-        if (a != b && moves_.split(a, b) != Stars::kNoTetrahedron) ++done;
-      }
+      longer = std::max(Lengths::kLong, (round == 0 ? lengths_.longest(ends) : longer) / 2);
+      const std::size_t done = lengths_.halve(longer, ends_halving);
       if (too_many_) return;
       begin("mesh: lengths, moves of round " + of_rounds(round, kSizeRounds));
-      sweep(cube(kRough * options_.good));
-      if (done == 0) break;
+      sweep(cube(kRough * options_.good), Bad::notably);
+      if (longer == Lengths::kLong && done * kFewDone < mesh_.size()) break;
     }
     for (int round = 0; round < kShortRounds && !over(); ++round) {
       begin("mesh: short edges, round " + of_rounds(round, kShortRounds));
-      const std::size_t done = collapse_short();
+      const std::size_t done = lengths_.collapse(cube(kRough * options_.good), ends);
       begin("mesh: short edges, moves of round " + of_rounds(round, kShortRounds));
       sweep(cube(kSized));
-      if (done * 1000 < mesh_.size()) break;
+      if (done * kFewDone < mesh_.size()) break;
     }
-  }
-
-  /// Halving leaves edges that are as short as half of a long one, and with them twice as many tetrahedra as their
-  /// lengths ask for. They are pulled together where shapes allow that, which is in more places after the moves.
-  std::size_t collapse_short() {
-    std::size_t done = 0;
-    const double enough = cube(kRough * options_.good);
-    for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
-      if (!mesh_.alive(t) || mesh_.at(t).region < 0) continue;
-      const auto tet = mesh_.at(t);
-      for (const auto& [i, j] : kEdges) {
-        const Index p = tet.corners[std::size_t(i)], q = tet.corners[std::size_t(j)];
-        if (length(p, q, tet.region) >= kShort) continue;
-        const double longest = square(kLong * std::min(wanted(p), wanted(q)));
-        if (moves_.collapse(p, q, enough, longest) || moves_.collapse(q, p, enough, longest)) {
-          ++done;
-          break;
-        }
-      }
-    }
-    return done;
   }
 
   /// Is it as it has to be?
@@ -413,6 +377,7 @@ class Improver {
   }
   void set_mesh(const ConformingTetrahedra& mesh) {
     mesh_ = Stars(mesh, watch_);
+    lengths_.forget(static_cast<Index>(mesh.points.size()));
     tried_.clear();
   }
 

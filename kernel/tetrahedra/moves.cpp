@@ -36,12 +36,13 @@ double Moves::squared(Index a, Index b) const {
 
 const std::vector<Index>& Moves::at_edge(Index a, Index b) {
   at_edge_.clear();
+  if (mesh_.star(b).size() < mesh_.star(a).size()) std::swap(a, b);
   for (const Index t : mesh_.star(a))
     if (mesh_.at(t).has(b)) at_edge_.push_back(t);
   return at_edge_;
 }
 
-bool Moves::remove_edge(Index a, Index b) {
+bool Moves::remove_edge(Index a, Index b, double longest) {
   if (mesh_.line(a, b) != Stars::kNone || !mesh_.ring(a, b, ring_)) return false;
   auto& around = ring_.around;
   auto& tets = ring_.tetrahedra;
@@ -65,18 +66,18 @@ bool Moves::remove_edge(Index a, Index b) {
   old_ = tets;
   fresh_.clear();
   if (walls.empty()) {
-    if (!ring_.closed || n < 3 || !fill_arc(a, b, 0, n, false, Stars::kNone, bar)) return false;
+    if (!ring_.closed || n < 3 || !fill_arc(a, b, 0, n, false, Stars::kNone, bar, longest)) return false;
   } else {
     if (keep_ || walls.size() != 2 || facet_at(walls[0]) != facet_at(walls[1])) return false;
     const std::int32_t facet = facet_at(walls[0]);
     const Index c = around[walls[0]], d = around[walls[1]];
     if (!turned_like(facet, a, d, c, b) || !turned_like(facet, b, c, d, a)) return false;
     if (!ring_.closed) {
-      if (walls[0] != 0 || walls[1] != n || !fill_arc(a, b, 0, n + 1, true, facet, bar)) return false;
+      if (walls[0] != 0 || walls[1] != n || !fill_arc(a, b, 0, n + 1, true, facet, bar, longest)) return false;
     } else {
       const std::size_t first = walls[1] - walls[0] + 1, second = n - (walls[1] - walls[0]) + 1;
-      if (!fill_arc(a, b, walls[0], first, true, facet, bar) ||
-          !fill_arc(a, b, walls[1], second, true, facet, bar))
+      if (!fill_arc(a, b, walls[0], first, true, facet, bar, longest) ||
+          !fill_arc(a, b, walls[1], second, true, facet, bar, longest))
         return false;
     }
   }
@@ -87,7 +88,7 @@ bool Moves::remove_edge(Index a, Index b) {
 /// Fills what is between a, b and `count` vertices of the ring from the place `from` on. `closing`: the side from
 /// the last one to the first is a new side in `facet`, not one of the ring.
 bool Moves::fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool closing, std::int32_t facet,
-                     double bar) {
+                     double bar, double longest) {
   if (count < 3) return false;
   const auto& around = ring_.around;
   const std::size_t n = ring_.tetrahedra.size();
@@ -100,6 +101,8 @@ bool Moves::fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool
     for (std::size_t i = 0; i + length < count; ++i) {
       const std::size_t j = i + length;
       best[i][j] = -1, by[i][j] = i + 1;
+      const bool fresh = closing || length + 1 < count;
+      if (fresh && longest < kInfinite && squared(p(i), p(j)) >= longest) continue;
       for (std::size_t k = i + 1; k < j; ++k) {
         double shape = std::min(best[i][k], best[k][j]);
         const double least = std::max(bar, best[i][j]);
@@ -237,7 +240,7 @@ bool Moves::collapse(Index a, Index b, double enough, double longest) {
     t.shape = mesh_.measure(t.corners, t.region, bar);
     if (t.shape < 0 || t.shape <= bar) return false;
     for (const Index v : t.corners)
-      if (v != b && squared(v, b) > longest) return false;
+      if (t.region >= 0 && v != b && squared(v, b) > longest) return false;
     for (const Joined& j : joined) {
       const int p = t.place(j.side[0]), q = t.place(j.side[1]);
       if (p < 0 || q < 0) continue;

@@ -5,6 +5,8 @@
 // be undone. Points of the input never move and never go.
 #pragma once
 
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "kernel/tetrahedra/stars.h"
@@ -21,8 +23,8 @@ class Moves {
 
   /// Takes an edge away: the tetrahedra around it are replaced by those over the best triangulation of the ring
   /// (klincsek1980; freitag1997). An edge inside of a facet is replaced by the other diagonal.
-  /// True if that made the worst shape better.
-  bool remove_edge(Index a, Index b);
+  /// True if that made the worst shape better. `longest`: all new edges are shorter (squared length).
+  bool remove_edge(Index a, Index b, double longest = std::numeric_limits<double>::infinity());
   /// Two tetrahedra at a face become three around a new edge, if that makes the worst shape better.
   bool swap_face(Index t, int k);
   /// Pulls `a` into `b`. All shapes must be above `enough` or above the worst that there was.
@@ -34,6 +36,8 @@ class Moves {
   /// Moves a vertex so that the worst shape around it, to the third power, gets more than `gain` times as good.
   bool smooth(Index v, double gain);
 
+  /// What the last move but `smooth` put in the place of what it took away.
+  std::span<const Stars::Tetrahedron> made() const { return fresh_; }
   /// The worst shape of some tetrahedra.
   double worst(std::span<const Index> tetrahedra) const;
   double squared(Index a, Index b) const;
@@ -50,7 +54,7 @@ class Moves {
   std::vector<Stars::Tetrahedron> fresh_;
 
   bool fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool closing, std::int32_t facet,
-                double bar);
+                double bar, double longest);
   bool keeps_facets(Index a, Index b) const;
   bool turned_like(std::int32_t facet, Index before, Index after, Index p, Index q) const;
   bool try_place(Index v, const Point& p, double gain, double& worst);

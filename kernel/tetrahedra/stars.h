@@ -84,7 +84,8 @@ class Stars {
   }
 
   /// The cube of the shape 12 (3 V)^(2/3) / (sum of squared edges), which is 1 of a regular tetrahedron (liu1994):
-  /// its powers are ordered alike, and it needs no roots. Infinite for a negative region; -1 unless it is
+  /// its powers are ordered alike, and it needs no roots. Far larger for a negative region, whose shape
+  /// is nobody's care unless it is so flat that nothing beside it can move; -1 unless it is
   /// certainly turned right. May be -1, too, where it is not above `bar`: then exact signs are for nothing.
   double measure(const std::array<Index, 4>& corners, std::int32_t region, double bar = -1) const;
 
