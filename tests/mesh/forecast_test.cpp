@@ -98,6 +98,26 @@ TEST_CASE("as many tetrahedra are foretold as are made, within 30 %", "[size][fo
   }
 }
 
+TEST_CASE("a thin slab and a sheet that leaves its region: constrained, no more than is foretold, and none is bad",
+          "[size][forecast]") {
+  TetrahedraOptions options = sizes(1.43, 0.3);
+  options.constrained = true;
+  double told = 0;
+  options.foretold = [&](const MeshForecast& mesh) { told = mesh.tetrahedra; };
+  const TetrahedralMesh made = tetrahedra(result_of(R"(
+  slab:  {box: {min: [-0.5, 7.88, -0.5], max: [10.5, 7.91, 10.5]}}
+  sheet: {polygon: [[1.5, 4.6, 1.5], [8.5, 4.6, 1.5], [8.5, 4.6, 8.5], [1.5, 4.6, 8.5]]}
+  block: {box: {min: [1.53, 0.06, 2.04], max: [8.47, 9.94, 7.96]}}
+  model: {union: [slab, sheet, block], dominance: left}
+)"),
+                                          options);
+  const auto count = double(made.mesh.tetrahedra.size());
+  INFO(told << " foretold, " << count << " made");
+  CHECK(made.quality.bad == 0);
+  CHECK(told / count > 0.7);
+  CHECK(told / count < 1.3);
+}
+
 namespace {
 
 /// What is foretold of a mesh, and how many tetrahedra it has.
