@@ -340,7 +340,7 @@ constexpr double kMostOfFewest = 20;
 // The least and the most of what edges that grow from features make, where shapes or volumes are bounded; of ours
 // with sizes and a quality, whose halves come on top, both. Where shapes alone are
 // bounded TetGen adds some hundreds where facets meet sharply, and needs as many less elsewhere.
-constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kLeastOfHalves = 0.6, kMostOfHalves = 4.5,
+constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kLeastOfHalves = 0.6, kMostOfHalves = 2.2,
                  kFewForShapes = 800;
 // Of each point of a mesh, those on faces and of flat tetrahedra included.
 constexpr double kPerPoint = 7;

@@ -46,7 +46,7 @@ struct Edges {
   double determinant() const { return dot(u, cross(v, w)); }
 };
 
-/// Refinement ends when so many rounds in turn have left no smaller part bad.
+/// Refinement ends when so many rounds in turn have left no smaller part bad, or no fewer edges too long.
 constexpr int kPatience = 5;
 /// And when there are so many times the tetrahedra of the mesh that was kept last: where a bound is too much for
 /// halves, each round doubles what is bad, and all of it would be made in vain.
@@ -203,6 +203,8 @@ class Improver {
     const Lengths::Ends ends = [this](Index at) { return over(at); };
     const Lengths::Ends ends_halving = [this](Index at) { return over(at) || ends_refining(); };
     double longer = kInfinite;
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();  // halves of a round
+    int patience = kPatience;
     for (int round = 0; round < kSizeRounds && !over(); ++round) {
       begin("mesh: lengths, round " + of_rounds(round, kSizeRounds));
       longer = std::max(Lengths::kLong, (round == 0 ? lengths_.longest(ends) : longer) / 2);
@@ -210,7 +212,10 @@ class Improver {
       if (too_many_) return;
       begin("mesh: lengths, moves of round " + of_rounds(round, kSizeRounds));
       sweep(cube(kRough * options_.good), Bad::notably);
-      if (longer == Lengths::kLong && done * kFewDone < mesh_.size()) break;
+      if (longer > Lengths::kLong) continue;
+      patience = double(done) < kLess * double(fewest) ? kPatience : patience - 1;  // moves may undo what it does
+      fewest = std::min(fewest, done);
+      if (patience == 0 || done * kFewDone < mesh_.size()) break;
     }
     for (int round = 0; round < kShortRounds && !over(); ++round) {
       begin("mesh: short edges, round " + of_rounds(round, kShortRounds));

@@ -16,9 +16,10 @@ namespace {
 using Index = Stars::Index;
 using Point = Stars::Point;
 
-/// The shape of what is in no region counts so many times: nobody cares for it, but what is nearly flat there
-/// lets no vertex on the boundary move.
-constexpr double kOutside = 1e12;
+/// The shape of what is in no region counts so many times, and as so much (of 0.02) at least: nobody cares for it,
+/// but what is nearly flat there lets no vertex on the boundary move, and is to be mended where that spoils nothing
+/// inside.
+constexpr double kOutside = 1e12, kFlatOutside = 0.02 * 0.02 * 0.02;
 
 template <std::size_t N>
 std::array<Index, N> sorted(std::array<Index, N> corners) {
@@ -289,8 +290,10 @@ double Stars::measure(const std::array<Index, 4>& corners, std::int32_t region, 
       w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) + w[2] * (u[0] * v[1] - u[1] * v[0]);
   // The bound of the filter of orient3d (kernel/exact/predicates.cpp); what underflows is left to the exact stage.
   const double bound = 6e-15 * box;
-  const double care = region < 0 ? kOutside : 1;
-  const auto cubed = [&] { return care * 432 * det * det / (squares * squares * squares); };
+  const auto cubed = [&] {
+    const double shape = 432 * det * det / (squares * squares * squares);
+    return region < 0 ? std::max(kFlatOutside, kOutside * shape) : shape;
+  };
   if (!(det > bound && box > 1e-200)) {
     if (det < -bound && box > 1e-200) return -1;
     if (cubed() <= bar) return -1;
