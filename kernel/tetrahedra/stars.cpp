@@ -17,8 +17,8 @@ using Index = Stars::Index;
 using Point = Stars::Point;
 
 /// The shape of what is in no region counts so many times, and as so much (of 0.02) at least: nobody cares for it,
-/// but what is nearly flat there lets no vertex on the boundary move, and is to be mended where that spoils nothing
-/// inside.
+/// but what is nearly flat there lets no vertex on the boundary move, and is to be mended where that spoils
+/// nothing inside.
 constexpr double kOutside = 1e12, kFlatOutside = 0.02 * 0.02 * 0.02;
 
 template <std::size_t N>
