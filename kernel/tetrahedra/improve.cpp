@@ -202,6 +202,8 @@ class Improver {
   void to_length() {
     const Lengths::Ends ends = [this](Index at) { return over(at); };
     const Lengths::Ends ends_halving = [this](Index at) { return over(at) || ends_refining(); };
+    begin("mesh: lengths");
+    sweep(cube(kRough * options_.good), Bad::notably);  // halves of flat ones would be points that nearly coincide
     double longer = kInfinite;
     std::size_t fewest = std::numeric_limits<std::size_t>::max();  // halves of a round
     int patience = kPatience;

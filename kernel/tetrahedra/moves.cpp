@@ -71,17 +71,35 @@ bool Moves::remove_edge(Index a, Index b, double longest) {
     if (keep_ || walls.size() != 2 || facet_at(walls[0]) != facet_at(walls[1])) return false;
     const std::int32_t facet = facet_at(walls[0]);
     const Index c = around[walls[0]], d = around[walls[1]];
+    if (mesh_.line(c, d) != Stars::kNone) return false;
     if (!turned_like(facet, a, d, c, b) || !turned_like(facet, b, c, d, a)) return false;
+    const auto change_side = [&](std::size_t from, std::size_t count) {
+      return count == 2 ? peel(tets[from], a, b, facet) : fill_arc(a, b, from, count, true, facet, bar, longest);
+    };
     if (!ring_.closed) {
-      if (walls[0] != 0 || walls[1] != n || !fill_arc(a, b, 0, n + 1, true, facet, bar, longest)) return false;
+      if (walls[0] != 0 || walls[1] != n || !change_side(0, n + 1)) return false;
     } else {
-      const std::size_t first = walls[1] - walls[0] + 1, second = n - (walls[1] - walls[0]) + 1;
-      if (!fill_arc(a, b, walls[0], first, true, facet, bar, longest) ||
-          !fill_arc(a, b, walls[1], second, true, facet, bar, longest))
-        return false;
+      const std::size_t between = walls[1] - walls[0];
+      if (!change_side(walls[0], between + 1) || !change_side(walls[1], n - between + 1)) return false;
     }
   }
   mesh_.replace(old_, fresh_);
+  return true;
+}
+
+/// One tetrahedron alone lies over both triangles of a facet at ab, as flat as that: it goes, and what is beyond
+/// it comes to the new triangles.
+bool Moves::peel(Index t, Index a, Index b, std::int32_t facet) {
+  const Tetrahedron flat = mesh_.at(t);
+  for (const Index corner : {a, b}) {
+    const int k = flat.place(corner);
+    const Index beyond = mesh_.across(t, k);
+    if (flat.facets[static_cast<std::size_t>(k)] != Stars::kNone || beyond == Stars::kNoTetrahedron) return false;
+    Tetrahedron next = mesh_.at(beyond);
+    for (std::size_t j = 0; j < 4; ++j)
+      if (flat.place(next.corners[j]) < 0) next.facets[j] = facet;
+    old_.push_back(beyond), fresh_.push_back(next);
+  }
   return true;
 }
 

@@ -55,6 +55,7 @@ class Moves {
 
   bool fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool closing, std::int32_t facet,
                 double bar, double longest);
+  bool peel(Index t, Index a, Index b, std::int32_t facet);
   bool keeps_facets(Index a, Index b) const;
   bool turned_like(std::int32_t facet, Index before, Index after, Index p, Index q) const;
   bool try_place(Index v, const Point& p, double gain, double& worst);

@@ -301,6 +301,35 @@ TEST_CASE("tetrahedra get the lengths that are wanted", "[tetrahedra]") {
   }
 }
 
+TEST_CASE("a flat tetrahedron over two triangles of a facet is peeled off", "[tetrahedra]") {
+  // Between the triangles abc, abd of a facet, which are the floor of an upper region, and the edge cd above it.
+  constexpr Index a = 0, b = 1, c = 2, d = 3, top = 4, bottom = 5;
+  Mesh mesh;
+  mesh.points = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 1e-15}, {0.1, 0, 1}, {0, 0.1, -1}};
+  mesh.tetrahedra = {{a, b, c, d}, {a, c, d, top}, {b, c, d, top}, {a, b, c, bottom}, {a, b, d, bottom}};
+  mesh.region = {1, 1, 1, 0, 0};
+  for (auto& t : mesh.tetrahedra) {
+    const auto& p = mesh.points;
+    if (orient3d(p[t[0]].data(), p[t[1]].data(), p[t[2]].data(), p[t[3]].data()) < 0) std::swap(t[2], t[3]);
+  }
+  mesh.triangles = {{a, b, c}, {a, d, b}};
+  mesh.facet = {0, 0};
+  Stars stars(mesh);
+  CHECK_FALSE(Moves(stars, 6, true).remove_edge(a, b));
+  REQUIRE(Moves(stars, 6, false).remove_edge(a, b));
+  mesh = stars.mesh();
+  REQUIRE(mesh.tetrahedra.size() == 4);
+  CHECK(std::ranges::count(mesh.region, 0) == 2);
+  for (const auto& t : mesh.tetrahedra) {
+    const auto& p = mesh.points;
+    CHECK(shape_of(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) > 0.3);
+    CHECK(std::ranges::count(t, c) + std::ranges::count(t, d) == 2);
+  }
+  REQUIRE(mesh.triangles.size() == 2);
+  for (const auto& t : mesh.triangles) CHECK(std::ranges::count(t, c) + std::ranges::count(t, d) == 2);
+  CHECK(mesh.facet == std::vector<std::int32_t>{0, 0});
+}
+
 TEST_CASE("what no move makes better is tried again when something near it has changed", "[tetrahedra]") {
   Index fixed = 0;
   const Mesh mesh = random_mesh(2, fixed);
