@@ -465,9 +465,10 @@ class Improver {
         saved = now.bad;
         size = now.all;
       }
-      const bool in_vain = patience == 0 || (options_.volume == 0 && now.all > kMostGrowth * std::max(size, kFew));
-      if (round == kShapeRounds || in_vain || over() || too_many_ || !halve(now.worst, left)) {
-        if (now.bad > saved) set_mesh(best);
+      const bool too_much = options_.volume == 0 && now.all > kMostGrowth * std::max(size, kFew);
+      const bool ends = round == kShapeRounds || patience == 0 || too_much || over() || too_many_;
+      if (ends || !halve(now.worst, left)) {
+        if (now.bad > saved || too_much) set_mesh(best);
         return;
       }
       sweep(cube(kRough * options_.good));
