@@ -384,7 +384,7 @@ class TetrahedraMaker {
       } catch (const TetgenLate& e) {
         refused = e.what();
         late_ = bounded() && !thin_ && !fills_;
-        if (late_) break;  // asked in another way it would take as long
+        if (late_ || attempt.facets == PlcFacets::planar) break;  // in another box it would take as long
       } catch (const InputError& e) {
         refused = e.what();
       } catch (const InvariantError& e) {  // the proof refuses what the mesher returns
