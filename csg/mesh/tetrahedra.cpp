@@ -63,10 +63,9 @@ class TetrahedraMaker {
     if (asks_tetgen() && bounded() && (filled_ || !refused.empty())) {  // others than it would have made
       ours_ = true;
       set_sizes_of_shapes(rounded.points());
-      leave_out_quality(rounded.points());
       foretell(rounded, thin_ ? Maker::flat : Maker::own);
     }
-    to_sizes_ = filled_ && !sizes_.empty();
+    to_sizes_ = filled_ && !sizes_.empty() && !options_.keep_boundary;  // halves beside kept faces are flat
     if (options_.constrained || !refused.empty()) {
       surface_first_ = options_.surface_first;
       if (keeps_boundary()) throw InputError(refused);  // constrained tetrahedra need points on it
@@ -88,7 +87,7 @@ class TetrahedraMaker {
     number_points(result_.mesh, flat_, out_.points);
     std::vector<std::string> leaves;
     for (const LeafInfo& leaf : *view_.leaves) leaves.push_back(leaf.name);
-    result_.quality = quality_of(mesh(), leaves, asked_quality_, options_.max_volume);
+    result_.quality = quality_of(mesh(), leaves, options_.quality, options_.max_volume);
     tell_rationed();
     tell_larger(rounded);
     return std::move(result_);
@@ -112,8 +111,7 @@ class TetrahedraMaker {
   static constexpr std::size_t kPointsForBounds = 3'000'000;
 
   const ResultView& view_;
-  TetrahedraOptions options_;
-  const double asked_quality_ = options_.quality;
+  const TetrahedraOptions options_;
   const TetgenTrial trial_;
   const Deadline& deadline_;
   const Watch& watch_;  // of the deadline
@@ -169,24 +167,6 @@ class TetrahedraMaker {
     if (!ours_ || options_.quality == 0 || !sizes_.empty() || rationed_ || thin_) return;
     sizes_ = mesh_sizes(view_, flat_, points, {0, kGrowthOfShapes, true});
     if (!regions_) regions_.emplace(flat_, points);
-    forecasts_ = {};
-  }
-
-  /// Where lengths that come to a quality take longer than there is time, all of it would go into short edges, and
-  /// none into shapes. Then these are improved as if no quality were asked for.
-  void leave_out_quality(const RoundedPoints& points) {
-    if (sized() || options_.quality == 0 || options_.max_volume > 0 || rationed_) return;
-    const double there = deadline_.bounded() ? deadline_.seconds_left()
-                         : options_.seconds  ? HUGE_VAL
-                                             : TetrahedraOptions::kPartSeconds;
-    const MeshForecast& told = forecast_of(points, Maker::own);
-    const double tetrahedra = std::sqrt(told.least * told.most), seconds = kSecondsOfShapes * tetrahedra;
-    if (seconds <= there) return;
-    flat_text_ += (flat_text_.empty() ? "" : "; ") + ("--quality would take " + count_text(tetrahedra)) +
-                  " tetrahedra and " + time_text(seconds) +
-                  ", which is too long, and is left out; --seconds 0 waits for it";
-    options_.quality = 0;
-    sizes_ = {};
     forecasts_ = {};
   }
 

@@ -140,7 +140,7 @@ TEST_CASE("where TetGen does not end of refining, it fills", "[mesh][thin]") {
   SECTION("a surface that was meshed first") { options.surface_first = true; }
   SECTION("the boundary is kept") { options.keep_boundary = true; }
   SECTION("volumes") { options.size = 0, options.max_volume = 0.01; }
-  SECTION("a quality") { options.size = 0, options.max_volume = 0.01, options.quality = 1.4; }
+  SECTION("a quality and volumes") { options.size = 0, options.max_volume = 0.01, options.quality = 1.4; }
   const TetrahedralMesh ended = tetrahedra(block, options);
   CHECK(ended.notice.find("filled") == std::string::npos);
   const TetgenLooksAtMost few(20);
@@ -155,20 +155,6 @@ TEST_CASE("where TetGen does not end of refining, it fills", "[mesh][thin]") {
   CHECK(filled.regions[0].volume == 1);
   CHECK(filled.quality.larger == 0);
   CHECK(double(filled.mesh.tetrahedra.size()) > 0.5 * double(ended.mesh.tetrahedra.size()));
-}
-
-TEST_CASE("where TetGen is late, a quality that takes too long is left out", "[mesh][thin]") {
-  const Result ball = result_of("  model: {sphere: {center: [0, 0, 0], radius: 5, segments: 64}}\n");
-  TetrahedraOptions options;
-  options.quality = 1.3;
-  options.seconds = 5;
-  const TetgenLooksAtMost few(20);
-  const TetrahedralMesh made = tetrahedra(ball, options);
-  CHECK_THAT(made.notice, Catch::Contains("it has filled the regions") &&
-                              Catch::Contains("--quality would take about ") &&
-                              Catch::Contains("is left out; --seconds 0 waits for it"));
-  CHECK(made.quality.beyond > 0);
-  CHECK(made.mesh.tetrahedra.size() < 100'000);
 }
 
 TEST_CASE("a plate without a double inside is refused where faces are kept, with what helps",
