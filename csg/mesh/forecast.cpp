@@ -338,8 +338,8 @@ constexpr double kGrowthOfNothing = 2, kLeastOfNothing = 0.3, kMostOfNothing = 3
 // Facets that nearly touch everywhere, those of 442 faults, have 16 times as many as they touch at least.
 constexpr double kMostOfFewest = 20;
 // The least and the most of what edges that grow from features make, where shapes or volumes are bounded; of ours
-// with sizes and a quality, whose halves come on top, both. Where shapes alone are
-// bounded TetGen adds some hundreds where facets meet sharply, and needs as many less elsewhere.
+// with sizes and a quality, whose halves come on top, both. Where shapes alone are bounded TetGen adds some
+// hundreds where facets meet sharply, and needs as many less elsewhere.
 constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kLeastOfHalves = 0.6, kMostOfHalves = 2.2,
                  kFewForShapes = 800;
 // Of each point of a mesh, those on faces and of flat tetrahedra included.

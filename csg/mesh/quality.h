@@ -40,7 +40,8 @@ struct MeshQuality {
   std::vector<Region> regions;  ///< as the mesh's entities of dimension 3
   std::size_t bad = 0;
   std::size_t forced = 0;  ///< of them where the model is sharper than `kForced`: whatever else is there is bad
-  /// Of the bad ones those in which two cells of the model are much nearer to each other than others.
+  /// Of the bad ones those whose shortest edge is far shorter than the longest, from one cell of the model to
+  /// another.
   std::size_t near = 0;
   std::size_t beyond = 0;  ///< whose ratio of circumradius to shortest edge is larger than asked for
   std::size_t larger = 0;  ///< whose volume is larger than asked for

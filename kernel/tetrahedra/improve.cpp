@@ -70,8 +70,6 @@ constexpr int kInsertRounds = 30;
 /// middle, if it is so many times as long as the shortest edge of what is bad.
 constexpr double kBeside = 2, kAway = 6, kLongLine = 3;
 
-constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
-
 class Improver {
  public:
   Improver(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch)
@@ -156,14 +154,14 @@ class Improver {
   bool mend(Index t) {
     const auto corners = mesh_.at(t).corners;
     const double gain = mesh_.at(t).shape < cube(options_.shape) ? gain_of_bad_ : kNotable;
-    for (const auto& [i, j] : kEdges)
+    for (const auto& [i, j] : Stars::kEdges)
       if (moves_.remove_edge(corners[std::size_t(i)], corners[std::size_t(j)])) return true;
     for (int k = 0; k < 4; ++k)
       if (moves_.swap_face(t, k)) return true;
     bool moved = false;
     for (const Index v : corners) moved = moves_.smooth(v, gain) || moved;
     if (moved) return true;
-    for (const auto& [i, j] : kEdges) {
+    for (const auto& [i, j] : Stars::kEdges) {
       const Index a = corners[std::size_t(i)], b = corners[std::size_t(j)];
       const double longest = options_.size ? lengths_.most(a, b) : kInfinite;
       if (moves_.collapse(a, b, kInfinite, longest) || moves_.collapse(b, a, kInfinite, longest)) return true;
@@ -251,7 +249,7 @@ class Improver {
     const auto sharp = [](double product, double squares) {
       return product > 0 && product * product > kSharp * kSharp * squares;
     };
-    for (const auto& [i, j] : kEdges) {
+    for (const auto& [i, j] : Stars::kEdges) {
       if (tet.facets[std::size_t(i)] == Stars::kNone || tet.facets[std::size_t(j)] == Stars::kNone) continue;
       // The edge is that of the two other corners; normals of `normal` go out or in by turns.
       const Point m = normal(std::size_t(i)), n = normal(std::size_t(j));
@@ -301,7 +299,7 @@ class Improver {
   std::array<Index, 2> longest_edge(Index t) const {
     const auto& c = mesh_.at(t).corners;
     std::array<Index, 2> out{c[0], c[1]};
-    for (const auto& [i, j] : kEdges) {
+    for (const auto& [i, j] : Stars::kEdges) {
       if (moves_.squared(c[std::size_t(i)], c[std::size_t(j)]) > moves_.squared(out[0], out[1]))
         out = {c[std::size_t(i)], c[std::size_t(j)]};
     }
@@ -443,7 +441,7 @@ class Improver {
   double shortest_edge(Index t) const {
     const auto& c = mesh_.at(t).corners;
     double shortest = kInfinite;
-    for (const auto& [i, j] : kEdges)
+    for (const auto& [i, j] : Stars::kEdges)
       shortest = std::min(shortest, moves_.squared(c[std::size_t(i)], c[std::size_t(j)]));
     return std::sqrt(shortest);
   }

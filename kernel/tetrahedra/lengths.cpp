@@ -6,12 +6,6 @@
 #include "kernel/base/sorted.h"
 
 namespace cnrg {
-namespace {
-
-constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
-
-}  // namespace
-
 double Lengths::wanted(Index v) {
   while (wanted_.size() < mesh_.point_count())
     wanted_.push_back(options_.size(mesh_.point(Index(wanted_.size()))));
@@ -33,7 +27,7 @@ double Lengths::length(Index a, Index b, std::int32_t region) {
 
 void Lengths::add_edges(const Stars::Tetrahedron& t, double longer, std::vector<Edge>& out) {
   if (t.region < 0) return;
-  for (const auto& [i, j] : kEdges) {
+  for (const auto& [i, j] : Stars::kEdges) {
     const auto [a, b] = std::minmax(t.corners[std::size_t(i)], t.corners[std::size_t(j)]);
     if (length(a, b, t.region) > longer) out.push_back({moves_.squared(a, b), a, b});
   }
@@ -87,7 +81,7 @@ std::size_t Lengths::collapse(double enough, const Ends& ends) {
   for (Index t = 0; t < mesh_.size() && !ends(t); ++t) {
     if (!mesh_.alive(t) || mesh_.at(t).region < 0) continue;
     const auto tet = mesh_.at(t);
-    for (const auto& [i, j] : kEdges) {
+    for (const auto& [i, j] : Stars::kEdges) {
       const Index a = tet.corners[std::size_t(i)], b = tet.corners[std::size_t(j)];
       if (length(a, b, tet.region) >= kShort) continue;
       if (moves_.collapse(a, b, enough, most(a, b)) || moves_.collapse(b, a, enough, most(a, b))) {

@@ -38,6 +38,8 @@ class Stars {
     std::array<Index, 3> face(int k) const;  ///< opposite to corner k, which is in front
     std::int32_t facet_opposite(Index v) const { return facets[static_cast<std::size_t>(place(v))]; }
   };
+  /// The edges of a tetrahedron, by places of its corners.
+  static constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
   struct Line {
     Index to;
     std::int32_t line;
@@ -84,9 +86,9 @@ class Stars {
   }
 
   /// The cube of the shape 12 (3 V)^(2/3) / (sum of squared edges), which is 1 of a regular tetrahedron (liu1994):
-  /// its powers are ordered alike, and it needs no roots. Far larger for a negative region, whose shape
-  /// is nobody's care unless it is so flat that nothing beside it can move; -1 unless it is
-  /// certainly turned right. May be -1, too, where it is not above `bar`: then exact signs are for nothing.
+  /// its powers are ordered alike, and it needs no roots. Far larger for a negative region, whose shape is
+  /// nobody's care unless it is so flat that nothing beside it can move; -1 unless it is certainly turned right.
+  /// May be -1, too, where it is not above `bar`: then exact signs are for nothing.
   double measure(const std::array<Index, 4>& corners, std::int32_t region, double bar = -1) const;
 
   /// False where the tetrahedra around the edge do not follow each other: the border meets itself there.
