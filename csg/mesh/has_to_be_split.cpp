@@ -4,7 +4,7 @@
 
 #include "csg/mesh/quality.h"
 #include "kernel/base/vectors.h"
-#include "kernel/tetrahedra/improve.h"
+#include "kernel/tetrahedra/shapes.h"
 
 namespace cnrg {
 namespace {

@@ -15,7 +15,7 @@ inline constexpr double kLongest = 1.4;
 TooLarge larger_than(const MeshSizes& sizes, const RegionLocator& regions, const FlatComplex& flat);
 
 /// Those with a ratio of circumradius to shortest edge or a volume (0: no bound) beyond a bound, and those that
-/// `larger` says, if there is one; but none that is flat (kernel/tetrahedra/improve.h). TetGen bounds all shapes
+/// `larger` says, if there is one; but none that is flat (kernel/tetrahedra/shapes.h). TetGen bounds all shapes
 /// or none, and does not end where walls are very near to each other.
 TooLarge worse_where_wide(double radius_edge, double volume, const TooLarge& larger, const RegionLocator& regions,
                           const FlatComplex& flat);

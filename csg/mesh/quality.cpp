@@ -16,7 +16,7 @@
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
-#include "kernel/tetrahedra/improve.h"
+#include "kernel/tetrahedra/shapes.h"
 
 namespace cnrg {
 namespace {

@@ -7,9 +7,11 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
+#include "kernel/tetrahedra/bounds.h"
 #include "kernel/tetrahedra/insertion.h"
 #include "kernel/tetrahedra/lengths.h"
 #include "kernel/tetrahedra/moves.h"
+#include "kernel/tetrahedra/shapes.h"
 
 namespace cnrg {
 namespace {
@@ -37,15 +39,6 @@ constexpr double kStretched = 1.5;
 /// The cosine of 2.5 degrees: input that meets at less leaves no room for shapes of 0.1.
 constexpr double kSharp = 0.99905;
 
-/// From a to the other corners.
-struct Edges {
-  Point u, v, w;
-  Edges(const Point& a, const Point& b, const Point& c, const Point& d) {
-    for (std::size_t k = 0; k < 3; ++k) u[k] = b[k] - a[k], v[k] = c[k] - a[k], w[k] = d[k] - a[k];
-  }
-  double determinant() const { return dot(u, cross(v, w)); }
-};
-
 /// Refinement ends when so many rounds in turn have left no smaller part bad, or no fewer edges too long.
 constexpr int kPatience = 5;
 /// And when there are so many times the tetrahedra of the mesh that was kept last: where a bound is too much for
@@ -64,7 +57,7 @@ constexpr double kGood = 0.01;
 constexpr double kMuch = 0.5;
 /// New vertices are put in while a part is bad that is so much smaller than a round before.
 constexpr double kLess = 0.95;
-constexpr int kInsertRounds = 30;
+constexpr int kInsertRounds = 30, kFewerRounds = 12;
 /// Of a line in the way: it gets a vertex beside the corner over it if that is so many times as far from its ends
 /// as from the line; else so many times as far from its end as the corner, if it is twice as long; else in the
 /// middle, if it is so many times as long as the shortest edge of what is bad.
@@ -79,6 +72,7 @@ class Improver {
         moves_(mesh_, options.fixed, options.keep_boundary),
         insertion_(mesh_, options.fixed, options.keep_boundary),
         lengths_(mesh_, moves_, options),
+        bounds_{cube(options.shape), options.radius_edge, options.volume},
         begin_(std::chrono::steady_clock::now()) {
     if (!options_.size) return;
     for (Index v = 0; v < mesh_.point_count(); ++v) {
@@ -100,8 +94,9 @@ class Improver {
       for (int round = 0; round < kMoveRounds && !over(); ++round) {
         if (sweep(cube(options_.shape)) == 0) break;
       }
-      to_volume();
     }
+    to_fewer();
+    if (!too_many_) to_volume();
     return over_ ? Improved::time_over : too_many_ ? Improved::too_many : Improved::done;
   }
 
@@ -114,6 +109,7 @@ class Improver {
   Moves moves_;
   Insertion insertion_;
   Lengths lengths_;
+  const Bounds bounds_;
   const std::chrono::steady_clock::time_point begin_;
   std::vector<int> halvings_;         // by vertex
   std::vector<std::uint64_t> tried_;  // by tetrahedron: when no new vertex made it better
@@ -230,12 +226,7 @@ class Improver {
   bool is_bad(Index t) const {
     const auto& tet = mesh_.at(t);
     if (tet.region < 0 || (wide_only_ && is_narrow(t))) return false;
-    if (tet.shape < cube(options_.shape)) return true;
-    if (options_.radius_edge == 0 && options_.volume == 0) return false;
-    const Point &a = mesh_.point(tet.corners[0]), &b = mesh_.point(tet.corners[1]),
-                &c = mesh_.point(tet.corners[2]), &d = mesh_.point(tet.corners[3]);
-    if (is_large(t)) return true;
-    return options_.radius_edge > 0 && radius_edge_of(a, b, c, d) > options_.radius_edge;
+    return !bounds_.keeps(mesh_, tet);
   }
   /// Does the input meet in it at a sharp angle: two facets at an edge, two lines or a line and a facet at a
   /// corner? Then smaller tetrahedra there are as bad, without an end.
@@ -272,12 +263,7 @@ class Improver {
     }
     return false;
   }
-  bool is_large(Index t) const {
-    const auto& c = mesh_.at(t).corners;
-    if (options_.volume == 0 || mesh_.at(t).region < 0) return false;
-    const Edges e(mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2]), mesh_.point(c[3]));
-    return std::fabs(e.determinant()) / 6 > options_.volume;
-  }
+  bool is_large(Index t) const { return bounds_.is_large(mesh_, mesh_.at(t)); }
 
   /// Moves may have made some larger again; halves are smaller.
   void to_volume() {
@@ -317,6 +303,38 @@ class Improver {
       const int needed = kSpare + static_cast<int>(std::ceil(-std::log2(thin) / 2));
       for (const Index v : mesh_.at(t).corners) halvings_[v] = std::max(halvings_[v], needed);
     }
+  }
+
+  /// Moves after which less is bad, and new vertices where these help, which are few.
+  void to_fewer() {
+    moves_.aim_at(bounds_);
+    mesh_.unsettle();
+    std::size_t left = too_many_ ? 0 : options_.points, most = std::numeric_limits<std::size_t>::max();
+    for (int round = 0; round < kFewerRounds && !over(); ++round) {
+      begin("mesh: fewer bad ones, round " + of_rounds(round, kFewerRounds));
+      std::size_t bad = 0;
+      const auto all = static_cast<Index>(mesh_.size());
+      for (Index t = 0; t < all && !over(t); ++t) {
+        if (!mesh_.alive(t) || !is_bad(t)) continue;
+        ++bad;
+        if (mesh_.is_settled(t)) continue;
+        if (mend(t)) continue;
+        if (left > 0 && divide(t)) --left;
+        else mesh_.settle(t);
+      }
+      if (bad == 0 || double(bad) > kLess * double(most)) break;
+      most = bad;
+    }
+  }
+  bool divide(Index t) {
+    const auto corners = mesh_.at(t).corners;
+    std::array<std::array<Index, 2>, 6> edges;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const auto& [i, j] = Stars::kEdges[k];
+      edges[k] = {corners[std::size_t(i)], corners[std::size_t(j)]};
+    }
+    std::ranges::sort(edges, std::greater{}, [&](const auto& e) { return moves_.squared(e[0], e[1]); });
+    return std::ranges::any_of(edges, [&](const auto& e) { return moves_.divide(e[0], e[1]); });
   }
 
   struct Census {
@@ -501,53 +519,6 @@ Improved improve(ConformingTetrahedra& mesh, const ImproveOptions& options, cons
   const Improved end = improver.run();
   mesh = improver.result();
   return end;
-}
-
-double shape_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
-                const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d) {
-  const Edges e(a, b, c, d);
-  const double det = e.determinant();
-  double squares = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double p = e.v[k] - e.u[k], q = e.w[k] - e.u[k], r = e.w[k] - e.v[k];
-    squares += e.u[k] * e.u[k] + e.v[k] * e.v[k] + e.w[k] * e.w[k] + p * p + q * q + r * r;
-  }
-  return squares > 0 ? 12 * std::cbrt(det * det / 4) / squares : 0;
-}
-
-bool is_flat(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
-             const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d) {
-  constexpr double kFlat = 1.0 / 64;
-  const Edges e(a, b, c, d);
-  const Point uv = cross(e.u, e.v), vw = cross(e.v, e.w), wu = cross(e.w, e.u);
-  Point last;  // of the face opposite to a
-  double longest = std::max({dot(e.u, e.u), dot(e.v, e.v), dot(e.w, e.w)}), uv2 = 0, vw2 = 0, wu2 = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    last[k] = uv[k] + vw[k] + wu[k];
-    uv2 += (e.v[k] - e.u[k]) * (e.v[k] - e.u[k]);
-    vw2 += (e.w[k] - e.v[k]) * (e.w[k] - e.v[k]);
-    wu2 += (e.u[k] - e.w[k]) * (e.u[k] - e.w[k]);
-  }
-  longest = std::max({longest, uv2, vw2, wu2});
-  const double area = std::max({dot(uv, uv), dot(vw, vw), dot(wu, wu), dot(last, last)});
-  return std::fabs(e.determinant()) < kFlat * std::sqrt(area * longest);
-}
-
-double radius_edge_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
-                      const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d) {
-  const Edges e(a, b, c, d);
-  const Point vw = cross(e.v, e.w), wu = cross(e.w, e.u), uv = cross(e.u, e.v);
-  const double u = dot(e.u, e.u), v = dot(e.v, e.v), w = dot(e.w, e.w);
-  Point center;
-  double shortest = std::min({u, v, w}), uv2 = 0, uw2 = 0, vw2 = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    center[k] = u * vw[k] + v * wu[k] + w * uv[k];
-    uv2 += (e.v[k] - e.u[k]) * (e.v[k] - e.u[k]);
-    uw2 += (e.w[k] - e.u[k]) * (e.w[k] - e.u[k]);
-    vw2 += (e.w[k] - e.v[k]) * (e.w[k] - e.v[k]);
-  }
-  shortest = std::min({shortest, uv2, uw2, vw2});
-  return std::sqrt(dot(center, center) / shortest) / std::fabs(2 * dot(e.u, vw));
 }
 
 }  // namespace cnrg

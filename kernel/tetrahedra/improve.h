@@ -44,19 +44,4 @@ enum class Improved : std::uint8_t { done, time_over, too_many };
 /// Improves a mesh. Points that are no more used are left out behind the fixed ones. Throws Stopped.
 Improved improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch);
 
-/// The ratio of circumradius to shortest edge: sqrt(6) / 4 of a regular tetrahedron, large where edges differ
-/// much.
-double radius_edge_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
-                      const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d);
-
-/// Is it flatter than 1/64 of its longest edge? Where walls are so near to each other, edges that are as short
-/// would be many.
-bool is_flat(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
-             const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d);
-
-/// The shape of a tetrahedron: 12 (3 V)^(2/3) / (sum of squared edges) (liu1994): 1 of a regular one, 0 of a flat
-/// one.
-double shape_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
-                const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d);
-
 }  // namespace cnrg

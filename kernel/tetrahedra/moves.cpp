@@ -20,6 +20,10 @@ constexpr std::size_t kLongest = 12;
 /// A triangle of a facet must keep at least this part of a right angle's turn to the facet's normal.
 constexpr double kFlat = 0.9;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+/// Costs that fall by less than this part are the same but for rounding.
+constexpr double kLess = 1 - 1e-9;
+/// A vertex is drawn to what makes so many bad tetrahedra better, and so often for each.
+constexpr std::size_t kBadOnes = 6, kPulls = 2;
 
 }  // namespace
 
@@ -27,6 +31,26 @@ double Moves::worst(std::span<const Index> tetrahedra) const {
   double worst = kInfinite;
   for (const Index t : tetrahedra) worst = std::min(worst, mesh_.at(t).shape);
   return worst;
+}
+
+double Moves::value(std::span<const Index> tetrahedra) const {
+  double all = nothing();
+  for (const Index t : tetrahedra) all = both(all, value(mesh_.at(t)));
+  return all;
+}
+
+/// Of one that would be there; of no use where it is not above the bar.
+double Moves::value(const std::array<Index, 4>& corners, std::int32_t region, double bar) const {
+  Tetrahedron t{.corners = corners, .region = region};
+  t.shape = mesh_.measure(corners, region, aim_ ? 0 : bar);
+  return t.shape > 0 ? value(t) : -kInfinite;
+}
+
+/// Where costs count: what a move would put in the place of what it would take away.
+bool Moves::costs_less() const {
+  double fresh = 0;
+  for (const Tetrahedron& t : fresh_) fresh += value(t);
+  return fresh > kLess * value(old_);
 }
 
 double Moves::squared(Index a, Index b) const {
@@ -58,13 +82,9 @@ bool Moves::remove_edge(Index a, Index b, double longest) {
   std::vector<std::size_t> walls;
   for (std::size_t k = 0; k < around.size(); ++k)
     if (facet_at(k) != Stars::kNone) walls.push_back(k);
-  const double bar =
-      mesh_
-          .at(*std::min_element(tets.begin(), tets.end(),
-                                [&](Index s, Index t) { return mesh_.at(s).shape < mesh_.at(t).shape; }))
-          .shape;
   old_ = tets;
   fresh_.clear();
+  const double bar = value(old_);
   if (walls.empty()) {
     if (!ring_.closed || n < 3 || !fill_arc(a, b, 0, n, false, Stars::kNone, bar, longest)) return false;
   } else {
@@ -83,6 +103,7 @@ bool Moves::remove_edge(Index a, Index b, double longest) {
       if (!change_side(walls[0], between + 1) || !change_side(walls[1], n - between + 1)) return false;
     }
   }
+  if (aim_ && !costs_less()) return false;
   mesh_.replace(old_, fresh_);
   return true;
 }
@@ -114,21 +135,21 @@ bool Moves::fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool
   const std::int32_t region = mesh_.at(ring_.tetrahedra[from % n]).region;
   double best[kLongest + 1][kLongest + 1];
   std::size_t by[kLongest + 1][kLongest + 1];
-  for (std::size_t i = 0; i + 1 < count; ++i) best[i][i + 1] = kInfinite;
+  for (std::size_t i = 0; i + 1 < count; ++i) best[i][i + 1] = nothing();
   for (std::size_t length = 2; length < count; ++length) {
     for (std::size_t i = 0; i + length < count; ++i) {
       const std::size_t j = i + length;
-      best[i][j] = -1, by[i][j] = i + 1;
+      best[i][j] = -kInfinite, by[i][j] = i + 1;
       const bool fresh = closing || length + 1 < count;
       if (fresh && longest < kInfinite && squared(p(i), p(j)) >= longest) continue;
       for (std::size_t k = i + 1; k < j; ++k) {
-        double shape = std::min(best[i][k], best[k][j]);
+        double good = both(best[i][k], best[k][j]);
         const double least = std::max(bar, best[i][j]);
-        if (shape <= least) continue;
-        shape = std::min(shape, mesh_.measure({a, p(i), p(k), p(j)}, region, least));
-        if (shape <= least) continue;
-        shape = std::min(shape, mesh_.measure({b, p(i), p(j), p(k)}, region, least));
-        if (shape > best[i][j]) best[i][j] = shape, by[i][j] = k;
+        if (good <= least) continue;
+        good = both(good, value({a, p(i), p(k), p(j)}, region, least));
+        if (good <= least) continue;
+        good = both(good, value({b, p(i), p(j), p(k)}, region, least));
+        if (good > best[i][j]) best[i][j] = good, by[i][j] = k;
       }
       if (length + 1 == count && best[i][j] <= bar) return false;
     }
@@ -170,7 +191,7 @@ bool Moves::swap_face(Index t, int k) {
   Index e = d;
   for (const Index v : o.corners)
     if (!s.has(v)) e = v;
-  const double bar = std::min(s.shape, o.shape);
+  const double bar = aim_ ? 0 : std::min(s.shape, o.shape);
   fresh_.clear();
   for (std::size_t i = 0; i < 3; ++i) {
     const Index p = f[i], q = f[(i + 1) % 3], r = f[(i + 2) % 3];
@@ -181,6 +202,7 @@ bool Moves::swap_face(Index t, int k) {
     fresh_.push_back(n);
   }
   old_ = {t, u};
+  if (aim_ && !costs_less()) return false;
   mesh_.replace(old_, fresh_);
   return true;
 }
@@ -221,7 +243,7 @@ bool Moves::collapse(Index a, Index b, double enough, double longest) {
   if (!may_go(a, b)) return false;
   fresh_.clear();
   old_.assign(mesh_.star(a).begin(), mesh_.star(a).end());
-  const double bar = std::min(enough, worst(old_));
+  const double bar = aim_ ? 0 : std::min(enough, worst(old_));
   // Faces of what goes, opposite to `a`, lie on what comes: the face (b, x, y) of a tetrahedron (a, b, x, y).
   struct Joined {
     std::array<Index, 2> side;  // sorted
@@ -268,7 +290,7 @@ bool Moves::collapse(Index a, Index b, double enough, double longest) {
     }
     fresh_.push_back(t);
   }
-  if (fresh_.empty()) return false;
+  if (fresh_.empty() || (aim_ && !costs_less())) return false;
   const auto lines = mesh_.lines(a);
   if (!lines.empty()) {
     const Stars::Line along = lines[0];
@@ -317,6 +339,26 @@ Index Moves::split(Index a, Index b, double part) {
   return v;
 }
 
+bool Moves::divide(Index a, Index b) {
+  const std::int32_t line = mesh_.line(a, b);
+  std::vector<Tetrahedron> before;
+  for (const Index t : at_edge(a, b)) before.push_back(mesh_.at(t));
+  const double cost = value(at_edge_);
+  const Index v = split(a, b);
+  if (v == Stars::kNoTetrahedron) return false;
+  smooth(v, 1);
+  if (value(mesh_.star(v)) > kLess * cost) return true;
+  old_.assign(mesh_.star(v).begin(), mesh_.star(v).end());
+  if (line != Stars::kNone) {
+    mesh_.remove_line(a, v);
+    mesh_.remove_line(v, b);
+    mesh_.add_line(a, b, line);
+  }
+  mesh_.replace(old_, before);
+  mesh_.drop_point();
+  return false;
+}
+
 /// Brings a place for `v` to the line or facet on which it is. False if it may not move.
 bool Moves::project(Index v, Point& p) const {
   const auto lines = mesh_.lines(v);
@@ -338,7 +380,7 @@ bool Moves::project(Index v, Point& p) const {
   return true;
 }
 
-bool Moves::try_place(Index v, const Point& place, double gain, double& worst_now) {
+bool Moves::try_place(Index v, const Point& place, double gain, double& now) {
   Point p = place;
   if (!project(v, p)) return false;
   const Point before = mesh_.point(v);
@@ -361,33 +403,67 @@ bool Moves::try_place(Index v, const Point& place, double gain, double& worst_no
     }
   }
   mesh_.move(v, p);
-  const double bar = gain * worst_now;
+  const double bar = now * (aim_ ? kLess : gain);
   struct Shapes {
     std::vector<double> list;
   };
   auto& shapes = PerThread<Shapes>::own().list;
   shapes.clear();
-  double worst = kInfinite;
+  double then = nothing();
   for (const Index i : mesh_.star(v)) {
-    const double shape = mesh_.measure(mesh_.at(i).corners, mesh_.at(i).region, bar);
-    worst = std::min(worst, shape);
-    if (!(worst > bar) || shape < 0) {
+    Tetrahedron t = mesh_.at(i);
+    t.shape = mesh_.measure(t.corners, t.region, aim_ ? 0 : bar);
+    if (t.shape > 0) then = both(then, value(t));
+    if (!(t.shape > 0 && then > bar)) {
       mesh_.move(v, before);
       return false;
     }
-    shapes.push_back(shape);
+    shapes.push_back(t.shape);
   }
   mesh_.set_shapes(v, shapes);
-  worst_now = worst;
+  now = then;
   return true;
 }
 
+/// The way in which a shape at `v` gets better fastest.
+Point Moves::way_to_better(Index v, Index bad) const {
+  // d(det)/dv is the normal of the opposite face, d(sum of squares)/dv = 2 (3 v - a - b - c).
+  const Point& here = mesh_.point(v);
+  const auto opposite = mesh_.at(bad).face(mesh_.at(bad).place(v));
+  const Point &p = mesh_.point(opposite[0]), &q = mesh_.point(opposite[1]), &r = mesh_.point(opposite[2]);
+  const Point normal = cross(minus(q, p), minus(r, p)), arm = minus(here, p);
+  const double det = dot(normal, arm);
+  double squares = 0;
+  Point pull{};
+  for (const Point* x : {&p, &q, &r}) {
+    const Point d = minus(here, *x);
+    squares += dot(d, d);
+    for (std::size_t k = 0; k < 3; ++k) pull[k] += 2 * d[k];
+  }
+  const Point pq = minus(q, p), qr = minus(r, q), rp = minus(p, r);
+  squares += dot(pq, pq) + dot(qr, qr) + dot(rp, rp);
+  Point way;
+  for (std::size_t k = 0; k < 3; ++k) way[k] = 2 * normal[k] / det - 3 * pull[k] / squares;
+  return way;
+}
+
+/// Draws `v` the way in which a bad shape gets better fastest, in shorter and shorter steps.
+bool Moves::pull(Index v, Index bad, double room, double gain, double& now) {
+  const Point here = mesh_.point(v), way = way_to_better(v, bad);
+  const double length = std::sqrt(dot(way, way));
+  if (!(length > 0) || !std::isfinite(length)) return false;
+  for (const double step : {0.4, 0.1, 0.02}) {
+    Point to = here;
+    for (std::size_t k = 0; k < 3; ++k) to[k] += way[k] / length * step * room;
+    if (try_place(v, to, gain, now)) return true;
+  }
+  return false;
+}
+
 bool Moves::smooth(Index v, double gain) {
-  Point here = mesh_.point(v);
-  if (Point probe = here; !project(v, probe)) return false;
-  double now = worst(mesh_.star(v));
-  if (now == kInfinite) return false;
-  bool better = false;
+  if (Point probe = mesh_.point(v); !project(v, probe)) return false;
+  double now = value(mesh_.star(v));
+  if (now == nothing()) return false;
   // First to the middle of what is around.
   Point middle{};
   std::size_t n = 0;
@@ -402,40 +478,22 @@ bool Moves::smooth(Index v, double gain) {
   }
   for (double& x : middle) x /= static_cast<double>(n);
   const double room = std::sqrt(near);
-  if (try_place(v, middle, gain, now)) better = true;
-  // Then the way in which the worst shape gets better fastest, in shorter and shorter steps.
-  for (int round = 0; round < 4; ++round) {
-    here = mesh_.point(v);
-    Index bad = Stars::kNoTetrahedron;
-    for (const Index i : mesh_.star(v))
-      if (bad == Stars::kNoTetrahedron || mesh_.at(i).shape < mesh_.at(bad).shape) bad = i;
-    // d(det)/dv is the normal of the opposite face, d(sum of squares)/dv = 2 (3 v - a - b - c).
-    const auto opposite = mesh_.at(bad).face(mesh_.at(bad).place(v));
-    const Point &p = mesh_.point(opposite[0]), &q = mesh_.point(opposite[1]), &r = mesh_.point(opposite[2]);
-    const Point normal = cross(minus(q, p), minus(r, p)), arm = minus(here, p);
-    const double det = dot(normal, arm);
-    double squares = 0;
-    Point pull{};
-    for (const Point* x : {&p, &q, &r}) {
-      const Point d = minus(here, *x);
-      squares += dot(d, d);
-      for (std::size_t k = 0; k < 3; ++k) pull[k] += 2 * d[k];
+  bool better = try_place(v, middle, gain, now);
+  const auto worse = [&](Index a, Index b) { return mesh_.at(a).shape < mesh_.at(b).shape; };
+  if (!aim_) {
+    for (int round = 0; round < 4; ++round) {
+      if (!pull(v, *std::ranges::min_element(mesh_.star(v), worse), room, gain, now)) break;
+      better = true;
     }
-    const Point pq = minus(q, p), qr = minus(r, q), rp = minus(p, r);
-    squares += dot(pq, pq) + dot(qr, qr) + dot(rp, rp);
-    Point way;
-    for (std::size_t k = 0; k < 3; ++k) way[k] = 2 * normal[k] / det - 3 * pull[k] / squares;
-    const double length = std::sqrt(dot(way, way));
-    if (!(length > 0) || !std::isfinite(length)) break;
-    bool moved = false;
-    for (const double step : {0.4, 0.1, 0.02}) {
-      Point to = here;
-      for (std::size_t k = 0; k < 3; ++k) to[k] += way[k] / length * step * room;
-      if (!try_place(v, to, gain, now)) continue;
-      moved = better = true;
-      break;
+    return better;
+  }
+  std::array<Index, kBadOnes> bad{};
+  const auto end = std::ranges::partial_sort_copy(mesh_.star(v), bad, worse).out;
+  for (auto t = bad.begin(); t != end; ++t) {
+    for (std::size_t round = 0; round < kPulls && value(mesh_.at(*t)) < 0; ++round) {
+      if (!pull(v, *t, room, gain, now)) break;
+      better = true;
     }
-    if (!moved) break;
   }
   return better;
 }

@@ -9,7 +9,7 @@
 #include "csg/mesh/plc.h"
 #include "csg/mesh/tetgen_run.h"
 #include "kernel/base/error.h"
-#include "kernel/tetrahedra/improve.h"
+#include "kernel/tetrahedra/shapes.h"
 
 using namespace cnrg;
 

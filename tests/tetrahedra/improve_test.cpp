@@ -14,6 +14,7 @@
 #include "kernel/exact/predicates.h"
 #include "kernel/tetrahedra/insertion.h"
 #include "kernel/tetrahedra/moves.h"
+#include "kernel/tetrahedra/shapes.h"
 #include "tests/scenes/seeds.h"
 #include "tests/tetrahedra/random_triangles.h"
 
