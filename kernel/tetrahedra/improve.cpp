@@ -57,7 +57,10 @@ constexpr double kGood = 0.01;
 constexpr double kMuch = 0.5;
 /// New vertices are put in while a part is bad that is so much smaller than a round before.
 constexpr double kLess = 0.95;
-constexpr int kInsertRounds = 30, kFewerRounds = 12;
+constexpr int kInsertRounds = 30;
+/// Moves that cost less end when so large a part of what was bad is left.
+constexpr double kFewer = 0.98;
+constexpr int kFewerRounds = 12;
 /// Of a line in the way: it gets a vertex beside the corner over it if that is so many times as far from its ends
 /// as from the line; else so many times as far from its end as the corner, if it is twice as long; else in the
 /// middle, if it is so many times as long as the shortest edge of what is bad.
@@ -82,22 +85,28 @@ class Improver {
   }
 
   Improved run() {
+    until(0.5);
     if (options_.size) to_length();
+    until(0.6);
     for (int round = 0; round < (too_many_ ? 1 : kMoveRounds) && !over(); ++round) {
       begin("mesh: shapes, round " + of_rounds(round, kMoveRounds));
       if (sweep(cube(options_.good)) * 200 < mesh_.size()) break;
     }
     if (!too_many_) {
+      until(0.8);
       to_shapes();
+      until(0.9);
       begin("mesh: shapes, last round");
       sweep(cube(options_.good));
       for (int round = 0; round < kMoveRounds && !over(); ++round) {
         if (sweep(cube(options_.shape)) == 0) break;
       }
     }
+    until(1);
     to_fewer();
     if (!too_many_) to_volume();
-    return over_ ? Improved::time_over : too_many_ ? Improved::too_many : Improved::done;
+    until(1);
+    return cut_ ? Improved::time_over : too_many_ ? Improved::too_many : Improved::done;
   }
 
   ConformingTetrahedra result() const { return mesh_.mesh(); }
@@ -117,13 +126,23 @@ class Improver {
   std::string stage_;                 // of a walk through all tetrahedra: how many of them it takes nobody knows
   std::size_t steps_ = 0;
   bool wide_only_ = false;  // what is narrow stays as it is
-  bool over_ = false;
-  bool too_many_ = false;  // refinement has ended for the number of tetrahedra
+  double part_ = 1;         // of the seconds, for what is done now
+  bool over_ = false;       // they are
+  bool cut_ = false;        // they were, of something
+  bool too_many_ = false;   // refinement has ended for the number of tetrahedra
 
   /// Asked while refining.
   bool ends_refining() {
     too_many_ = too_many_ || (options_.most > 0 && mesh_.size() > options_.most);
     return too_many_;
+  }
+
+  /// What comes first may take all of the time for itself, and leave a mesh in which nearly all is bad. So what
+  /// follows ends after that part of the seconds.
+  void until(double part) {
+    cut_ = cut_ || over_;
+    over_ = false;
+    part_ = part;
   }
 
   void begin(std::string stage) {
@@ -141,7 +160,7 @@ class Improver {
     if (watch_.progress && at > 0) watch_.progress(stage_, at, mesh_.size());
     if (options_.seconds > 0) {
       const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin_;
-      over_ = since.count() + options_.afterwards * static_cast<double>(mesh_.size()) > options_.seconds;
+      over_ = since.count() > part_ * (options_.seconds - options_.afterwards * double(mesh_.size()));
     }
     return over_;
   }
@@ -322,7 +341,7 @@ class Improver {
         if (left > 0 && divide(t)) --left;
         else mesh_.settle(t);
       }
-      if (bad == 0 || double(bad) > kLess * double(most)) break;
+      if (bad == 0 || double(bad) > kFewer * double(most)) break;
       most = bad;
     }
   }
