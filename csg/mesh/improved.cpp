@@ -5,9 +5,7 @@
 #include "kernel/exact/predicates.h"
 
 namespace cnrg {
-namespace {
 
-/// Is there a face, a wire or a point that no region has inside of it or on its boundary?
 bool has_outside(const FlatComplex& flat) {
   return std::any_of(flat.faces.begin(), flat.faces.end(),
                      [&](const auto& f) { return !flat.active(f.regions[0]) && !flat.active(f.regions[1]); }) ||
@@ -16,8 +14,6 @@ bool has_outside(const FlatComplex& flat) {
          std::any_of(flat.vertices.begin(), flat.vertices.end(),
                      [&](const auto& v) { return v.region != FlatComplex::kNone && !flat.active(v.region); });
 }
-
-}  // namespace
 
 PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, ImproveOptions options,
                  const Watch& watch, Improved* end) {

@@ -5,6 +5,7 @@
 
 #include "csg/mesh/cell_mesh.h"
 #include "csg/mesh/exact_volume.h"
+#include "csg/mesh/improved.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/predicates.h"
@@ -35,6 +36,7 @@ class Proof {
     prove_faces(mesh_, flat_);
     watch_.check();
     prove_sides(mesh_, flat_, region_entity_, watch_);
+    if (has_outside(flat_)) prove_outside();
     prove_volumes();
     return {std::move(mesh_), std::move(regions_)};
   }
@@ -145,6 +147,44 @@ class Proof {
     for (const auto& s : mesh_.segments) found_segments.emplace_back(s.points, s.entity);
     require(sorted(given) == sorted(found) && sorted(given_segments) == sorted(found_segments),
             "tetrahedra: the mesher does not keep the triangles of surfaces");
+  }
+
+  /// Outside of all regions, too, no tetrahedron is flat, two that have a face in common lie on its two sides, and
+  /// each triangle is a face. None of these tetrahedra is in the mesh, but what is made of it relies on them.
+  void prove_outside() {
+    struct Side {
+      std::array<Index, 3> corners;
+      int turn;  // of the face, seen from its tetrahedron; 0: a triangle
+      auto operator<=>(const Side&) const = default;
+    };
+    std::vector<Side> sides;
+    const auto add = [&](std::array<Index, 3> corners, int turn) {
+      for (const std::size_t k : {0, 1, 0}) {
+        if (corners[k] < corners[k + 1]) continue;
+        std::swap(corners[k], corners[k + 1]);
+        turn = -turn;
+      }
+      sides.push_back({corners, turn});
+    };
+    for (std::size_t i = 0; i < out_.tetrahedra.size(); ++i) {
+      if (i % kUnchecked == 0) watch_.check();
+      const auto& [a, b, c, d] = out_.tetrahedra[i];
+      const auto& p = out_.points;
+      const int sign = orient3d(p[a].data(), p[b].data(), p[c].data(), p[d].data());
+      require(sign != 0, "tetrahedra: the mesher returns a flat tetrahedron outside of all regions");
+      add({b, c, d}, sign), add({a, c, d}, -sign), add({a, b, d}, sign), add({a, b, c}, -sign);
+    }
+    for (const auto& t : mesh_.triangles) add(t.points, 0);
+    watch_.check();
+    std::sort(sides.begin(), sides.end());
+    watch_.check();
+    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+      std::array<std::size_t, 3> n{};
+      for (; end < sides.size() && sides[end].corners == sides[i].corners; ++end)
+        ++n[std::size_t(sides[end].turn + 1)];
+      require(n[0] <= 1 && n[2] <= 1 && n[0] + n[2] > 0,
+              "tetrahedra: the mesher returns tetrahedra that overlap outside of all regions, or none at a face");
+    }
   }
 
   /// Of each face, as the mesher has got them: those of the result, or with `KeptBoundary::facets` those of its
