@@ -4,6 +4,7 @@
 
 #include "csg/mesh/quality.h"
 #include "kernel/base/vectors.h"
+#include "kernel/tetrahedra/bounds.h"
 #include "kernel/tetrahedra/shapes.h"
 
 namespace cnrg {
@@ -21,17 +22,17 @@ Vector middle_of(const Corners& corners) {
 
 }  // namespace
 
+bool is_longer(const Corners& corners, const MeshSizes& sizes, MeshSizes::Index region) {
+  const auto& [a, b, c, d] = corners;
+  const LongestEdge edge = longest_edge_of(a, b, c, d);
+  return edge.length > kLongestEdge * sizes.at(edge.middle, region);
+}
+
 TooLarge larger_than(const MeshSizes& sizes, const RegionLocator& regions, const FlatComplex& flat) {
   return [sizes, least = sizes.least_in_regions(), &regions, &flat](const Corners& corners) {
-    double longest = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const Vector along = minus(corners[i], corners[j]);
-        longest = std::max(longest, dot(along, along));
-      }
-    }
+    const auto& [a, b, c, d] = corners;
     const Vector middle = middle_of(corners);
-    longest = std::sqrt(longest) / kLongest;
+    const double longest = longest_edge_of(a, b, c, d).length / kLongestEdge;
     if (longest <= sizes.field.at(middle) && longest <= least) return false;
     const auto region = regions.at(middle);
     return flat.active(region) && longest > sizes.at(middle, region);

@@ -7,9 +7,9 @@
 
 namespace cnrg {
 
-/// So many times the size that is wanted may the longest edge of a tetrahedron be.
-inline constexpr double kLongest = 1.4;
-
+/// Is its longest edge longer than it may be (kernel/tetrahedra/bounds.h) beside what is wanted in a region?
+bool is_longer(const std::array<std::array<double, 3>, 4>& corners, const MeshSizes& sizes,
+               MeshSizes::Index region);
 /// Those of active regions with a longer edge; of all else that fills the box around the model none. What is given
 /// must outlive the answer, but for the sizes.
 TooLarge larger_than(const MeshSizes& sizes, const RegionLocator& regions, const FlatComplex& flat);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "csg/mesh/cell_mesh.h"
 #include "csg/mesh/exact_volume.h"
@@ -209,7 +210,11 @@ class Proof {
     for (const Vector& p : plc_.points) {
       for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
     }
+    // New points on faces are off them by rounding, in the last digits of their coordinates.
     const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    double far = 0;
+    for (std::size_t k = 0; k < 3; ++k) far = std::max({far, std::fabs(low[k]), std::fabs(high[k])});
+    const double off = std::max(1e-8 * size, 64 * std::numeric_limits<double>::epsilon() * far);
     for (Index i = 0; i < flat_.regions.size(); ++i) {
       const Index entity = region_entity_[i];
       if (entity == kNone) continue;
@@ -235,7 +240,7 @@ class Proof {
         }
       }
       const Rational difference = abs(region.volume - volume.value());
-      const Rational bound = kept_ != KeptBoundary::no ? Rational(0) : from_double(area * 1e-8 * size);
+      const Rational bound = kept_ != KeptBoundary::no ? Rational(0) : from_double(area * off);
       require(difference <= bound, "tetrahedra: those of region `" + region.name + "` have the volume " +
                                        to_decimal(region.volume) + " and not " + to_decimal(volume.value()));
     }

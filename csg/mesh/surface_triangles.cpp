@@ -16,6 +16,7 @@
 #include "csg/mesh/rounded_result.h"
 #include "csg/result/solid.h"
 #include "kernel/base/error.h"
+#include "kernel/tetrahedra/bounds.h"
 
 namespace cnrg {
 namespace {
@@ -169,10 +170,9 @@ class SurfaceMaker {
 
   /// As of tetrahedra: where sizes are the aim, sides are longer and shorter ones. `said`: without features.
   SizeAt sizes(const RoundedPoints& rounded, bool said) const {
-    constexpr double kLongest = 1.4;
     const MeshSizes sizes = mesh_sizes(view_, flat_, rounded, {options_.overall, options_.growth, false, said});
     if (sizes.empty()) return {};
-    return [field = sizes.field](const Vector& p) { return kLongest * field.at(p); };
+    return [field = sizes.field](const Vector& p) { return kLongestEdge * field.at(p); };
   }
 
   void take_simplices(const FacetMesh& made) {

@@ -22,6 +22,7 @@
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
+#include "kernel/tetrahedra/bounds.h"
 
 namespace cnrg {
 namespace {
@@ -81,7 +82,7 @@ class TetrahedraMaker {
     if (thin_) to_sizes_ = sized();
     if (thin_ && !sized()) surface_first_ = options_.surface_first;  // TetGen had to keep it, halves need not
     tell(flat_text_);
-    improve_shapes();
+    improve_shapes(rounded);
     result_.rounding = rounded.report();
     result_.expected = expected_;
     number_points(result_.mesh, flat_, out_.points);
@@ -308,6 +309,15 @@ class TetrahedraMaker {
     return mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth, false, true});
   }
 
+  /// The same by places in regions of the complex, for the improver.
+  std::function<double(const Vector&, std::int32_t)> said_lengths(const RoundedResult& rounded) const {
+    std::vector<MeshSizes::Index> region_of;
+    for (const Plc::Seed& region : plc_.regions) region_of.push_back(region.region);
+    return [said = said_sizes(rounded), region_of](const Vector& p, std::int32_t region) {
+      return said.at(p, region_of[std::size_t(region)]);
+    };
+  }
+
   /// The triangles of surfaces as facets.
   Plc surface_complex(const RoundedResult& rounded) const {
     SurfaceOptions asked;
@@ -315,10 +325,10 @@ class TetrahedraMaker {
     asked.watch = watch_;
     const SurfaceNarrow narrow = rationed_ ? SurfaceNarrow::left : SurfaceNarrow::rationed;
     if (sizes_.empty()) return refined_plc(flat_, rounded.points(), asked, {}, narrow);
-    asked.size = [&](const Vector& p) { return kLongest * sizes_.field.at(p); };
+    asked.size = [&](const Vector& p) { return kLongestEdge * sizes_.field.at(p); };
     const MeshSizes said = said_sizes(rounded);
     return refined_plc(
-        flat_, rounded.points(), asked, [&](const Vector& p) { return kLongest * said.field.at(p); }, narrow);
+        flat_, rounded.points(), asked, [&](const Vector& p) { return kLongestEdge * said.field.at(p); }, narrow);
   }
 
   /// Empty once there is a mesh; else why there is none.
@@ -375,7 +385,7 @@ class TetrahedraMaker {
     return refused;
   }
 
-  void improve_shapes() {
+  void improve_shapes(const RoundedResult& rounded) {
     ImproveOptions asked;
     asked.keep_boundary = keeps_boundary();
     if (bounded() && of_tetgen_) {  // moves for shapes alone might break bounds, which it has kept where it could
@@ -393,6 +403,7 @@ class TetrahedraMaker {
                     : options_.seconds  ? 0
                                         : TetrahedraOptions::kPartSeconds;
     asked.afterwards = deadline_.bounded() ? afterwards_ : 0;
+    if (sized()) asked.longest = said_lengths(rounded);
     if (to_sizes_) {
       asked.size = [this](const Vector& p) { return sizes_.field.at(p); };
       for (const Plc::Seed& region : plc_.regions) {
@@ -430,16 +441,22 @@ class TetrahedraMaker {
                                 : "";
     const std::string text = larger_text(result_.quality);
     if (!text.empty()) return tell(text + why);
-    if (!options_.keep_boundary || !sized()) return;
+    if (!sized()) return;
     // What features ask for they do by themselves.
-    const TooLarge larger = larger_than(said_sizes(rounded), *regions_, flat_);
-    const auto n = std::count_if(mesh().tetrahedra.begin(), mesh().tetrahedra.end(), [&](const auto& t) {
-      const auto& p = mesh().points;
-      return larger({p[t.points[0]], p[t.points[1]], p[t.points[2]], p[t.points[3]]});
-    });
+    const std::size_t n = longer_ones(said_sizes(rounded));
     if (n == 0) return;
-    tell(counted(std::size_t(n), "tetrahedron has", "tetrahedra have") +
+    tell(counted(n, "tetrahedron has", "tetrahedra have") +
          " an edge of more than 1.4 times the size that is asked for" + why);
+  }
+  std::size_t longer_ones(const MeshSizes& said) {
+    std::vector<MeshSizes::Index> region_of;  // by entity
+    for (MeshSizes::Index i = 0; i < flat_.regions.size(); ++i)
+      if (flat_.regions[i].component != 0) region_of.push_back(i);
+    const auto& p = mesh().points;
+    return std::size_t(std::ranges::count_if(mesh().tetrahedra, [&](const auto& t) {
+      const auto& c = t.points;
+      return is_longer({p[c[0]], p[c[1]], p[c[2]], p[c[3]]}, said, region_of[t.entity]);
+    }));
   }
 
   /// What the mesher returns, once it is proven.

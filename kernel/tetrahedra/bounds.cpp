@@ -8,16 +8,21 @@
 namespace cnrg {
 
 bool Bounds::is_large(const Stars& mesh, const Stars::Tetrahedron& t) const {
-  if (volume == 0 || t.region < 0) return false;
-  const auto& c = t.corners;
-  return volume_of(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]), mesh.point(c[3])) > volume;
+  if (t.region < 0 || (volume == 0 && !length)) return false;
+  const Stars::Point &a = mesh.point(t.corners[0]), &b = mesh.point(t.corners[1]), &c = mesh.point(t.corners[2]),
+                     &d = mesh.point(t.corners[3]);
+  if (volume > 0 && volume_of(a, b, c, d) > volume) return true;
+  if (!length) return false;
+  const LongestEdge edge = longest_edge_of(a, b, c, d);
+  return edge.length > kLongestEdge * length(edge.middle, t.region);
 }
 
 double Bounds::cost(const Stars& mesh, const Stars::Tetrahedron& t) const {
+  constexpr double kLarge = 1000;
   if (t.region < 0) return 0;
-  if (t.shape < shape) return 1 + std::log(shape / std::max(t.shape, 1e-100)) / 3;
-  if (is_large(mesh, t)) return 1;
-  if (radius_edge == 0) return 0;
+  const double large = is_large(mesh, t) ? kLarge : 0;
+  if (t.shape < shape) return large + 1 + std::log(shape / std::max(t.shape, 1e-100)) / 3;
+  if (large > 0 || radius_edge == 0) return large;
   const auto& c = t.corners;
   return radius_edge_of(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]), mesh.point(c[3])) > radius_edge;
 }

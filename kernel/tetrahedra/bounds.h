@@ -1,21 +1,29 @@
 // What the tetrahedra of a mesh have to be, and what those cost that are not.
 #pragma once
 
+#include <functional>
+
 #include "kernel/tetrahedra/stars.h"
 
 namespace cnrg {
+
+/// So many times as long as is wanted in its middle is an edge at most.
+inline constexpr double kLongestEdge = 1.4;
 
 struct Bounds {
   double shape = 0;        ///< to the third power, as `Stars::measure` has it, at least
   double radius_edge = 0;  ///< ratio of circumradius to shortest edge at most; 0: no bound
   double volume = 0;       ///< at most; 0: no bound
+  /// The length of edges that is wanted at a place of a region; empty: any.
+  std::function<double(const Stars::Point&, std::int32_t region)> length{};
 
   /// What is in no region is nobody's care.
   bool keeps(const Stars& mesh, const Stars::Tetrahedron& t) const { return cost(mesh, t) == 0; }
+  /// Beyond the volume or the length.
   bool is_large(const Stars& mesh, const Stars::Tetrahedron& t) const;
   /// 0 of one that keeps them. Each that does not counts as one, and one of a bad shape as the logarithm more of
   /// how many times worse than the bound it is: so one that is a little worse is given for two, but one that is
-  /// a hundred times worse is not.
+  /// a hundred times worse is not. None that is large is given for shapes.
   double cost(const Stars& mesh, const Stars::Tetrahedron& t) const;
 };
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
@@ -76,6 +77,7 @@ class Improver {
         insertion_(mesh_, options.fixed, options.keep_boundary),
         lengths_(mesh_, moves_, options),
         bounds_{cube(options.shape), options.radius_edge, options.volume},
+        in_the_end_{bounds_.shape, bounds_.radius_edge, bounds_.volume, options.longest},
         begin_(std::chrono::steady_clock::now()) {
     if (!options_.size) return;
     for (Index v = 0; v < mesh_.point_count(); ++v) {
@@ -103,8 +105,10 @@ class Improver {
       }
     }
     until(1);
+    moves_.aim_at(in_the_end_);
+    mesh_.unsettle();
     to_fewer();
-    if (!too_many_) to_volume();
+    if (!too_many_ && halve_large()) to_fewer();
     until(1);
     return cut_ ? Improved::time_over : too_many_ ? Improved::too_many : Improved::done;
   }
@@ -118,7 +122,7 @@ class Improver {
   Moves moves_;
   Insertion insertion_;
   Lengths lengths_;
-  const Bounds bounds_;
+  const Bounds bounds_, in_the_end_;
   const std::chrono::steady_clock::time_point begin_;
   std::vector<int> halvings_;         // by vertex
   std::vector<std::uint64_t> tried_;  // by tetrahedron: when no new vertex made it better
@@ -282,23 +286,22 @@ class Improver {
     }
     return false;
   }
-  bool is_large(Index t) const { return bounds_.is_large(mesh_, mesh_.at(t)); }
-
-  /// Moves may have made some larger again; halves are smaller.
-  void to_volume() {
-    if (options_.volume == 0) return;
-    bool any = true;
-    while (any && !over()) {  // halves may be in places that are passed
-      begin("mesh: volumes");
+  /// Moves may have made some larger again than they may be; halves are smaller. True if there were any.
+  bool halve_large() {
+    if (in_the_end_.volume == 0 && !in_the_end_.length) return false;
+    bool ever = false;
+    for (bool any = true; any && !over();) {  // halves may be in places that are passed
+      begin("mesh: what is large");
       any = false;
-      for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
-        while (mesh_.alive(t) && is_large(t) && !over()) {
+      for (Index t = 0; t < mesh_.size() && !over(t) && !ends_refining(); ++t) {
+        while (mesh_.alive(t) && in_the_end_.is_large(mesh_, mesh_.at(t)) && !over()) {
           const auto [a, b] = longest_edge(t);
           if (moves_.split(a, b) == Stars::kNoTetrahedron) break;
-          any = true;
+          any = ever = true;
         }
       }
     }
+    return ever;
   }
 
   std::array<Index, 2> longest_edge(Index t) const {
@@ -324,25 +327,38 @@ class Improver {
     }
   }
 
-  /// Moves after which less is bad, and new vertices where these help, which are few.
+  /// Moves after which less is bad, and once these bring little new vertices, too: they cost more, and where no
+  /// move has helped they do not either.
   void to_fewer() {
-    moves_.aim_at(bounds_);
-    mesh_.unsettle();
-    std::size_t left = too_many_ ? 0 : options_.points, most = std::numeric_limits<std::size_t>::max();
-    for (int round = 0; round < kFewerRounds && !over(); ++round) {
+    std::size_t left = 0, bad = bad_ones();
+    for (int round = 0; round < kFewerRounds && bad > 0 && !over(); ++round) {
       begin("mesh: fewer bad ones, round " + of_rounds(round, kFewerRounds));
-      std::size_t bad = 0;
-      const auto all = static_cast<Index>(mesh_.size());
-      for (Index t = 0; t < all && !over(t); ++t) {
-        if (!mesh_.alive(t) || !is_bad(t)) continue;
-        ++bad;
-        if (mesh_.is_settled(t)) continue;
-        if (mend(t)) continue;
-        if (left > 0 && divide(t)) --left;
-        else mesh_.settle(t);
-      }
-      if (bad == 0 || double(bad) > kFewer * double(most)) break;
-      most = bad;
+      fewer(left);
+      const std::size_t before = std::exchange(bad, bad_ones());
+      if (double(bad) < kFewer * double(before)) continue;
+      if (round == 0 || left > 0 || too_many_) break;
+      left = options_.points;
+      if (left > 0) mesh_.unsettle();
+    }
+  }
+  std::size_t bad_ones() const {
+    std::size_t bad = 0;
+    for (Index t = 0; t < mesh_.size(); ++t) bad += mesh_.alive(t) && is_bad(t);
+    return bad;
+  }
+  /// Most of what is narrow is as flat as the input: where few moves help there it is left alone.
+  void fewer(std::size_t& left) {
+    constexpr std::size_t kTried = 1000, kHelped = 50;
+    std::size_t narrow = 0, helped = 0;
+    const auto all = static_cast<Index>(mesh_.size());
+    for (Index t = 0; t < all && !over(t); ++t) {
+      if (!mesh_.alive(t) || !is_bad(t) || mesh_.is_settled(t)) continue;
+      const bool flat = is_narrow(t);
+      if (flat && narrow > kTried && helped * kHelped < narrow) continue;
+      narrow += flat;
+      if (mend(t)) helped += flat;
+      else if (left > 0 && divide(t)) --left, helped += flat;
+      else mesh_.settle(t);
     }
   }
   bool divide(Index t) {
@@ -520,7 +536,8 @@ class Improver {
       if (!mesh_.alive(t) || !is_bad(t) || is_forced(t)) continue;
       const auto [a, b] = longest_edge(t);
       const int halvings = std::min(halvings_[a], halvings_[b]);
-      if (!is_large(t) && (halvings == 0 || moves_.squared(a, b) < square(kStretched * shortest_edge(t))))
+      if (!bounds_.is_large(mesh_, mesh_.at(t)) &&
+          (halvings == 0 || moves_.squared(a, b) < square(kStretched * shortest_edge(t))))
         continue;
       const Index v = moves_.split(a, b);
       halvings_.resize(mesh_.point_count(), std::max(halvings - 1, 0));

@@ -21,7 +21,10 @@ struct ImproveOptions {
   /// The length of edges that is wanted at a place; empty: what the shapes need.
   std::function<double(const ConformingTetrahedra::Point&)> size{};
   std::vector<double> region_size{};  ///< the same inside of regions, by number; empty, or infinite: no bound
-  double good = 0.4;                  ///< local moves are tried on all of a worse shape
+  /// What somebody wants of that; what is longer in the end is halved (`kLongestEdge`), whatever becomes of its
+  /// shape. Empty: nothing.
+  std::function<double(const ConformingTetrahedra::Point&, std::int32_t region)> longest{};
+  double good = 0.4;  ///< local moves are tried on all of a worse shape
   /// What a tetrahedron has to be; points are added until all are, where that can be.
   double shape = 0.1;      ///< at least
   double radius_edge = 0;  ///< ratio of circumradius to shortest edge at most; 0: no bound

@@ -21,7 +21,7 @@ class Lengths {
   /// Asked between moves, by a walk at that tetrahedron: does the work end?
   using Ends = std::function<bool(Index)>;
   /// Edges are as wanted between these, in lengths that are wanted.
-  static constexpr double kLong = 1.4142, kShort = 0.7071;
+  static constexpr double kLong = kLongestEdge, kShort = 0.7071;
 
   /// Of the options `size`, which is not empty, and `region_size`.
   Lengths(Stars& mesh, Moves& moves, const ImproveOptions& options)

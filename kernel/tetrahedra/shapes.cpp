@@ -1,6 +1,7 @@
 #include "kernel/tetrahedra/shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kernel/base/vectors.h"
@@ -21,6 +22,21 @@ struct Edges {
 
 double volume_of(const CornerPoint& a, const CornerPoint& b, const CornerPoint& c, const CornerPoint& d) {
   return std::fabs(Edges(a, b, c, d).determinant()) / 6;
+}
+
+LongestEdge longest_edge_of(const CornerPoint& a, const CornerPoint& b, const CornerPoint& c,
+                            const CornerPoint& d) {
+  LongestEdge longest{-1, {}};
+  const std::array corners{&a, &b, &c, &d};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const CornerPoint &p = *corners[i], &q = *corners[j], along = minus(p, q);
+      if (const double squared = dot(along, along); squared > longest.length)
+        longest = {squared, {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2}};
+    }
+  }
+  longest.length = std::sqrt(longest.length);
+  return longest;
 }
 
 double shape_of(const CornerPoint& a, const CornerPoint& b, const CornerPoint& c, const CornerPoint& d) {

@@ -10,6 +10,13 @@ using CornerPoint = std::array<double, 3>;
 /// Its volume.
 double volume_of(const CornerPoint& a, const CornerPoint& b, const CornerPoint& c, const CornerPoint& d);
 
+struct LongestEdge {
+  double length;
+  CornerPoint middle;
+};
+LongestEdge longest_edge_of(const CornerPoint& a, const CornerPoint& b, const CornerPoint& c,
+                            const CornerPoint& d);
+
 /// The ratio of circumradius to shortest edge: sqrt(6) / 4 of a regular tetrahedron, large where edges differ
 /// much.
 double radius_edge_of(const CornerPoint& a, const CornerPoint& b, const CornerPoint& c, const CornerPoint& d);

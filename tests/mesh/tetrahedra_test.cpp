@@ -6,7 +6,9 @@
 #include <cmath>
 #include <random>
 
+#include "csg/evaluate/evaluate.h"
 #include "csg/formats/formats.h"
+#include "csg/formats/mesh_file.h"
 #include "csg/operators/cnrg.h"
 #include "kernel/base/error.h"
 #include "kernel/selection/measure.h"
@@ -76,6 +78,41 @@ TEST_CASE("what lies outside of the regions is in the mesh, too, and conforms", 
     // Each corner of a triangle outside is one point with what is inside: no node lies twice at one place.
     std::set<std::array<double, 3>> places;
     for (const auto& [number, p] : mesh.nodes) CHECK(places.insert(p).second);
+  }
+}
+
+// TetGen puts tetrahedra into the gap that overlap; the improver then lost triangles of the sheet.
+TEST_CASE("a sheet just above a box, of which TetGen makes tetrahedra that overlap, keeps its area", "[mesh]") {
+  const Result result = evaluate(parse_tree(R"(cnrg: 1
+nodes:
+  box:  {box: {min: [0, 0, 0], max: [1, 2, 3]}}
+  near: {polygon: [[-1, -1, 3.00001], [3, -1, 3.00001], [0.5, 4, 3.00001]]}
+  all:  {union: [near, box], dominance: left}
+result: all
+)",
+                                            "near.yaml"))
+                            .result();
+  const TetrahedralMesh made = tetrahedra(result, {});
+  CHECK_THAT(made.notice, Catch::Contains("overlap outside of all regions"));
+  const MeshFile mesh = read_msh(msh_text(made.mesh));
+  CHECK(mesh.volume("box") == 6);
+  CHECK(mesh.measure(mesh.in_group(2, "face of near")) == Approx(10).epsilon(1e-12));
+}
+
+TEST_CASE("small parts far from the origin, where doubles are far apart, are meshed", "[mesh]") {
+  for (const char* part :
+       {"{sphere: {center: [1e6, 1e6, 0], radius: 0.00001, segments: 8}}",
+        "{cylinder: {from: [1e7, 1e7, 0], to: [1e7, 1e7, 0.0006], radius: 0.0002, segments: 6}}"}) {
+    INFO(part);
+    const Result result =
+        evaluate(parse_tree("cnrg: 1\nnodes:\n  part: " + std::string(part) + "\nresult: part\n", "far.yaml"))
+            .result();
+    for (const double size : {0.0, 1e-4}) {
+      TetrahedraOptions options;
+      options.size = size;
+      const TetrahedralMesh made = tetrahedra(result, options);
+      CHECK(!made.mesh.tetrahedra.empty());
+    }
   }
 }
 
