@@ -20,8 +20,9 @@ constexpr std::size_t kLongest = 12;
 /// A triangle of a facet must keep at least this part of a right angle's turn to the facet's normal.
 constexpr double kFlat = 0.9;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-/// Costs that fall by less than this part are the same but for rounding.
-constexpr double kLess = 1 - 1e-9;
+/// Costs fall by at least so much, as for one bad shape that gets better by a twentieth: there is nearly always a
+/// little to gain, which helps nobody.
+constexpr double kLess = 0.05;
 /// A vertex is drawn to what makes so many bad tetrahedra better, and so often for each.
 constexpr std::size_t kBadOnes = 6, kPulls = 2;
 
@@ -50,7 +51,7 @@ double Moves::value(const std::array<Index, 4>& corners, std::int32_t region, do
 bool Moves::costs_less() const {
   double fresh = 0;
   for (const Tetrahedron& t : fresh_) fresh += value(t);
-  return fresh > kLess * value(old_);
+  return fresh > value(old_) + kLess;
 }
 
 double Moves::squared(Index a, Index b) const {
@@ -347,7 +348,7 @@ bool Moves::divide(Index a, Index b) {
   const Index v = split(a, b);
   if (v == Stars::kNoTetrahedron) return false;
   smooth(v, 1);
-  if (value(mesh_.star(v)) > kLess * cost) return true;
+  if (value(mesh_.star(v)) > cost + kLess) return true;
   old_.assign(mesh_.star(v).begin(), mesh_.star(v).end());
   if (line != Stars::kNone) {
     mesh_.remove_line(a, v);
@@ -403,7 +404,7 @@ bool Moves::try_place(Index v, const Point& place, double gain, double& now) {
     }
   }
   mesh_.move(v, p);
-  const double bar = now * (aim_ ? kLess : gain);
+  const double bar = aim_ ? now + kLess : now * gain;
   struct Shapes {
     std::vector<double> list;
   };
