@@ -12,6 +12,8 @@
 #include "csg/operators/cnrg.h"
 #include "kernel/base/error.h"
 #include "kernel/selection/measure.h"
+#include "kernel/tetrahedra/bounds.h"
+#include "kernel/tetrahedra/shapes.h"
 #include "tests/formats/mesh_readers.h"
 #include "tests/mesh/mesh_cases.h"
 
@@ -113,6 +115,31 @@ TEST_CASE("small parts far from the origin, where doubles are far apart, are mes
       const TetrahedralMesh made = tetrahedra(result, options);
       CHECK(!made.mesh.tetrahedra.empty());
     }
+  }
+}
+
+// TetGen leaves edges of more than twice the size in it.
+TEST_CASE("no edge of a flat tetrahedron's mesh is longer than the size allows", "[mesh][sizes]") {
+  const Result result = evaluate(parse_tree(R"(cnrg: 1
+nodes: {flat: {tetrahedron: [[10, 4, 0], [3, 2, 9], [7, 9, 10], [2, 3, 10]]}}
+result: flat
+)",
+                                            "flat.yaml"))
+                            .result();
+  for (const bool constrained : {false, true}) {
+    TetrahedraOptions options;
+    options.size = 0.5;
+    options.constrained = constrained;
+    const TetrahedralMesh made = tetrahedra(result, options);
+    INFO("constrained " << constrained << ": " << made.notice);
+    std::size_t longer = 0;
+    const auto& p = made.mesh.points;
+    for (const auto& t : made.mesh.tetrahedra)
+      longer += longest_edge_of(p[t.points[0]], p[t.points[1]], p[t.points[2]], p[t.points[3]]).length >
+                kLongestEdge * options.size;
+    CHECK(longer == 0);
+    CHECK(made.mesh.tetrahedra.size() > 1000);
+    CHECK_THAT(made.notice, !Catch::Contains("1.4 times"));
   }
 }
 

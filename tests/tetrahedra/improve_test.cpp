@@ -302,6 +302,88 @@ TEST_CASE("tetrahedra get the lengths that are wanted", "[tetrahedra]") {
   }
 }
 
+TEST_CASE("no edge is longer in the end than somebody wants", "[tetrahedra]") {
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    INFO("seed " << seed);
+    Index fixed = 0;
+    const Mesh before = random_mesh(seed, fixed);
+    if (before.tetrahedra.empty()) continue;
+    // In odd regions half as long; and as a mesher leaves it, or as the improver makes it to other lengths.
+    const double h = extent(before) / 8;
+    const auto wanted = [h](std::int32_t region) { return region % 2 == 1 ? h / 2 : h; };
+    for (const bool to_lengths : {false, true}) {
+      ImproveOptions options;
+      options.fixed = fixed;
+      options.points = 2000;
+      options.longest = [&](const Vector&, std::int32_t region) { return wanted(region); };
+      if (to_lengths) options.size = [&](const Vector&) { return h / 2; };
+      Mesh after = before;
+      improve(after, options, {});
+      require_same(before, after);
+      std::size_t longer = 0;
+      for (std::size_t i = 0; i < after.tetrahedra.size(); ++i) {
+        const auto& t = after.tetrahedra[i];
+        const auto& p = after.points;
+        longer +=
+            longest_edge_of(p[t[0]], p[t[1]], p[t[2]], p[t[3]]).length > kLongestEdge * wanted(after.region[i]);
+      }
+      CHECK(longer == 0);
+    }
+  }
+}
+
+TEST_CASE("where costs count no move makes them more, and what does not help is taken back", "[tetrahedra]") {
+  const auto [begin, end] = scenes::seeds(10);
+  const Bounds bounds{.shape = 0.1 * 0.1 * 0.1, .radius_edge = 3};
+  std::size_t fewer = 0, divided = 0, taken_back = 0;
+  for (std::uint64_t seed = begin; seed < end; ++seed) {
+    INFO("seed " << seed);
+    Index fixed = 0;
+    const Mesh before = random_mesh(seed, fixed);
+    if (before.tetrahedra.empty()) continue;
+    Stars stars(before);
+    Moves moves(stars, fixed, seed % 4 == 3);
+    moves.aim_at(bounds);
+    const auto cost = [&] {
+      double all = 0;
+      for (Index t = 0; t < stars.size(); ++t)
+        if (stars.alive(t)) all += bounds.cost(stars, stars.at(t));
+      return all;
+    };
+    double least = cost();
+    const double first = least;
+    const auto count = [&](bool done) {
+      const double now = cost();
+      REQUIRE(now <= (done ? least - 0.04 : least + 1e-6));
+      REQUIRE(std::fabs(done ? 0 : now - least) <= 1e-6 * first);
+      least = now;
+      return done;
+    };
+    const auto all = Index(stars.size());
+    for (Index t = 0; t < all; ++t) {
+      if (!stars.alive(t) || bounds.keeps(stars, stars.at(t))) continue;
+      const auto corners = stars.at(t).corners;
+      const Index a = corners[seed % 4], b = corners[(seed + 1) % 4];
+      if (count(moves.remove_edge(a, b)) || count(moves.swap_face(t, 0)) || count(moves.smooth(a, 1))) continue;
+      if (count(moves.collapse(a, b, 1, 1e30))) continue;
+      const Mesh same = stars.mesh();
+      if (count(moves.divide(a, b))) {
+        ++divided;
+        continue;
+      }
+      ++taken_back;
+      REQUIRE(stars.mesh().tetrahedra.size() == same.tetrahedra.size());
+      REQUIRE(stars.mesh().segments == same.segments);
+      REQUIRE(stars.mesh().points == same.points);
+    }
+    fewer += least < first;
+    require_same(before, stars.mesh());
+  }
+  CHECK(fewer * 2 > end - begin);
+  CHECK(divided > 0);
+  CHECK(taken_back > 0);
+}
+
 TEST_CASE("a flat tetrahedron over two triangles of a facet is peeled off", "[tetrahedra]") {
   // Between the triangles abc, abd of a facet, which are the floor of an upper region, and the edge cd above it.
   constexpr Index a = 0, b = 1, c = 2, d = 3, top = 4, bottom = 5;
