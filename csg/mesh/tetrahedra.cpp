@@ -403,7 +403,8 @@ class TetrahedraMaker {
                     : options_.seconds  ? 0
                                         : TetrahedraOptions::kPartSeconds;
     asked.afterwards = deadline_.bounded() ? afterwards_ : 0;
-    if (sized()) asked.longest = said_lengths(rounded);
+    // Beside triangles that stay and are too long halves would become ever more, and none of them short enough.
+    if (sized() && !keeps_boundary()) asked.longest = said_lengths(rounded);
     if (to_sizes_) {
       asked.size = [this](const Vector& p) { return sizes_.field.at(p); };
       for (const Plc::Seed& region : plc_.regions) {

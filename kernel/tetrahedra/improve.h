@@ -22,7 +22,7 @@ struct ImproveOptions {
   std::function<double(const ConformingTetrahedra::Point&)> size{};
   std::vector<double> region_size{};  ///< the same inside of regions, by number; empty, or infinite: no bound
   /// What somebody wants of that; what is longer in the end is halved (`kLongestEdge`), whatever becomes of its
-  /// shape. Empty: nothing.
+  /// shape; with `keep_boundary` it might not end. Empty: nothing.
   std::function<double(const ConformingTetrahedra::Point&, std::int32_t region)> longest{};
   double good = 0.4;  ///< local moves are tried on all of a worse shape
   /// What a tetrahedron has to be; points are added until all are, where that can be.
