@@ -131,9 +131,77 @@ TEST_CASE("what nearly touches is said to be joined where much is bad for it", "
   CHECK(near.near <= near.bad);
   CHECK_THAT(joining_text(near), Catch::StartsWith("in " + std::to_string(near.near) + " of them two cells") &&
                                      Catch::EndsWith("--join joins it"));
+  CHECK_THAT(joining_text(near), Catch::Contains(" nearly touch, the nearest 0.001 apart; "));
+  // Few that are as wide as somebody draws are not worth a word; some that nobody draws are.
   MeshQuality few = near;
   few.shapes.back() += 100 * few.bad;
+  CHECK_FALSE(joining_text(few).empty());
+  few.narrowest = 0.002;
   CHECK(joining_text(few).empty());
+}
+
+// The corners of a flat tetrahedron lie far from each other beside the gap that it is flat for.
+TEST_CASE("reasons tell how wide the gap is between cells that do not touch", "[mesh][quality]") {
+  const std::string box = "cnrg: 1\nnodes:\n  rock: {box: {min: [0, 0, 0], max: [10, 10, 4]}}\n";
+  const std::string model = "  model: {union: [a, rock], dominance: left}\nresult: model\n";
+  TetrahedraOptions fine;
+  fine.size = 3;
+  for (const auto& [nodes, reason] :
+       {std::pair("  a: {polygon: [[3, 0, 0], [3, 10, 0], [3, 10, 3.99999], [3, 0, 3.99999]]}\n",
+                  "`a` and f3 of `rock` are 1e-05 apart here"),
+        std::pair("  a: {polyline: [[5, 5, 1], [5, 5, 3.99999]]}\n", "`a` and f3 of `rock` are 1e-05 apart"),
+        std::pair("  a: {polyline: [[1, 1e-5, 1], [9, 1e-5, 1]]}\n",
+                  " of `a` and f1 of `rock` are 1e-05 apart")}) {
+    for (const TetrahedraOptions& options : {TetrahedraOptions{}, fine}) {
+      const MeshQuality quality = meshed(box + nodes + model, options).quality;
+      INFO(reason);
+      CHECK(quality.bad > 0);
+      CHECK(quality.near == quality.bad);
+      CHECK(quality.narrowest == Approx(1e-5));
+      bool said = false;
+      for (const MeshQuality::Bad& bad : quality.worst_ones) {
+        INFO(bad.why);
+        CHECK_THAT(bad.why, Catch::Contains(" are 1e-05 apart"));
+        said |= bad.why.find(reason) != std::string::npos;
+      }
+      CHECK(said);
+      CHECK_THAT(joining_text(quality), Catch::StartsWith("in " + std::to_string(quality.bad) + " of them"));
+    }
+  }
+}
+
+TEST_CASE("segments of one edge, and cells that touch, are no gap to be joined", "[mesh][quality]") {
+  Mesh mesh;
+  mesh.points = {{0, 0, 0}, {0.1, 0, 0}, {5, 1, 0}, {5, 0, 1}, {0, 0.1, 0}};
+  mesh.segments = {{{0, 1}, 0}, {{0, 4}, 1}};
+  mesh.tetrahedra = {{{0, 1, 2, 3}, 0}};
+  mesh.entities[1].resize(2);
+  mesh.entities[3].resize(1);
+  MeshQuality q = quality_of(mesh, {});
+  REQUIRE(q.worst_ones.size() == 1);
+  CHECK(q.worst_ones[0].why == "points of e0 are 0.1 apart");
+  CHECK(q.near == 0);
+  mesh.tetrahedra[0].points = {1, 4, 2, 3};
+  q = quality_of(mesh, {});
+  REQUIRE(q.worst_ones.size() == 1);
+  CHECK(q.worst_ones[0].why == "e0 and e1, which touch, have points 0.141 apart");
+  CHECK(q.near == 0);
+  CHECK(joining_text(q).empty());
+}
+
+// No corner is near to what it is not on: two segments cross at a distance.
+TEST_CASE("segments that pass each other are a gap", "[mesh][quality]") {
+  Mesh mesh;
+  mesh.points = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0.02}, {0, 1, 0.02}};
+  mesh.segments = {{{0, 1}, 0}, {{2, 3}, 1}};
+  mesh.tetrahedra = {{{0, 1, 3, 2}, 0}};
+  mesh.entities[1].resize(2);
+  mesh.entities[3].resize(1);
+  const MeshQuality q = quality_of(mesh, {});
+  REQUIRE(q.worst_ones.size() == 1);
+  CHECK(q.worst_ones[0].why == "e0 and e1 are 0.02 apart here");
+  CHECK(q.near == 1);
+  CHECK(q.narrowest == Approx(0.02));
 }
 
 TEST_CASE("measures of tetrahedra that are known", "[mesh][quality]") {
