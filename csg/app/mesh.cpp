@@ -232,6 +232,18 @@ bool bounds(const TetrahedraOptions& options) {
 /// The page that tells of a mesh.
 using Page = std::function<std::string(const MeshPageOptions&)>;
 
+/// That a file holds a part of the mesh, unless others that are asked for hold the rest.
+void tell_left_out(const std::string& path, const std::vector<std::string>& asked, const Mesh& mesh) {
+  std::string names, held;
+  for (const FurtherFile& file : further_files(path, mesh)) {
+    if (std::find(asked.begin(), asked.end(), file.path) != asked.end()) continue;
+    names += " -o " + file.path;
+    held += (held.empty() ? "" : ", ") + file.holds;
+  }
+  if (!names.empty())
+    tell(path + ": notice: a grid has elements of one dimension; ask for" + names + ", too, which hold " + held);
+}
+
 /// Writes a mesh to all files, with what is to be said of each; the warnings even if nothing else is.
 void write_files(const MeshArguments& arguments, const Result& result, const Mesh& mesh,
                  const RoundingReport& rounding, const SnapReport& snapped, const std::string& notice,
@@ -260,6 +272,7 @@ void write_files(const MeshArguments& arguments, const Result& result, const Mes
       for (const std::string& text : notices) tell(path + ": notice: " + text);
     }
     for (const std::string& text : warnings) tell(path + ": warning: " + text);
+    if (!arguments.quiet) tell_left_out(path, arguments.files, mesh);
   }
 }
 

@@ -191,6 +191,32 @@ result: u
   CHECK(w.run("mesh t.yaml --order 2 -o second.html --quiet").status == 0);
 }
 
+TEST_CASE("mesh: a grid of XDMF says what it leaves out, unless that is asked for", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  rock:  {box: {min: [0, 0, 0], max: [4, 4, 4]}}
+  sheet: {polygon: [[1, 1, 2], [3, 1, 2], [3, 3, 2]]}
+  bolt:  {polyline: [[1, 1, 1], [1, 1, 3]]}
+  model: {union: [bolt, sheet, rock], dominance: left}
+result: model
+)");
+  Outcome o = w.run("mesh t.yaml -o t.xdmf");
+  CHECK(o.status == 0);
+  CHECK_FALSE(std::filesystem::exists(w.path("t.faces.xdmf")));
+  CHECK_THAT(o.err, Contains("t.xdmf: notice: a grid has elements of one dimension; ask for -o t.faces.xdmf -o "
+                             "t.edges.xdmf -o t.points.xdmf, too, which hold "));
+  o = w.run("mesh t.yaml --order 2 -o t.xdmf -o t.faces.xdmf");
+  CHECK(o.status == 0);
+  CHECK(std::filesystem::exists(w.path("t.faces.xdmf")));
+  CHECK_THAT(o.err, Contains("ask for -o t.edges.xdmf -o t.points.xdmf, too, which hold ") &&
+                        Contains(" segments, ") && !Contains("t.faces.xdmf: notice: a grid"));
+  o = w.run("mesh t.yaml -o t.xdmf -o t.faces.xdmf -o t.edges.xdmf -o t.points.xdmf");
+  CHECK(o.status == 0);
+  CHECK(o.err.empty());
+  CHECK(w.run("mesh t.yaml --quiet -o t.xdmf").err.empty());
+}
+
 TEST_CASE("mesh: a page has the numbers of tetrahedra that doubles find flat", "[app][mesh]") {
   const Workshop w;
   w.write("t.yaml", R"(cnrg: 1
