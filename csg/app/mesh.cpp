@@ -17,6 +17,7 @@
 #include "csg/text/file.h"
 #include "csg/text/input_file.h"
 #include "csg/text/table.h"
+#include "csg/topology/features.h"
 #include "csg/view/mesh_page.h"
 
 namespace cnrg::app {
@@ -244,6 +245,16 @@ void tell_left_out(const std::string& path, const std::vector<std::string>& aske
     tell(path + ": notice: a grid has elements of one dimension; ask for" + names + ", too, which hold " + held);
 }
 
+/// What is so near that it was probably meant to touch, since the mesh is parted there.
+void tell_nearly_touching(const MeshArguments& arguments, const Tree& tree, NodeId node, const Result& result) {
+  if (arguments.quiet || !arguments.join.empty()) return;
+  ProgressBar bar(false);
+  bar.show("near features");
+  const std::string text = at_node(tree, node, [&] { return nearly_touching_text(result, {bar.progress(), {}}); });
+  bar.clear();
+  if (!text.empty()) tell(tree.file + ": notice: `" + tree.nodes[node].name + "`: " + text);
+}
+
 /// Writes a mesh to all files, with what is to be said of each; the warnings even if nothing else is.
 void write_files(const MeshArguments& arguments, const Result& result, const Mesh& mesh,
                  const RoundingReport& rounding, const SnapReport& snapped, const std::string& notice,
@@ -296,6 +307,7 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
     });
   }
   if (!arguments.quiet) std::cout << table_of(made, arguments.quads) << std::flush;
+  tell_nearly_touching(arguments, tree, node, result);
   std::string notice = made.notice;
   if (made.kept > 0) {
     notice += (notice.empty() ? "" : "; ") + std::to_string(made.kept) +
@@ -376,6 +388,7 @@ int run_mesh(const MeshArguments& arguments) {
     if (bent) std::cout << text_of(*bent);
     std::cout << std::flush;
   }
+  tell_nearly_touching(arguments, tree, node, result);
   write_files(
       arguments, result, made.mesh, made.rounding, snapped, made.notice, made.warnings,
       [&](const MeshPageOptions& options) { return mesh_page(result, made, bent ? &*bent : nullptr, options); });
