@@ -222,17 +222,26 @@ std::vector<Feature> features(const Result& result, const std::optional<Rational
 
 std::string nearly_touching_text(const Result& result, const Watch& watch) {
   constexpr double kUndrawn = 1e-6;
+  constexpr std::size_t kMostTold = 10'000;  // of parts: exact distances of more take seconds
   const ResultView view = result.data().view();
   const FlatComplex flat = flatten(view);
   require_bounds(flat, "the result has no bounds", ": distances are told of such results only");
   const Parts parts(view, flat);
   const double reach = parts.diagonal() * kUndrawn;
   if (!(reach > 0) || !std::isfinite(reach)) return {};
+  const double step = std::pow(10, std::floor(std::log10(reach)));  // one digit, rounded up
+  const std::string remedy = "; `cnrg check --features` lists what is near, and --join " +
+                             decimal(std::ceil(reach / step) * step, "%.3g") + " joins it";
   std::set<std::array<Parts::Cell, 2>> told;
   std::map<std::array<Parts::Cell, 2>, bool> touching;
   Rational least;
   for (const Near kind : kNears) {
-    for (const NearPair& pair : near_pairs(parts, kind, from_double(reach), Ends::left_out, watch)) {
+    const auto pairs = near_pairs_if_few(parts, kind, from_double(reach), kMostTold, Ends::left_out, watch);
+    if (!pairs) {
+      return "more than " + std::to_string(kMostTold) +
+             " pairs of parts do not touch and are nearer than a millionth of the model" + remedy;
+    }
+    for (const NearPair& pair : *pairs) {
       auto cells = cells_of(parts, kind, pair.a, pair.b);
       if (cells[1] < cells[0]) std::swap(cells[0], cells[1]);
       const auto [known, fresh] = touching.try_emplace(cells, false);
@@ -243,12 +252,9 @@ std::string nearly_touching_text(const Result& result, const Watch& watch) {
     }
   }
   if (told.empty()) return {};
-  const double step = std::pow(10, std::floor(std::log10(reach)));  // one digit, rounded up
   return counted(told.size(), "pair of cells does", "pairs of cells do") + " not touch and " +
          (told.size() == 1 ? "is" : "are") + " nearer than a millionth of the model, " +
-         (told.size() == 1 ? "" : "the nearest ") + decimal(nearest_root(least), "%.3g") +
-         " apart; `cnrg check --features` lists what is near, and --join " +
-         decimal(std::ceil(reach / step) * step, "%.3g") + " joins it";
+         (told.size() == 1 ? "" : "the nearest ") + decimal(nearest_root(least), "%.3g") + " apart" + remedy;
 }
 
 std::string features_text(const Result& result, const std::vector<Feature>& features) {

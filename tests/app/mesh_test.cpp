@@ -217,6 +217,29 @@ result: model
   CHECK(w.run("mesh t.yaml --quiet -o t.xdmf").err.empty());
 }
 
+TEST_CASE("mesh: boxes that nearly touch are told, though no shape is bad", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  lower: {box: {min: [0, 0, 0], max: [10, 10, 4]}}
+  upper: {box: {min: [0, 0, 4.00001], max: [10, 10, 8]}}
+  model: {union: [lower, upper], dominance: left}
+result: model
+)");
+  const std::string told =
+      "t.yaml: notice: `model`: 4 pairs of cells do not touch and are nearer than a millionth of "
+      "the model, the nearest 1e-05 apart; `cnrg check --features` lists what is near, and --join "
+      "2e-05 joins it\n";
+  for (const std::string options : {"", " --size 4", " --quality 1.4", " --surface"}) {
+    INFO(options);
+    const Outcome o = w.run("mesh t.yaml -o t.msh" + options);
+    CHECK(o.status == 0);
+    CHECK_THAT(o.err, Contains(told));
+  }
+  CHECK_THAT(w.run("mesh t.yaml -o t.msh --join 2e-5").err, !Contains("do not touch"));
+  CHECK(w.run("mesh t.yaml -o t.msh --quiet").err.empty());
+}
+
 TEST_CASE("mesh: a page has the numbers of tetrahedra that doubles find flat", "[app][mesh]") {
   const Workshop w;
   w.write("t.yaml", R"(cnrg: 1
