@@ -89,7 +89,8 @@ std::string where_beyond(const TetrahedralMesh& made) {
                       : " are") +
             " in " + made.regions[region].name;
   }
-  if (counts.size() > kShown) text += ", and some in " + std::to_string(counts.size() - kShown) + " more regions";
+  if (counts.size() > kShown)
+    text += ", and some in " + counted(counts.size() - kShown, "more region", "more regions");
   return text;
 }
 
