@@ -217,6 +217,24 @@ result: model
   CHECK(w.run("mesh t.yaml --quiet -o t.xdmf").err.empty());
 }
 
+TEST_CASE("mesh: a page draws wires in their color, from outside, too", "[app][mesh]") {
+  const Workshop w;
+  const auto page = [&](const std::string& material) {
+    w.write("t.yaml",
+            "cnrg: 1\nmaterials: {steel: {color: \"#3040c0\"}}\nnodes:\n"
+            "  rock:  {box: {min: [0, 0, 0], max: [4, 4, 4]}}\n"
+            "  bolt:  {polyline: [[1, 1, 1], [1, 1, 3]]" +
+                material +
+                "}\n"
+                "  model: {union: [bolt, rock], dominance: left}\nresult: model\n");
+    CHECK(w.run("mesh t.yaml --quiet -o t.html").status == 0);
+    const std::string text = w.read("t.html");
+    return text.substr(text.find("<h2>Picture"), text.find("<h2>Regions") - text.find("<h2>Picture"));
+  };
+  CHECK_THAT(page(", material: steel"), Contains("#3040c0"));
+  CHECK_THAT(page(""), Contains("#4b2e83") && !Contains("#a5460a"));
+}
+
 TEST_CASE("mesh: boxes that nearly touch are told, though no shape is bad", "[app][mesh]") {
   const Workshop w;
   w.write("t.yaml", R"(cnrg: 1
