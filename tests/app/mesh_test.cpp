@@ -217,6 +217,25 @@ result: model
   CHECK(w.run("mesh t.yaml --quiet -o t.xdmf").err.empty());
 }
 
+TEST_CASE("mesh: a distance of joining that changes the volume is told", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  rock: {box: {min: [0, 0, 0], max: [60, 40, 30]}}
+  seam: {box: {min: [0, 0, 30], max: [60, 40, 34]}}
+  model: {union: [seam, rock], dominance: left}
+result: model
+)");
+  for (const std::string quiet : {"", " --quiet"}) {
+    const Outcome o = w.run("mesh t.yaml -o t.msh --join 5" + quiet);
+    CHECK(o.status == 0);
+    CHECK_THAT(o.err,
+               Contains("t.yaml: warning: `model`: the regions have 12 % less volume than before; give a smaller "
+                        "distance\n"));
+  }
+  CHECK_THAT(w.run("mesh t.yaml -o t.msh --join 1").err, !Contains("volume than before"));
+}
+
 TEST_CASE("mesh: a page draws wires in their color, from outside, too", "[app][mesh]") {
   const Workshop w;
   const auto page = [&](const std::string& material) {
