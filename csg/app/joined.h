@@ -8,8 +8,8 @@
 
 namespace cnrg::app {
 
-/// Joins behind a progress bar and prints what met; `distance` is a number. Regions that vanish, and what is still
-/// near, are told even if `quiet`.
+/// Joins behind a progress bar and prints what met; `distance` is a number. Regions that vanish, what is still
+/// near, and volume that changes by a hundredth or more are told even if `quiet`.
 Result joined(const Tree& tree, NodeId node, const Result& result, const std::string& distance, bool quiet);
 
 }  // namespace cnrg::app

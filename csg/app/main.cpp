@@ -187,6 +187,16 @@ std::string forgotten_command(const std::string& word) {
   return is_tree ? "; to evaluate this tree: `cnrg eval " + word + "`;" : "";
 }
 
+/// `-q`: all short names are alike, so what is near to it says nothing.
+bool is_letter(const std::string& name) { return name.size() == 2 && name[0] == '-' && name[1] != '-'; }
+/// The long names that begin with the letter of a short one.
+std::string options_of_letter(const std::string& letter, const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& name : names)
+    if (name.rfind("-" + letter, 0) == 0) out += (out.empty() ? "`" : " or `") + name + "`";
+  return out.empty() ? out : "; did you mean " + out + "?";
+}
+
 /// What is wrong with the command line, what was probably meant, and where to look.
 std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
@@ -199,12 +209,17 @@ std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e
     for (const std::string& name : option->get_snames()) names.push_back("-" + name);
   }
   const std::vector<std::string_view> known(names.begin(), names.end());
-  std::string hint;
-  for (const std::string& word : program.remaining(true)) {  // what no option took
-    hint = did_you_mean(word.substr(0, word.find('=')), known);
+  std::string hint, what = e.what();
+  const std::vector<std::string> left = program.remaining(true);  // what no option took
+  for (const std::string& word : left) {
+    const std::string name = word.substr(0, word.find('='));
+    hint = is_letter(name) ? options_of_letter(name, names) : did_you_mean(name, known);
     if (!hint.empty()) break;
   }
-  std::string what = e.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr) {  // CLI11 tells them from the last to the first
+    what = "not expected:";
+    for (const std::string& word : left) what += " " + word;
+  }
   if (chosen.empty() && !program.remaining().empty()) {
     const std::string word = program.remaining()[0];
     what = "there is no command `" + word + "`";

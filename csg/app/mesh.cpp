@@ -17,6 +17,7 @@
 #include "csg/text/file.h"
 #include "csg/text/input_file.h"
 #include "csg/text/table.h"
+#include "csg/topology/features.h"
 #include "csg/view/mesh_page.h"
 
 namespace cnrg::app {
@@ -88,7 +89,8 @@ std::string where_beyond(const TetrahedralMesh& made) {
                       : " are") +
             " in " + made.regions[region].name;
   }
-  if (counts.size() > kShown) text += ", and some in " + std::to_string(counts.size() - kShown) + " more regions";
+  if (counts.size() > kShown)
+    text += ", and some in " + counted(counts.size() - kShown, "more region", "more regions");
   return text;
 }
 
@@ -232,6 +234,28 @@ bool bounds(const TetrahedraOptions& options) {
 /// The page that tells of a mesh.
 using Page = std::function<std::string(const MeshPageOptions&)>;
 
+/// That a file holds a part of the mesh, unless others that are asked for hold the rest.
+void tell_left_out(const std::string& path, const std::vector<std::string>& asked, const Mesh& mesh) {
+  std::string names, held;
+  for (const FurtherFile& file : further_files(path, mesh)) {
+    if (std::find(asked.begin(), asked.end(), file.path) != asked.end()) continue;
+    names += " -o " + file.path;
+    held += (held.empty() ? "" : ", ") + file.holds;
+  }
+  if (!names.empty())
+    tell(path + ": notice: a grid has elements of one dimension; ask for" + names + ", too, which hold " + held);
+}
+
+/// What is so near that it was probably meant to touch, since the mesh is parted there.
+void tell_nearly_touching(const MeshArguments& arguments, const Tree& tree, NodeId node, const Result& result) {
+  if (arguments.quiet || !arguments.join.empty()) return;
+  ProgressBar bar(false);
+  bar.show("near features");
+  const std::string text = at_node(tree, node, [&] { return nearly_touching_text(result, {bar.progress(), {}}); });
+  bar.clear();
+  if (!text.empty()) tell(tree.file + ": notice: `" + tree.nodes[node].name + "`: " + text);
+}
+
 /// Writes a mesh to all files, with what is to be said of each; the warnings even if nothing else is.
 void write_files(const MeshArguments& arguments, const Result& result, const Mesh& mesh,
                  const RoundingReport& rounding, const SnapReport& snapped, const std::string& notice,
@@ -260,6 +284,7 @@ void write_files(const MeshArguments& arguments, const Result& result, const Mes
       for (const std::string& text : notices) tell(path + ": notice: " + text);
     }
     for (const std::string& text : warnings) tell(path + ": warning: " + text);
+    if (!arguments.quiet) tell_left_out(path, arguments.files, mesh);
   }
 }
 
@@ -283,6 +308,7 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
     });
   }
   if (!arguments.quiet) std::cout << table_of(made, arguments.quads) << std::flush;
+  tell_nearly_touching(arguments, tree, node, result);
   std::string notice = made.notice;
   if (made.kept > 0) {
     notice += (notice.empty() ? "" : "; ") + std::to_string(made.kept) +
@@ -363,6 +389,7 @@ int run_mesh(const MeshArguments& arguments) {
     if (bent) std::cout << text_of(*bent);
     std::cout << std::flush;
   }
+  tell_nearly_touching(arguments, tree, node, result);
   write_files(
       arguments, result, made.mesh, made.rounding, snapped, made.notice, made.warnings,
       [&](const MeshPageOptions& options) { return mesh_page(result, made, bent ? &*bent : nullptr, options); });

@@ -3,6 +3,7 @@
 
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "csg/mesh/curved_mesh.h"
 #include "csg/mesh/surface_triangles.h"
@@ -36,5 +37,14 @@ void check_quads_file_name(const std::string& path, const std::string& others = 
 /// Writes the mesh of a result to `path`; the file appears whole or not at all (csg/text/file.h), also where it is
 /// stopped (Stopped).
 void write(const std::string& path, const Result& result, const Mesh& mesh, const std::stop_token& stop = {});
+
+/// A file that holds what another one of the same mesh leaves out.
+struct FurtherFile {
+  std::string path;
+  std::string holds;  ///< `120 segments`
+};
+/// Beside `NAME.xdmf`, which is a grid of elements of one dimension, those of the others: `NAME.faces.xdmf` and so
+/// on. None is written unless it is asked for. Empty for other formats.
+std::vector<FurtherFile> further_files(const std::string& path, const Mesh& mesh);
 
 }  // namespace cnrg

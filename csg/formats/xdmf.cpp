@@ -1,23 +1,26 @@
 // XDMF: one uniform grid with its numbers in the XML itself, so that there is no second file.
 //
 // FEniCS reads simplices of one dimension from a grid, and marks on faces from another one on the same points;
-// meshio takes one grid from a file. So a file holds one dimension: NAME.xdmf the highest that the mesh has,
-// NAME.faces.xdmf, NAME.edges.xdmf and NAME.points.xdmf the others. All number points alike: first those of
-// tetrahedra, then those of triangles that no tetrahedron has, and so on. A file ends with the points of its own
-// simplices, since FEniCS takes no point that is in no cell.
+// meshio takes one grid from a file. So a file holds one dimension, which its name says: NAME.xdmf the highest
+// that the mesh has, NAME.faces.xdmf, NAME.edges.xdmf and NAME.points.xdmf the others, each if it is asked for.
+// All number points alike: first those of tetrahedra, then those of triangles that no tetrahedron has, and so on.
+// A file ends with the points of its own simplices, since FEniCS takes no point that is in no cell.
 //
 // `group` is the number of the first group of each simplex. FEniCS knows no names; `Information` has them as
 // meshio writes and reads them. A group that is not everywhere the first has an array of its own, 1 where a
 // simplex is in it. The numbers of a simplex are VTK's.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "csg/formats/formats.h"
+#include "csg/formats/mesh_file.h"
 #include "csg/mesh/mesh.h"
 #include "csg/mesh/second_order.h"
 #include "csg/result/rounding.h"
 #include "csg/text/escape.h"
 #include "csg/text/file.h"
+#include "csg/text/table.h"
 #include "csg/text/xml.h"
 #include "kernel/base/error.h"
 
@@ -192,19 +195,43 @@ class XdmfWriter {
   }
 };
 
+using Counts = std::array<std::size_t, 4>;
+Counts counts_of(const Mesh& mesh) {
+  return {mesh.vertices.size(), mesh.segments.size(), mesh.triangles.size() + mesh.quads.size(),
+          mesh.tetrahedra.size()};
+}
+std::size_t highest(const Counts& counts) {
+  std::size_t dimension = 3;
+  while (dimension > 0 && counts[dimension] == 0) --dimension;
+  return dimension;
+}
+
+/// By the name of a file, if that says one.
+std::optional<std::size_t> dimension_said(const std::string& path) {
+  const std::string before = extension_of(path.substr(0, path.size() - extension_of(path).size()));
+  for (std::size_t d = 0; d < 3; ++d)
+    if (before == kWords[d]) return d;
+  return {};
+}
+
 }  // namespace
 
+std::vector<FurtherFile> further_files(const std::string& path, const Mesh& mesh) {
+  const std::string extension = extension_of(path), name = path.substr(0, path.size() - extension.size());
+  if (extension != ".xdmf" || dimension_said(path)) return {};
+  const Counts counts = counts_of(mesh);
+  std::vector<FurtherFile> out;
+  for (std::size_t d = highest(counts); d-- > 0;) {
+    if (counts[d] == 0) continue;
+    const std::string one = d == 0 ? "point" : d == 1 ? "segment" : mesh.quads.empty() ? "triangle" : "face";
+    out.push_back({name + kWords[d] + extension, counted(counts[d], one, one + "s")});
+  }
+  return out;
+}
+
 std::string xdmf_text(const std::string& path, const Mesh& mesh) {
-  const std::array<std::size_t, 4> counts{mesh.vertices.size(), mesh.segments.size(),
-                                          mesh.triangles.size() + mesh.quads.size(), mesh.tetrahedra.size()};
-  const std::string before = extension_of(path.substr(0, path.size() - extension_of(path).size()));
-  std::size_t dimension = 3;
-  for (std::size_t d = 0; d < 3; ++d) {
-    if (before == kWords[d]) dimension = d;
-  }
-  if (dimension == 3) {
-    while (dimension > 0 && counts[dimension] == 0) --dimension;
-  }
+  const Counts counts = counts_of(mesh);
+  const std::size_t dimension = dimension_said(path).value_or(highest(counts));
   if (counts[dimension] == 0) {
     throw InputError(std::string("the mesh has no ") +
                      (dimension == 0   ? "points of its own"

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 
+#include "csg/mesh/near_cells.h"
 #include "csg/mesh/size_field.h"
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
@@ -44,6 +45,21 @@ std::string short_text(double x) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, 3).ptr};
 }
 
+/// The largest coordinate of a mesh, and the longest side of the box around it.
+struct Reach {
+  double largest = 0, extent = 0;
+};
+Reach reach_of(const Mesh& mesh) {
+  Reach out;
+  for (std::size_t k = 0; k < 3 && !mesh.points.empty(); ++k) {
+    const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
+                                                 [k](const Vector& p, const Vector& q) { return p[k] < q[k]; });
+    out.extent = std::max(out.extent, (*high)[k] - (*low)[k]);
+    out.largest = std::max({out.largest, std::abs((*low)[k]), std::abs((*high)[k])});
+  }
+  return out;
+}
+
 /// Less than this part of the longest edge is short.
 constexpr double kShort = 0.15;
 /// Faces that meet below so many degrees leave no room for good shapes.
@@ -51,21 +67,12 @@ constexpr double kSharp = 15;
 
 class Explainer {
  public:
-  Explainer(const Mesh& mesh, const std::vector<std::string>& leaves) : mesh_(mesh), leaves_(leaves) {
-    cell_.assign(mesh.points.size(), {3, 0, 0});
-    const auto take = [&](const auto& simplices, int dimension) {
-      for (const auto& s : simplices)
-        for (const Index p : s.points) cell_[p] = {dimension, s.entity, p};
-    };
-    take(mesh.triangles, 2), take(mesh.segments, 1), take(mesh.vertices, 0);
+  Explainer(const Mesh& mesh, const std::vector<std::string>& leaves)
+      : mesh_(mesh), leaves_(leaves), cells_(mesh) {
     for (const auto& t : mesh.triangles) {
-      auto corners = t.points;
-      std::sort(corners.begin(), corners.end());
-      faces_.emplace_back(corners, t.entity);
       for (const Index p : t.points)
-        if (cell_[p].dimension < 2) faces_at_.emplace_back(p, t.entity);
+        if (cells_.cell_of_point(p).dimension < 2) faces_at_.emplace_back(p, t.entity);
     }
-    std::sort(faces_.begin(), faces_.end());
     sort_unique(faces_at_);
     set_lines();
   }
@@ -79,22 +86,30 @@ class Explainer {
     }
     bad.measures = measures_of(p);
     bad.why = why(t, p);
-    for (const Index v : t.points) name(cell_[v], bad.nodes);
+    for (const Index v : t.points) name(cell_of(v), bad.nodes);
     for (std::size_t k = 0; k < 4; ++k)
-      if (const auto f = face(t, k)) name({2, *f, 0}, bad.nodes);
+      if (const auto f = cells_.face(t, k)) name(face_cell(*f), bad.nodes);
     return bad;
   }
-  /// Is its shortest edge far shorter than the longest, and between two cells of the model?
-  bool is_between_near(const Mesh::Simplex<4>& t) const {
-    const Shortest s = shortest_edge(t);
-    return s.is_short() && s.cells[0].dimension < 3 && s.cells[1].dimension < 3 && !(s.cells[0] == s.cells[1]);
+  /// What it is flat for, if that is a gap between two cells of the model: there is one that is narrow beside its
+  /// longest edge, and narrower than where two faces meet in it.
+  std::optional<NearCells::Gap> gap(const Mesh::Simplex<4>& t) const {
+    std::array<Vector, 4> p;
+    double longest = 0;
+    for (std::size_t k = 0; k < 4; ++k) p[k] = mesh_.points[t.points[k]];
+    for (const auto& [i, j] : kEdges) longest = std::max(longest, length(minus(p[i], p[j])));
+    double most = kShort * longest;
+    if (const auto edge = sharpest(t, p))
+      most = std::min(most, std::sin(edge->degrees * std::numbers::pi / 180) * longest);
+    return cells_.narrowest(t, most);
   }
   /// Does the model meet in it at less than MeshQuality::kForced: two faces at an edge, two edges or an edge and a
   /// face at a corner?
   bool is_forced(const Mesh::Simplex<4>& t) const {
     std::array<Vector, 4> p;
     std::array<bool, 4> on_face;  // by the opposite corner
-    for (std::size_t k = 0; k < 4; ++k) p[k] = mesh_.points[t.points[k]], on_face[k] = face(t, k).has_value();
+    for (std::size_t k = 0; k < 4; ++k)
+      p[k] = mesh_.points[t.points[k]], on_face[k] = cells_.face(t, k).has_value();
     for (std::size_t e = 0; e < 6; ++e) {
       const auto& [k, l] = kOthers[e];
       if (on_face[k] && on_face[l] && dihedral(p, e) < MeshQuality::kForced) return true;
@@ -119,24 +134,29 @@ class Explainer {
   /// Of a triangle on a face.
   std::vector<std::string> nodes_of(const Mesh::Simplex<3>& t) const {
     std::vector<std::string> out;
-    name({2, t.entity, 0}, out);
-    for (const Index v : t.points) name(cell_[v], out);
+    name(face_cell(t.entity), out);
+    for (const Index v : t.points) name(cell_of(v), out);
     return out;
   }
 
  private:
-  struct Cell {
-    int dimension;
-    Index entity;
+  struct Cell : MeshCell {
     Index point;  // of the mesh, on a cell of dimension 0 or 1
-    bool operator==(const Cell& other) const { return dimension == other.dimension && entity == other.entity; }
   };
   const Mesh& mesh_;
   const std::vector<std::string>& leaves_;
-  std::vector<Cell> cell_;                                     // of each point, the lowest
-  std::vector<std::pair<std::array<Index, 3>, Index>> faces_;  // sorted
-  std::vector<std::pair<Index, Index>> faces_at_;              // by points on edges and vertices
-  std::vector<std::array<Index, 2>> lines_;                    // of segments, and between facets; sorted
+  NearCells cells_;
+  std::vector<std::pair<Index, Index>> faces_at_;  // by points on edges and vertices
+  std::vector<std::array<Index, 2>> lines_;        // of segments, and between facets; sorted
+
+  Cell cell_of(Index point) const { return {cells_.cell_of_point(point), point}; }
+  static Cell face_cell(Index face) { return {{2, face}, 0}; }
+  /// With one of its points, for the faces that meet there.
+  Cell with_point(const MeshCell& cell, const Mesh::Simplex<4>& t) const {
+    for (const Index p : t.points)
+      if (cells_.cell_of_point(p) == cell) return {cell, p};
+    return {cell, cells_.point_of(cell)};
+  }
 
   struct Shortest {
     double length = HUGE_VAL, longest = 0;  // of all six
@@ -149,7 +169,23 @@ class Explainer {
       const Index a = t.points[i], b = t.points[j];
       const double l = length(minus(mesh_.points[a], mesh_.points[b]));
       out.longest = std::max(out.longest, l);
-      if (l < out.length) out.length = l, out.cells = {cell_[a], cell_[b]};
+      if (l < out.length) out.length = l, out.cells = {cell_of(a), cell_of(b)};
+    }
+    return out;
+  }
+
+  /// Two faces of the model that meet in a tetrahedron at less than kSharp.
+  struct Sharp {
+    double degrees;
+    Index f, g;
+  };
+  std::optional<Sharp> sharpest(const Mesh::Simplex<4>& t, const std::array<Vector, 4>& p) const {
+    std::optional<Sharp> out;
+    for (std::size_t e = 0; e < 6; ++e) {
+      const double angle = dihedral(p, e);
+      if (angle > (out ? out->degrees : kSharp)) continue;
+      const auto f = cells_.face(t, kOthers[e][0]), g = cells_.face(t, kOthers[e][1]);
+      if (f && g) out = Sharp{angle, *f, *g};
     }
     return out;
   }
@@ -188,14 +224,6 @@ class Explainer {
     sort_unique(lines_);
   }
 
-  std::optional<Index> face(const Mesh::Simplex<4>& t, std::size_t opposite) const {
-    std::array<Index, 3> f{t.points[(opposite + 1) % 4], t.points[(opposite + 2) % 4],
-                           t.points[(opposite + 3) % 4]};
-    std::sort(f.begin(), f.end());
-    const auto at = std::lower_bound(faces_.begin(), faces_.end(), std::pair(f, Index{0}));
-    return at != faces_.end() && at->first == f ? std::optional(at->second) : std::nullopt;
-  }
-
   static void add(const std::string& leaf, std::vector<std::string>& out) {
     std::string text = shown(leaf);
     if (std::find(out.begin(), out.end(), text) == out.end()) out.push_back(std::move(text));
@@ -230,27 +258,29 @@ class Explainer {
   }
 
   std::string why(const Mesh::Simplex<4>& t, const std::array<Vector, 4>& p) const {
+    if (const auto near = gap(t)) {
+      // A vertex is all in one place; others may be nearer elsewhere.
+      return words(with_point(near->a, t)) + " and " + words(with_point(near->b, t)) + " are " +
+             short_text(near->width) + " apart" + (near->a.dimension == 0 ? "" : " here");
+    }
+    if (const auto edge = sharpest(t, p))
+      return words(face_cell(edge->f)) + " and " + words(face_cell(edge->g)) + " meet at " +
+             short_text(edge->degrees) + " degrees";
     const Shortest s = shortest_edge(t);
     const auto& [a, b] = s.cells;
     if (s.is_short() && a.dimension < 3 && b.dimension < 3) {
-      const std::string apart = " are " + short_text(s.length) + " apart";
-      return a == b ? "points of " + words(a) + apart : words(a) + " and " + words(b) + apart;
-    }
-    for (std::size_t e = 0; e < 6; ++e) {
-      const double angle = dihedral(p, e);
-      if (angle > kSharp) continue;
-      const auto f = face(t, kOthers[e][0]), g = face(t, kOthers[e][1]);
-      if (f && g)
-        return words({2, *f, 0}) + " and " + words({2, *g, 0}) + " meet at " + short_text(angle) + " degrees";
+      const std::string apart = short_text(s.length) + " apart";
+      return MeshCell(a) == MeshCell(b) ? "points of " + words(a) + " are " + apart
+                                        : words(a) + " and " + words(b) + ", which touch, have points " + apart;
     }
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto f = face(t, k);
-      const Cell corner = cell_[t.points[k]];
+      const auto f = cells_.face(t, k);
+      const Cell corner = cell_of(t.points[k]);
       if (!f || corner.dimension == 3) continue;
-      const Vector &a = p[(k + 1) % 4], n = cross(minus(p[(k + 2) % 4], a), minus(p[(k + 3) % 4], a));
-      const double height = std::fabs(dot(minus(p[k], a), n)) / length(n);
+      const Vector &o = p[(k + 1) % 4], n = cross(minus(p[(k + 2) % 4], o), minus(p[(k + 3) % 4], o));
+      const double height = std::fabs(dot(minus(p[k], o), n)) / length(n);
       if (height < kShort * s.longest)
-        return words(corner) + " is " + short_text(height) + " from the plane of " + words({2, *f, 0});
+        return words(corner) + " is " + short_text(height) + " from the plane of " + words(face_cell(*f));
     }
     const std::string near = between(p, kShort * s.longest);
     return near.empty() ? "no local move makes it better" : near;
@@ -282,7 +312,7 @@ class Explainer {
     const auto& a = mesh_.triangles[faces[order[0].second].triangle].points;
     const auto& b = mesh_.triangles[faces[order[1].second].triangle].points;
     if (apart >= most || std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end()) return {};
-    return words({2, order[0].second, 0}) + " and " + words({2, order[1].second, 0}) + " are within " +
+    return words(face_cell(order[0].second)) + " and " + words(face_cell(order[1].second)) + " are within " +
            short_text(apart) + " of each other";
   }
 };
@@ -378,13 +408,16 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
   }
   out.median = median(all);
   out.bad = bad.size();
+  out.extent = reach_of(mesh).extent;
   if (bad.empty()) return out;
   const std::size_t shown = std::min(bad.size(), MeshQuality::kShown);
   std::partial_sort(bad.begin(), bad.begin() + std::ptrdiff_t(shown), bad.end());
   const Explainer explainer(mesh, leaves);
   for (const auto& [shape, i] : bad) {
     out.forced += explainer.is_forced(mesh.tetrahedra[i]);
-    out.near += explainer.is_between_near(mesh.tetrahedra[i]);
+    if (const auto gap = explainer.gap(mesh.tetrahedra[i])) {
+      if (++out.near == 1 || gap->width < out.narrowest) out.narrowest = gap->width;
+    }
   }
   for (std::size_t i = 0; i < shown; ++i) {
     out.worst_ones.push_back(explainer.explain(mesh.tetrahedra[bad[i].second]));
@@ -402,11 +435,12 @@ std::string forced_text(const MeshQuality& quality) {
 
 std::string joining_text(const MeshQuality& quality) {
   constexpr double kMany = 0.01;
+  constexpr double kDrawn = 1e-4;  // of the extent: a narrower gap nobody drew
   const auto all = std::accumulate(quality.shapes.begin(), quality.shapes.end(), std::size_t{0});
-  if (quality.near == 0 || double(quality.bad) <= kMany * double(all)) return {};
-  return "in " + std::to_string(quality.near) +
-         " of them two cells of the model nearly touch; `cnrg check --features` lists what is near, and --join "
-         "joins it";
+  if (quality.near == 0) return {};
+  if (double(quality.near) <= kMany * double(all) && quality.narrowest > kDrawn * quality.extent) return {};
+  return "in " + std::to_string(quality.near) + " of them two cells of the model nearly touch, the nearest " +
+         short_text(quality.narrowest) + " apart; `cnrg check --features` lists what is near, and --join joins it";
 }
 
 std::string larger_text(const MeshQuality& quality) {
@@ -416,13 +450,8 @@ std::string larger_text(const MeshQuality& quality) {
 }
 
 PlaceText::PlaceText(const Mesh& mesh) {
-  double largest = 0, extent = 0;
-  for (std::size_t k = 0; k < 3 && !mesh.points.empty(); ++k) {
-    const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
-                                                 [k](const Vector& p, const Vector& q) { return p[k] < q[k]; });
-    extent = std::max(extent, (*high)[k] - (*low)[k]);
-    largest = std::max({largest, std::abs((*low)[k]), std::abs((*high)[k])});
-  }
+  const Reach all = reach_of(mesh);
+  const double largest = all.largest, extent = all.extent;
   constexpr int kMost = std::numeric_limits<double>::max_digits10;
   if (extent > 0) digits_ = std::min(kMost, digits_ + std::max(0, int(std::ceil(std::log10(largest / extent)))));
 }

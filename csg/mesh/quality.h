@@ -40,9 +40,10 @@ struct MeshQuality {
   std::vector<Region> regions;  ///< as the mesh's entities of dimension 3
   std::size_t bad = 0;
   std::size_t forced = 0;  ///< of them where the model is sharper than `kForced`: whatever else is there is bad
-  /// Of the bad ones those whose shortest edge is far shorter than the longest, from one cell of the model to
-  /// another.
+  /// Of the bad ones those that are flat for a gap between two cells of the model, which do not touch.
   std::size_t near = 0;
+  double narrowest = 0;    ///< of these gaps (units); 0: there are none
+  double extent = 0;       ///< the longest side of the box around all
   std::size_t beyond = 0;  ///< whose ratio of circumradius to shortest edge is larger than asked for
   std::size_t larger = 0;  ///< whose volume is larger than asked for
   double largest = 0;      ///< volume of all
@@ -61,7 +62,8 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
 /// `2 of them are where faces or edges of the model meet at less than 0.9 degrees: ...`; empty where none is.
 std::string forced_text(const MeshQuality& quality);
 
-/// What helps where more than a hundredth is bad for what nearly touches; empty elsewhere.
+/// What helps where shapes are bad for what nearly touches: where that is nearer than 1e-4 of the extent, or where
+/// they are more than a hundredth of all; empty elsewhere.
 std::string joining_text(const MeshQuality& quality);
 
 /// `6 tetrahedra are larger than --max-volume, the largest 0.167`; empty where none is.

@@ -47,11 +47,26 @@ class MeshScene {
   Figure figure(const MeshDrawing& drawing, int threads) {
     Figure out = figure_of(scene_, camera_, threads);
     const double scale = to_double(camera_.scale());
+    const auto place_of = [&](const std::array<double, 3>& p) {
+      const RationalPoint at = camera_.view({from_double(p[0]), from_double(p[1]), from_double(p[2])});
+      return Point2{to_double(at[0]) / scale, to_double(at[1]) / scale};
+    };
+    if (!opened_) {  // wires are inside mostly: they shine through
+      std::vector<Figure::Stroke> wires;
+      for (const auto& s : mesh_.segments) {
+        if (!mesh_.entities[1][s.entity].wire) continue;
+        Figure::Stroke& wire = wires.emplace_back();
+        wire.line = Figure::Line::wire;
+        wire.color = own_color(1, s.entity);
+        wire.hidden = true;
+        for (const Index p : s.points) wire.points.push_back(place_of(mesh_.points[p]));
+      }
+      out.strokes.insert(out.strokes.begin(), wires.begin(), wires.end());
+    }
     for (std::size_t i = 0; i < drawing.marked.size(); ++i) {
       const auto& p = drawing.marked[i];
       if (opened_ && distance(p) > 0) continue;
-      const RationalPoint at = camera_.view({from_double(p[0]), from_double(p[1]), from_double(p[2])});
-      const Point2 place{to_double(at[0]) / scale, to_double(at[1]) / scale};
+      const Point2 place = place_of(p);
       Figure::Dot dot;
       dot.at = place;
       dot.mark = Figure::Mark::isolated;
@@ -133,6 +148,13 @@ class MeshScene {
     const auto [entry, fresh] = skin_.try_emplace({face, color}, 0);
     if (fresh) entry->second = add_surface(color, sheet, two_sided);
     return entry->second;
+  }
+
+  /// Of a wire or a point: that of a material or a component, else one that nobody takes for a bad tetrahedron's.
+  Rgb own_color(int dimension, Index entity) const {
+    const auto cell = Index(mesh_.entities[std::size_t(dimension)][entity].tags.cell);
+    const Rgb color = colors_.of(colors_by(view_), dimension, cell).color;
+    return color == wire_color() || color == point_color() ? rgb("#4b2e83") : color;
   }
 
   bool active(Index region) const { return flat_.active(region); }
@@ -218,12 +240,12 @@ class MeshScene {
   }
 
   void add_lines() {
-    std::map<std::array<Index, 2>, const Mesh::Entity*> segments;
+    std::map<std::array<Index, 2>, Index> segments;  // and their edges
     for (const auto& s : mesh_.segments) {
       const Mesh::Entity& edge = mesh_.entities[1][s.entity];
       const std::array<Index, 2> ends{std::min(s.points[0], s.points[1]), std::max(s.points[0], s.points[1])};
       if (edge.feature && (sides_.count(ends) != 0 || (edge.wire && stays(s.points))))
-        segments.emplace(ends, &edge);
+        segments.emplace(ends, s.entity);
     }
     const auto begin = [&](Figure::Line look, const Rgb& color) {
       Scene::Line line;
@@ -233,12 +255,21 @@ class MeshScene {
       return Scene::Index(scene_.lines.size() - 1);
     };
     const Scene::Index between = begin(Figure::Line::mesh, mix({1, 1, 1}, kInk, 0.7));
-    const Scene::Index edge = begin(Figure::Line::edge, kInk), wire = begin(Figure::Line::wire, wire_color());
+    const Scene::Index edge = begin(Figure::Line::edge, kInk);
+    std::map<Rgb, Scene::Index> wires;
     for (const auto& [ends, nothing] : sides_) {
       if (segments.count(ends) == 0) scene_.segments.push_back({between, {point(ends[0]), point(ends[1])}});
     }
-    for (const auto& [ends, cell] : segments)
-      scene_.segments.push_back({cell->wire ? wire : edge, {point(ends[0]), point(ends[1])}});
+    for (const auto& [ends, entity] : segments) {
+      Scene::Index line = edge;
+      if (mesh_.entities[1][entity].wire) {
+        const Rgb color = own_color(1, entity);
+        const auto [entry, fresh] = wires.try_emplace(color, 0);
+        if (fresh) entry->second = begin(Figure::Line::wire, color);
+        line = entry->second;
+      }
+      scene_.segments.push_back({line, {point(ends[0]), point(ends[1])}});
+    }
   }
 
   /// Points on no edge.
@@ -253,7 +284,7 @@ class MeshScene {
       if (met[v.points[0]] != 0 || !stays(v.points)) continue;
       Scene::Dot dot;
       dot.mark = Figure::Mark::isolated;
-      dot.color = point_color();
+      dot.color = own_color(0, v.entity);
       dot.point = point(v.points[0]);
       scene_.dots.push_back(dot);
     }

@@ -129,7 +129,8 @@ class NearSearch {
     off_ = 2 * width + 8 * kUlp * size;
   }
 
-  std::vector<NearPair> run(Near kind, const Watch& watch) {
+  /// Nothing where there are more than `most`.
+  std::optional<std::vector<NearPair>> run(Near kind, std::size_t most, const Watch& watch) {
     const std::size_t n = kind == Near::segments ? parts_.segments_.size() : parts_.points_.size();
     Steps steps(watch, "near features", n);
     const BoxTree tree(boxes(kind));
@@ -140,7 +141,7 @@ class NearSearch {
         n,
         [&](std::size_t i) {
           steps.step();
-          if (count.load(std::memory_order_relaxed) > kMostPairs) return;
+          if (count.load(std::memory_order_relaxed) > most) return;
           const Index a = Index(i);
           const Box own = kind == Near::segments ? around(parts_.segments_[a].ends) : around(std::array{a});
           tree.query([&](const Box& other) { return other.meets(own); },
@@ -150,11 +151,8 @@ class NearSearch {
           count += found[i].size();
         },
         64);
-    if (count > kMostPairs) {
-      throw InputError("more than " + std::to_string(kMostPairs) + " pairs are nearer than " +
-                       to_decimal(from_double(reach_), 6) + "; give a smaller distance");
-    }
     watch.check();
+    if (count > most) return {};
     std::vector<NearPair> out;
     for (auto& list : found) std::move(list.begin(), list.end(), std::back_inserter(out));
     std::sort(out.begin(), out.end(), [](const NearPair& x, const NearPair& y) {
@@ -304,7 +302,15 @@ class NearSearch {
 
 std::vector<NearPair> near_pairs(const Parts& parts, Near kind, const Rational& within, Ends ends,
                                  const Watch& watch) {
-  return NearSearch(parts, within, ends).run(kind, watch);
+  auto pairs = near_pairs_if_few(parts, kind, within, kMostPairs, ends, watch);
+  if (pairs) return std::move(*pairs);
+  throw InputError("more than " + std::to_string(kMostPairs) + " pairs are nearer than " + to_decimal(within, 6) +
+                   "; give a smaller distance");
+}
+
+std::optional<std::vector<NearPair>> near_pairs_if_few(const Parts& parts, Near kind, const Rational& within,
+                                                       std::size_t most, Ends ends, const Watch& watch) {
+  return NearSearch(parts, within, ends).run(kind, most, watch);
 }
 
 std::vector<NearPair> nearest_pairs(const Parts& parts, Near kind, std::size_t count, Ends ends) {

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <unordered_set>
 #include <vector>
 
@@ -101,6 +102,10 @@ enum class Ends : bool { left_out, paired };
 /// InputError if there are more than kMostPairs; Stopped, as the watch asks.
 std::vector<NearPair> near_pairs(const Parts& parts, Near kind, const Rational& within, Ends ends = Ends::paired,
                                  const Watch& watch = {});
+/// The same; nothing where there are more than `most` (kMostPairs at most), as soon as that is known.
+std::optional<std::vector<NearPair>> near_pairs_if_few(const Parts& parts, Near kind, const Rational& within,
+                                                       std::size_t most, Ends ends = Ends::paired,
+                                                       const Watch& watch = {});
 /// The nearest pairs of one kind: `count`, or all if there are fewer.
 std::vector<NearPair> nearest_pairs(const Parts& parts, Near kind, std::size_t count, Ends ends = Ends::paired);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "csg/result/part_text.h"
 #include "csg/result/relabel.h"
@@ -185,6 +186,27 @@ std::string word(const Feature& feature) {
   }
 }
 
+/// All points in the closure of a cell, ascending.
+std::vector<Index> closure(const Parts& parts, const Parts::Cell& cell) {
+  const FlatComplex& flat = parts.flat();
+  std::vector<Index> out;
+  if (cell.dimension == 0) out = {flat.vertices[cell.number].point};
+  if (cell.dimension == 1)
+    out.assign(flat.edges[cell.number].points.begin(), flat.edges[cell.number].points.end());
+  if (cell.dimension == 2) {
+    for (const Parts::Facet& facet :
+         std::ranges::equal_range(parts.facets(), cell.number, {}, [](const Parts::Facet& f) { return f.face; }))
+      out.insert(out.end(), facet.corners.begin(), facet.corners.end());
+  }
+  sort_unique(out);
+  return out;
+}
+bool touch(const Parts& parts, const Parts::Cell& a, const Parts::Cell& b) {
+  std::vector<Index> common;
+  std::ranges::set_intersection(closure(parts, a), closure(parts, b), std::back_inserter(common));
+  return !common.empty();
+}
+
 }  // namespace
 
 std::vector<Feature> features(const Result& result, const std::optional<Rational>& below) {
@@ -196,6 +218,43 @@ std::vector<Feature> features(const Result& result, const std::optional<Rational
   const FlatComplex flat = flatten(view);
   require_bounds(flat, "the result has no bounds", ": distances are told of such results only");
   return Finder(Parts(view, flat), below).run();
+}
+
+std::string nearly_touching_text(const Result& result, const Watch& watch) {
+  constexpr double kUndrawn = 1e-6;
+  constexpr std::size_t kMostTold = 10'000;  // of parts: exact distances of more take seconds
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  require_bounds(flat, "the result has no bounds", ": distances are told of such results only");
+  const Parts parts(view, flat);
+  const double reach = parts.diagonal() * kUndrawn;
+  if (!(reach > 0) || !std::isfinite(reach)) return {};
+  const double step = std::pow(10, std::floor(std::log10(reach)));  // one digit, rounded up
+  const std::string remedy = "; `cnrg check --features` lists what is near, and --join " +
+                             decimal(std::ceil(reach / step) * step, "%.3g") + " joins it";
+  std::set<std::array<Parts::Cell, 2>> told;
+  std::map<std::array<Parts::Cell, 2>, bool> touching;
+  Rational least;
+  for (const Near kind : kNears) {
+    const auto pairs = near_pairs_if_few(parts, kind, from_double(reach), kMostTold, Ends::left_out, watch);
+    if (!pairs) {
+      return "more than " + std::to_string(kMostTold) +
+             " pairs of parts do not touch and are nearer than a millionth of the model" + remedy;
+    }
+    for (const NearPair& pair : *pairs) {
+      auto cells = cells_of(parts, kind, pair.a, pair.b);
+      if (cells[1] < cells[0]) std::swap(cells[0], cells[1]);
+      const auto [known, fresh] = touching.try_emplace(cells, false);
+      if (fresh) known->second = touch(parts, cells[0], cells[1]);
+      if (known->second) continue;
+      if (told.empty() || pair.squared < least) least = pair.squared;
+      told.insert(cells);
+    }
+  }
+  if (told.empty()) return {};
+  return counted(told.size(), "pair of cells does", "pairs of cells do") + " not touch and " +
+         (told.size() == 1 ? "is" : "are") + " nearer than a millionth of the model, " +
+         (told.size() == 1 ? "" : "the nearest ") + decimal(nearest_root(least), "%.3g") + " apart" + remedy;
 }
 
 std::string features_text(const Result& result, const std::vector<Feature>& features) {

@@ -34,6 +34,12 @@ inline constexpr double kSharp = 60;
 /// positive, and for more than kMostPairs.
 std::vector<Feature> features(const Result& result, const std::optional<Rational>& below = {});
 
+/// What nobody draws: pairs of cells that do not touch and are nearer than a millionth of the diagonal of the box
+/// around the result, in one line; empty where there is none. `4 pairs of cells do not touch and are nearer than
+/// ...`; where there are very many, that these are more than so many. Of two cells that touch elsewhere nothing is
+/// told. Throws InputError for a result without bounds.
+std::string nearly_touching_text(const Result& result, const Watch& watch = {});
+
 /// A table of them, a line each: kind, value, cells, places, the leaves that made each cell.
 std::string features_text(const Result& result, const std::vector<Feature>& features);
 

@@ -191,6 +191,92 @@ result: u
   CHECK(w.run("mesh t.yaml --order 2 -o second.html --quiet").status == 0);
 }
 
+TEST_CASE("mesh: a grid of XDMF says what it leaves out, unless that is asked for", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  rock:  {box: {min: [0, 0, 0], max: [4, 4, 4]}}
+  sheet: {polygon: [[1, 1, 2], [3, 1, 2], [3, 3, 2]]}
+  bolt:  {polyline: [[1, 1, 1], [1, 1, 3]]}
+  model: {union: [bolt, sheet, rock], dominance: left}
+result: model
+)");
+  Outcome o = w.run("mesh t.yaml -o t.xdmf");
+  CHECK(o.status == 0);
+  CHECK_FALSE(std::filesystem::exists(w.path("t.faces.xdmf")));
+  CHECK_THAT(o.err, Contains("t.xdmf: notice: a grid has elements of one dimension; ask for -o t.faces.xdmf -o "
+                             "t.edges.xdmf -o t.points.xdmf, too, which hold "));
+  o = w.run("mesh t.yaml --order 2 -o t.xdmf -o t.faces.xdmf");
+  CHECK(o.status == 0);
+  CHECK(std::filesystem::exists(w.path("t.faces.xdmf")));
+  CHECK_THAT(o.err, Contains("ask for -o t.edges.xdmf -o t.points.xdmf, too, which hold ") &&
+                        Contains(" segments, ") && !Contains("t.faces.xdmf: notice: a grid"));
+  o = w.run("mesh t.yaml -o t.xdmf -o t.faces.xdmf -o t.edges.xdmf -o t.points.xdmf");
+  CHECK(o.status == 0);
+  CHECK(o.err.empty());
+  CHECK(w.run("mesh t.yaml --quiet -o t.xdmf").err.empty());
+}
+
+TEST_CASE("mesh: a distance of joining that changes the volume is told", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  rock: {box: {min: [0, 0, 0], max: [60, 40, 30]}}
+  seam: {box: {min: [0, 0, 30], max: [60, 40, 34]}}
+  model: {union: [seam, rock], dominance: left}
+result: model
+)");
+  for (const std::string quiet : {"", " --quiet"}) {
+    const Outcome o = w.run("mesh t.yaml -o t.msh --join 5" + quiet);
+    CHECK(o.status == 0);
+    CHECK_THAT(o.err,
+               Contains("t.yaml: warning: `model`: the regions have 12 % less volume than before; give a smaller "
+                        "distance\n"));
+  }
+  CHECK_THAT(w.run("mesh t.yaml -o t.msh --join 1").err, !Contains("volume than before"));
+}
+
+TEST_CASE("mesh: a page draws wires in their color, from outside, too", "[app][mesh]") {
+  const Workshop w;
+  const auto page = [&](const std::string& material) {
+    w.write("t.yaml",
+            "cnrg: 1\nmaterials: {steel: {color: \"#3040c0\"}}\nnodes:\n"
+            "  rock:  {box: {min: [0, 0, 0], max: [4, 4, 4]}}\n"
+            "  bolt:  {polyline: [[1, 1, 1], [1, 1, 3]]" +
+                material +
+                "}\n"
+                "  model: {union: [bolt, rock], dominance: left}\nresult: model\n");
+    CHECK(w.run("mesh t.yaml --quiet -o t.html").status == 0);
+    const std::string text = w.read("t.html");
+    return text.substr(text.find("<h2>Picture"), text.find("<h2>Regions") - text.find("<h2>Picture"));
+  };
+  CHECK_THAT(page(", material: steel"), Contains("#3040c0"));
+  CHECK_THAT(page(""), Contains("#4b2e83") && !Contains("#a5460a"));
+}
+
+TEST_CASE("mesh: boxes that nearly touch are told, though no shape is bad", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  lower: {box: {min: [0, 0, 0], max: [10, 10, 4]}}
+  upper: {box: {min: [0, 0, 4.00001], max: [10, 10, 8]}}
+  model: {union: [lower, upper], dominance: left}
+result: model
+)");
+  const std::string told =
+      "t.yaml: notice: `model`: 4 pairs of cells do not touch and are nearer than a millionth of "
+      "the model, the nearest 1e-05 apart; `cnrg check --features` lists what is near, and --join "
+      "2e-05 joins it\n";
+  for (const std::string options : {"", " --size 4", " --quality 1.4", " --surface"}) {
+    INFO(options);
+    const Outcome o = w.run("mesh t.yaml -o t.msh" + options);
+    CHECK(o.status == 0);
+    CHECK_THAT(o.err, Contains(told));
+  }
+  CHECK_THAT(w.run("mesh t.yaml -o t.msh --join 2e-5").err, !Contains("do not touch"));
+  CHECK(w.run("mesh t.yaml -o t.msh --quiet").err.empty());
+}
+
 TEST_CASE("mesh: a page has the numbers of tetrahedra that doubles find flat", "[app][mesh]") {
   const Workshop w;
   w.write("t.yaml", R"(cnrg: 1

@@ -23,6 +23,12 @@ TEST_CASE("faults of options name the nearest one and the right help", "[app][me
   CHECK_THAT(fault("eval t.yaml --topologie"),
              Contains("did you mean `--topology`?") && EndsWith(" see `cnrg eval --help`\n"));
   CHECK_THAT(fault("mesh t.yaml -o m.msh --qualitie=2"), Contains("did you mean `--quality`?"));
+  CHECK(fault("mesh t.yaml -o m.msh --qualty 1.4") ==
+        "cnrg: error: not expected: --qualty 1.4; did you mean `--quality`? see `cnrg mesh --help`\n");
+  CHECK(fault("mesh t.yaml -o m.msh -q 1.4") ==
+        "cnrg: error: not expected: -q 1.4; did you mean `--quality` or `--quads` or `--quiet`? see `cnrg mesh "
+        "--help`\n");
+  CHECK(fault("check t.yaml -z") == "cnrg: error: not expected: -z; see `cnrg check --help`\n");
   CHECK_THAT(fault("locate t.yaml --zzzzzz"),
              !Contains("did you mean") && EndsWith("; see `cnrg locate --help`\n"));
   CHECK_THAT(fault("check"), Contains("TREE is required") && EndsWith("; see `cnrg check --help`\n"));

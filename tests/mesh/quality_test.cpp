@@ -131,9 +131,84 @@ TEST_CASE("what nearly touches is said to be joined where much is bad for it", "
   CHECK(near.near <= near.bad);
   CHECK_THAT(joining_text(near), Catch::StartsWith("in " + std::to_string(near.near) + " of them two cells") &&
                                      Catch::EndsWith("--join joins it"));
+  CHECK_THAT(joining_text(near), Catch::Contains(" nearly touch, the nearest 0.001 apart; "));
+  // Few that are as wide as somebody draws are not worth a word; some that nobody draws are.
   MeshQuality few = near;
   few.shapes.back() += 100 * few.bad;
+  few.narrowest = 0.0009;
+  CHECK_FALSE(joining_text(few).empty());
+  few.narrowest = 0.002;
   CHECK(joining_text(few).empty());
+}
+
+// The corners of a flat tetrahedron lie far from each other beside the gap that it is flat for.
+TEST_CASE("reasons tell how wide the gap is between cells that do not touch", "[mesh][quality]") {
+  const std::string box = "cnrg: 1\nnodes:\n  rock: {box: {min: [0, 0, 0], max: [10, 10, 4]}}\n";
+  const std::string model = "  model: {union: [a, rock], dominance: left}\nresult: model\n";
+  TetrahedraOptions fine;
+  fine.size = 3;
+  for (const auto& [nodes, reason] :
+       {std::pair("  a: {polygon: [[3, 0, 0], [3, 10, 0], [3, 10, 3.99999], [3, 0, 3.99999]]}\n",
+                  "`a` and f3 of `rock` are 1e-05 apart here"),
+        std::pair("  b: {polyline: [[5, 5, 4], [5, 5, 2.00001]]}\n"
+                  "  s: {polygon: [[2, 2, 2], [8, 2, 2], [8, 8, 2], [2, 8, 2]]}\n  a: {union: [b, s]}\n",
+                  " of `b` and f5 of `s` are 1e-05 apart"),
+        std::pair("  a: {polyline: [[1, 1e-5, 1], [9, 1e-5, 1]]}\n",
+                  " of `a` and f1 of `rock` are 1e-05 apart")}) {
+    for (const TetrahedraOptions& options : {TetrahedraOptions{}, fine}) {
+      const MeshQuality quality = meshed(box + nodes + model, options).quality;
+      INFO(reason);
+      // To sizes TetGen puts points about the end of the wire, ever closer, and no shape is bad.
+      if (options.size > 0 && std::string(nodes).find("  s:") != std::string::npos) continue;
+      CHECK(quality.bad > 0);
+      CHECK(quality.near == quality.bad);
+      CHECK(quality.narrowest == Approx(1e-5));
+      bool said = false;
+      for (const MeshQuality::Bad& bad : quality.worst_ones) {
+        INFO(bad.why);
+        CHECK_THAT(bad.why, Catch::Contains(" are 1e-05 apart"));
+        said |= bad.why.find(reason) != std::string::npos;
+      }
+      CHECK(said);
+      CHECK_THAT(joining_text(quality), Catch::StartsWith("in " + std::to_string(quality.bad) + " of them"));
+    }
+  }
+}
+
+TEST_CASE("segments of one edge, and cells that touch, are no gap to be joined", "[mesh][quality]") {
+  Mesh mesh;
+  mesh.points = {{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0, 0.1, 0}, {5, 1, 0}, {5, 0, 1}};
+  mesh.vertices = {{{0}, 0}};
+  mesh.segments = {{{0, 1}, 0}, {{1, 2}, 0}, {{0, 3}, 1}};
+  mesh.tetrahedra = {{{1, 2, 4, 5}, 0}};
+  mesh.entities[0].resize(1);
+  mesh.entities[1].resize(2);
+  mesh.entities[3].resize(1);
+  MeshQuality q = quality_of(mesh, {});
+  REQUIRE(q.worst_ones.size() == 1);
+  CHECK(q.worst_ones[0].why == "points of e0 are 0.1 apart");
+  CHECK(q.near == 0);
+  mesh.tetrahedra[0].points = {1, 3, 4, 5};
+  q = quality_of(mesh, {});
+  REQUIRE(q.worst_ones.size() == 1);
+  CHECK(q.worst_ones[0].why == "e0 and e1, which touch, have points 0.141 apart");
+  CHECK(q.near == 0);
+  CHECK(joining_text(q).empty());
+}
+
+// No corner is near to what it is not on: two segments cross at a distance.
+TEST_CASE("segments that pass each other are a gap", "[mesh][quality]") {
+  Mesh mesh;
+  mesh.points = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0.02}, {0, 1, 0.02}};
+  mesh.segments = {{{0, 1}, 0}, {{2, 3}, 1}};
+  mesh.tetrahedra = {{{0, 1, 3, 2}, 0}};
+  mesh.entities[1].resize(2);
+  mesh.entities[3].resize(1);
+  const MeshQuality q = quality_of(mesh, {});
+  REQUIRE(q.worst_ones.size() == 1);
+  CHECK(q.worst_ones[0].why == "e0 and e1 are 0.02 apart here");
+  CHECK(q.near == 1);
+  CHECK(q.narrowest == Approx(0.02));
 }
 
 TEST_CASE("measures of tetrahedra that are known", "[mesh][quality]") {

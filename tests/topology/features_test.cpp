@@ -64,6 +64,46 @@ TEST_CASE("features: a bolt that ends before a fault", "[features]") {
   CHECK(of_kind(few, Kind::length).front().value == Approx(0.99999));
 }
 
+TEST_CASE("features: what nearly touches is told once for two cells, if they touch nowhere", "[features]") {
+  const Rational small(1, 1'000'000);
+  const auto text_of = [](const Soup& soup) {
+    Case c(soup);
+    c.show(c.unite());
+    return nearly_touching_text(result_of(c));
+  };
+  Soup bolt;
+  add_sheet(bolt, {{0, 0, 2}, {4, 0, 2}, {4, 4, 2}, {0, 4, 2}});
+  add_wire(bolt, {2, 2, 1}, {2, 2, 2 - small});
+  CHECK(text_of(bolt) ==
+        "1 pair of cells does not touch and is nearer than a millionth of the model, 1e-06 apart; `cnrg check "
+        "--features` lists what is near, and --join 6e-06 joins it");
+  add_wire(bolt, {1, 1, 1}, {1, 1, 2 - 2 * small});
+  CHECK_THAT(text_of(bolt),
+             Catch::StartsWith("2 pairs of cells do not touch and are nearer than a millionth of the "
+                               "model, the nearest 1e-06 apart; "));
+  // As far as a model is drawn.
+  Soup far;
+  add_sheet(far, {{0, 0, 2}, {4, 0, 2}, {4, 4, 2}, {0, 4, 2}});
+  add_wire(far, {2, 2, 1}, {2, 2, 2 - 8 * small});
+  CHECK(text_of(far).empty());
+  // A drum beside what is a hundred million times as long: parts of cells that touch are no pairs, its rims are
+  // one.
+  Soup drum;
+  add_drum(drum, 48, 0, 3);
+  add_wire(drum, {2000, 0, 0}, {1'000'000'000, 0, 0});
+  CHECK_THAT(
+      text_of(drum),
+      Catch::StartsWith("1 pair of cells does not touch and is nearer than a millionth of the model, 3 apart; "));
+  // Many are not counted.
+  Soup mat;
+  for (int i = 1; i <= 101; ++i) {
+    add_wire(mat, {i, 0, 0}, {i, 102, 0});
+    add_wire(mat, {0, i, small}, {102, i, small});
+  }
+  CHECK_THAT(text_of(mat), Catch::StartsWith("more than 10000 pairs of parts do not touch and are nearer than a "
+                                             "millionth of the model; `cnrg check"));
+}
+
 TEST_CASE("features: ends of one edge are a length and no distance", "[features]") {
   Soup soup;
   add_wire(soup, {0, 0, 0}, {0, 0, Rational(1, 1000)});
