@@ -4,6 +4,7 @@
 #include <queue>
 
 #include "csg/mesh/improved.h"
+#include "csg/mesh/near_sizes.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
@@ -41,13 +42,14 @@ double for_flatness(double ratio) {
 
 class Forecast {
  public:
-  Forecast(const FlatComplex& flat, const MeshSizes& sizes, const RegionLocator& regions, Maker maker,
-           double max_volume, const Watch& watch, bool rough)
+  Forecast(const FlatComplex& flat, const MeshSizes& sizes, const SizeField& near, const RegionLocator& regions,
+           Maker maker, double max_volume, const Watch& watch, bool rough)
       : watch_(watch),
         most_(rough ? kMost / 8 : kMost),
         of_narrow_(rough ? kOfNarrow / 8 : kOfNarrow),
         flat_(flat),
         sizes_(sizes),
+        near_(near),
         regions_(regions),
         maker_(maker),
         density_(max_volume > 0 ? (maker == Maker::tetgen ? kPerVolume : kPerVolumeOfOurs) / max_volume : 0),
@@ -100,6 +102,7 @@ class Forecast {
   const double of_narrow_;  // points
   const FlatComplex& flat_;
   const MeshSizes& sizes_;
+  const SizeField& near_;  // between features that nearly touch
   const RegionLocator& regions_;
   const Maker maker_;
   const double density_;  // at least
@@ -119,31 +122,36 @@ class Forecast {
   double count(const Vector& half, double a, double b, double c) const {
     return volume_of(half) * std::max(per_cube_ / a / b / c, density_);
   }
-  double size_at(const Vector& p, Index region) const { return std::max(sizes_.at(p, region), least_); }
+  double size_at(const Vector& p, Index region) const {
+    return std::max(std::min(sizes_.at(p, region), near_.at(p)), least_);
+  }
 
   void add_at(const Vector& p, Index region, const Cell& cell, double volume) {
     const double size = size_at(p, region);
-    if (!cell.narrow) return add_density(size, size, region, volume);
+    const double grown = near_.at(p) > size ? for_growth_ : 1;
+    if (!cell.narrow) return add_density(size, size, region, volume, grown);
     const RegionLocator::Plate plate = regions_.plate(p, size);
-    if (plate.even() && plate.thickness < kThin * size) return;  // `in_thin_parts` has it
+    if (plate.even() && !plate.meet && plate.thickness < kThin * size) return;  // `in_thin_parts` has it
     // Where the faces of a wedge meet it has no thickness, and tetrahedra that have an edge there have.
-    const double thick = plate.even() ? plate.thickness : std::max(plate.thickness, plate.sine * size);
-    add_density(size, thick, region, volume);
+    const bool even = plate.even() && !plate.meet;
+    const double thick = even ? plate.thickness : std::max(plate.thickness, plate.sine * size);
+    add_density(size, thick, region, volume, grown, plate.meet);
   }
-  /// In a volume where edges are to be so long and the region is so thick.
-  void add_density(double size, double thick, Index region, double volume) {
+  /// In a volume where edges are to be so long and the region is so thick; `grown`: so many times as many where
+  /// they grow. `wedge`: its faces meet, and edges there are as long as elsewhere.
+  void add_density(double size, double thick, Index region, double volume, double grown, bool wedge = false) {
     const bool bounded =
         size == sizes_.field.overall() || (region < sizes_.regions.size() && size == sizes_.regions[region]);
     thick = std::max(thick, least_);
-    const bool thin = size > per_thickness_ * thick;  // then edges do not grow
+    const bool thin = !wedge && size > per_thickness_ * thick;  // then edges do not grow
     if (thin) size = per_thickness_ * thick;
-    const double flat = maker_ == Maker::tetgen ? 1 : for_flatness(thick / size);
+    const double flat = maker_ == Maker::tetgen && !wedge ? 1 : for_flatness(thick / size);
     const double by_sizes = per_cube_ / size / size / std::min(size, thick);
     // In thin parts shapes and volumes want other points: slabs get as many as both.
     if (thin) sum_.by_thickness += volume * by_sizes * flat;
     if (by_sizes <= density_ || thin) sum_.by_volume += volume * density_;
     else if (bounded) sum_.even += volume * by_sizes * flat;
-    else sum_.growing += volume * by_sizes * flat * for_growth_;
+    else sum_.growing += volume * by_sizes * flat * grown;
   }
 
   /// The integral over faces: each has half of what lies between it and the one opposite.
@@ -196,7 +204,7 @@ class Forecast {
       for (std::size_t i = 0; i < count; ++i) {
         const auto [size, thick, beyond] = found[i];
         sum_.by_thickness += each * beyond;
-        if (thick < kThin * size) add_density(size, thick, region, each * thick / 2);
+        if (thick < kThin * size) add_density(size, thick, region, each * thick / 2, for_growth_);
       }
     }
   }
@@ -222,9 +230,10 @@ class Forecast {
     if (!regions_.meets_faces(low, high)) cell.kind = flat_.active(cell.region) ? Kind::inside : Kind::outside;
     if (cell.kind == Kind::outside) return cell;
     const double here = size_at(middle, cell.region);
-    const double slope = sizes_.field.growth() * std::hypot(half[0], half[1], half[2]);
+    const double growth = near_.empty() ? sizes_.field.growth() : std::max(sizes_.field.growth(), near_.growth());
+    const double slope = growth * std::hypot(half[0], half[1], half[2]);
     // The field may fall to a source within the cell, and there is one at most as far away as it could have risen.
-    const double least = std::max(here - slope, here / 8), most = here + slope;
+    const double least = std::max(here - slope, here / (near_.empty() ? 8 : 32)), most = here + slope;
     const auto around = [&](double room) {
       return std::pair<Vector, Vector>{{low[0] - room, low[1] - room, low[2] - room},
                                        {high[0] + room, high[1] + room, high[2] + room}};
@@ -318,7 +327,9 @@ class Forecast {
 ExpectedTetrahedra expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points,
                                        const MeshSizes& sizes, const RegionLocator& regions, Maker maker,
                                        double max_volume, const Watch& watch, bool rough) {
-  return Forecast(flat, sizes, regions, maker, max_volume, watch, rough).run(points.xyz);
+  const bool nears = maker == Maker::tetgen && !rough;
+  const SizeField near = nears ? sizes_of_near(flat, points, sizes, watch) : SizeField();
+  return Forecast(flat, sizes, near, regions, maker, max_volume, watch, rough).run(points.xyz);
 }
 
 double expected_of_volume(double volume, double max_volume) { return kPerVolumeOfOurs * volume / max_volume; }
