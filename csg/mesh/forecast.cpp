@@ -23,8 +23,8 @@ using Vector = SizeField::Vector;
 /// ones would be 6 * sqrt(2) = 8.49.
 constexpr double kPerCube = 13;
 /// Where sizes grow, an edge that is as long as they are in its middle is too long at its shorter end: 1.05, 1.18
-/// and 1.9 times as many were made with a growth of 0.1, 0.3 and 1.
-double for_growth_of_tetgen(double growth) { return 1 + 0.55 * growth + 0.35 * growth * growth; }
+/// and 1.8 times as many were made with a growth of 0.1, 0.3 and 1, and no more with 2.
+double for_growth_of_tetgen(double growth) { return std::min(1 + 0.55 * growth + 0.35 * growth * growth, 1.8); }
 /// The improver looks at both ends of an edge instead, and pulls short edges together.
 constexpr double kPerCubeOfOurs = 11.2;
 double for_growth_of_ours(double growth) { return 1 + 0.1 * growth; }

@@ -51,7 +51,10 @@ class Near {
     for (const Index p : free_) point(p);
     for (const Segment& s : segments_) {
       watch_.check();
-      halve(s, xyz_[s[0]], point(s[0]), xyz_[s[1]], point(s[1]));
+      const Vector &a = xyz_[s[0]], &b = xyz_[s[1]], along = minus(b, a);
+      const double length = std::max(std::sqrt(dot(along, along)), least_);
+      if (length < kNear * elsewhere(a)) sources_.push_back({{a, b, b}, length});
+      halve(s, a, point(s[0]), b, point(s[1]));
     }
     return sources_.empty() ? SizeField() : SizeField(std::move(sources_), kGrowthOfNear, kInfinity);
   }
@@ -129,10 +132,17 @@ class Near {
            std::binary_search(facets_of_[p].begin(), facets_of_[p].end(), item.facet);
   }
 
+  /// How long edges are where no features are near. Lengths that grow fast from what is narrow or short do not count:
+  /// edges that are there do not grow faster than shapes let them.
+  double elsewhere(const Vector& p) const {
+    const double overall = sizes_.field.overall();
+    return sizes_.field.growth() > kGrowthOfNear && overall < kInfinity ? overall : sizes_.field.at(p);
+  }
+
   /// The size at a place on a segment, by the next feature that has none of its ends, if one is near; else
   /// infinity.
   double near(const Vector& p, const Segment& on) const {
-    const double most = kNear * sizes_.field.at(p);
+    const double most = kNear * elsewhere(p);
     double nearest = most;
     tree_->query(
         [&](const Box& box) {
