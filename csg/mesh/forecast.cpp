@@ -35,7 +35,8 @@ constexpr double kPerVolume = 2.05, kPerVolumeOfOurs = 2.45;
 constexpr double kPerThickness = 2;
 /// Ours is bounded by shape alone, which flat ones of sixteen times that thickness have: three in a prism on each
 /// triangle, so seven on each h^2, where a cube of h has twelve.
-constexpr double kPerThicknessOfOurs = 16, kFlatPart = 7.0 / 12;
+/// Where sides are so narrow that they ask for nothing, thirty times: slabs of 2.5 x 2, 0.0015 and 0.001 thick.
+constexpr double kPerThicknessOfOurs = 16, kPerThicknessOfNarrow = 30, kFlatPart = 7.0 / 12;
 double for_flatness(double ratio) {
   return kFlatPart + (1 - kFlatPart) * std::clamp((ratio - 0.25) / 0.75, 0.0, 1.0);
 }
@@ -60,10 +61,11 @@ class Forecast {
         for_growth_(maker == Maker::tetgen ? for_growth_of_tetgen(sizes.field.growth())
                                            : for_growth_of_ours(sizes.field.growth())) {}
 
-  ExpectedTetrahedra run(const std::vector<Vector>& points) {
-    if (points.empty()) return {};
-    cover(points);
-    in_thin_parts(points);
+  ExpectedTetrahedra run(const RoundedPoints& points) {
+    if (points.xyz.empty()) return {};
+    narrow_ = least_asked(points) / 2;
+    cover(points.xyz);
+    in_thin_parts(points.xyz);
     while (!queue_.empty() && cells_.size() < most_cells()) {
       watch_.check();
       split();
@@ -110,8 +112,13 @@ class Forecast {
   std::vector<Cell> cells_;
   std::priority_queue<Doubt> queue_;
   double shares_ = 0;
-  double least_ = 0;  // shorter edges are counted as if they were as long
+  double least_ = 0;   // shorter edges are counted as if they were as long
+  double narrow_ = 0;  // the sides of a part that is thinner ask for nothing
   ExpectedTetrahedra sum_;
+
+  double per_thickness(double thick) const {
+    return maker_ == Maker::own && thick < narrow_ ? kPerThicknessOfNarrow : per_thickness_;
+  }
 
   std::size_t most_cells() const {
     return std::size_t(std::clamp(shares_ / kPerCell, double(kFewest), double(most_)));
@@ -143,8 +150,9 @@ class Forecast {
     const bool bounded =
         size == sizes_.field.overall() || (region < sizes_.regions.size() && size == sizes_.regions[region]);
     thick = std::max(thick, least_);
-    const bool thin = !wedge && size > per_thickness_ * thick;  // then edges do not grow
-    if (thin) size = per_thickness_ * thick;
+    const double most = per_thickness(thick) * thick;
+    const bool thin = !wedge && size > most;  // then edges do not grow
+    if (thin) size = most;
     const double flat = maker_ == Maker::tetgen && !wedge ? 1 : for_flatness(thick / size);
     const double by_sizes = per_cube_ / size / size / std::min(size, thick);
     // In thin parts shapes and volumes want other points: slabs get as many as both.
@@ -329,7 +337,7 @@ ExpectedTetrahedra expected_tetrahedra(const FlatComplex& flat, const RoundedPoi
                                        double max_volume, const Watch& watch, bool rough) {
   const bool nears = maker == Maker::tetgen && !rough;
   const SizeField near = nears ? sizes_of_near(flat, points, sizes, watch) : SizeField();
-  return Forecast(flat, sizes, near, regions, maker, max_volume, watch, rough).run(points.xyz);
+  return Forecast(flat, sizes, near, regions, maker, max_volume, watch, rough).run(points);
 }
 
 double expected_of_volume(double volume, double max_volume) { return kPerVolumeOfOurs * volume / max_volume; }

@@ -132,8 +132,8 @@ class Near {
            std::binary_search(facets_of_[p].begin(), facets_of_[p].end(), item.facet);
   }
 
-  /// How long edges are where no features are near. Lengths that grow fast from what is narrow or short do not count:
-  /// edges that are there do not grow faster than shapes let them.
+  /// How long edges are where no features are near. Lengths that grow fast from what is narrow or short do not
+  /// count: edges that are there do not grow faster than shapes let them.
   double elsewhere(const Vector& p) const {
     const double overall = sizes_.field.overall();
     return sizes_.field.growth() > kGrowthOfNear && overall < kInfinity ? overall : sizes_.field.at(p);
