@@ -37,8 +37,10 @@ constexpr double kPerThickness = 2;
 /// triangle, so seven on each h^2, where a cube of h has twelve.
 /// Where sides are so narrow that they ask for nothing, thirty times: slabs of 2.5 x 2, 0.0015 and 0.001 thick.
 constexpr double kPerThicknessOfOurs = 16, kPerThicknessOfNarrow = 30, kFlatPart = 7.0 / 12;
-double for_flatness(double ratio) {
-  return kFlatPart + (1 - kFlatPart) * std::clamp((ratio - 0.25) / 0.75, 0.0, 1.0);
+/// By TetGen in wedges, whose faces have points at their thin ends in common.
+constexpr double kFlatPartOfWedges = 0.4;
+double for_flatness(double ratio, double part) {
+  return part + (1 - part) * std::clamp((ratio - 0.25) / 0.75, 0.0, 1.0);
 }
 
 class Forecast {
@@ -153,7 +155,8 @@ class Forecast {
     const double most = per_thickness(thick) * thick;
     const bool thin = !wedge && size > most;  // then edges do not grow
     if (thin) size = most;
-    const double flat = maker_ == Maker::tetgen && !wedge ? 1 : for_flatness(thick / size);
+    const double part = maker_ != Maker::tetgen ? kFlatPart : wedge ? kFlatPartOfWedges : 1;
+    const double flat = for_flatness(thick / size, part);
     const double by_sizes = per_cube_ / size / size / std::min(size, thick);
     // In thin parts shapes and volumes want other points: slabs get as many as both.
     if (thin) sum_.by_thickness += volume * by_sizes * flat;
@@ -364,10 +367,24 @@ constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kLeastOfHalves = 0.
 // Of each point of a mesh, those on faces and of flat tetrahedra included.
 constexpr double kPerPoint = 7;
 
-// Meshes of 10,000 to 2 million tetrahedra on one core: memory at its peak, with that of TetGen; seconds of all of
-// the meshing, the proof and the writing of a .vtu.
+// Meshes of 10,000 to 2 million tetrahedra on one core: memory at its peak, with that of TetGen.
 constexpr double kBytes = 40e6, kBytesEach = 450;
-constexpr double kSecondsOfTetgen = 8e-6, kSecondsOfSizes = 12e-6, kSecondsOfVolumes = 6e-6;
+
+/// On one core, all of the meshing, the proof and the writing of a .vtu, for each tetrahedron: of a block (7 to 9,
+/// and 4 where ours are halved) and of a slope with faults and bolts (16, and 10); more where lengths come from
+/// many sources, for each time that these are doubled from kFewSources on (a tunnel: 26 and 21 us
+/// each); of slabs an eightieth to a four-hundredth as thick as they are wide (16 to 33, and 80 to 120 where ours
+/// are improved); with faces first (42 to 58).
+constexpr double kSecondsOfTetgen = 12e-6, kSecondsOfOurs = 8e-6, kSecondsOfDoubling = 3.5e-6, kFewSources = 32,
+                 kSecondsOfThin = 25e-6, kSecondsOfFacesFirst = 40e-6;
+double seconds_of_each(const ExpectedTetrahedra& parts, Maker maker, const SizeField& field, bool surface_first) {
+  double wide = (maker == Maker::tetgen ? kSecondsOfTetgen : kSecondsOfOurs) +
+                kSecondsOfDoubling * std::log2(1 + double(field.sources()) / kFewSources);
+  if (surface_first) wide += kSecondsOfFacesFirst;
+  const double thin = std::max(wide, maker == Maker::tetgen ? kSecondsOfThin : kSecondsOfShapes);
+  const double part = parts.all() > 0 ? parts.by_thickness / parts.all() : 0;
+  return (1 - part) * wide + part * thin;
+}
 
 }  // namespace
 
@@ -375,12 +392,11 @@ bool is_close(const MeshForecast& mesh) {
   return mesh.least >= 0.65 * mesh.tetrahedra && mesh.most <= 1.35 * mesh.tetrahedra;
 }
 
-MeshForecast with_costs(double tetrahedra, double least, double most, Maker maker, bool by_sizes) {
+MeshForecast with_costs(double tetrahedra, double least, double most, double seconds) {
   MeshForecast mesh{tetrahedra, least, most};
-  const double each = maker == Maker::tetgen ? kSecondsOfTetgen : by_sizes ? kSecondsOfSizes : kSecondsOfVolumes;
   const double counted = is_close(mesh) ? tetrahedra : most;
   mesh.bytes = kBytes + kBytesEach * counted;
-  mesh.seconds = each * counted;
+  mesh.seconds = seconds * counted;
   return mesh;
 }
 
@@ -505,6 +521,7 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
   } else {
     parts = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch);
   }
+  const double each = seconds_of_each(parts, maker, sizes.field, options.surface_first);
   const double n = parts.all(), strict_n = n + (strict - 1) * parts.growing;
   // What is thin gets points for shapes, too, if these are of use there.
   const double rationed = maker == Maker::flat
@@ -513,22 +530,21 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
   if (!sizes.empty()) {  // ours halve what is still bad
     const bool halves = maker == Maker::own && options.quality > 0;
     return with_costs(n, (halves ? kLeastOfHalves : kLeast) * n, (halves ? kMostOfHalves : kMost) * strict_n,
-                      maker, true);
+                      each);
   }
   if (maker == Maker::tetgen) {
     const double rest = n - parts.growing, shapes = strict * parts.growing;
     const double few = by_shapes ? kFewForShapes : 0;
     const double least = std::max(kLeastOfShapes * shapes - few, std::min(shapes, fewest_of(flat)));
-    return with_costs(shapes + rest, least + kLeast * rest, kMostOfShapes * shapes + few + kMost * rest, maker,
-                      by_shapes);
+    return with_costs(shapes + rest, least + kLeast * rest, kMostOfShapes * shapes + few + kMost * rest, each);
   }
   if (by_shapes) {
     return with_costs(strict_n, std::min(fewest_of(flat), kLeastOfShapes * strict_n),
-                      kMostOfShapes * strict_n + rationed, maker, true);
+                      kMostOfShapes * strict_n + rationed, each);
   }
   // Features need less where flat tetrahedra are good enough, and more where facets are long and many.
   const double by_volume = std::min(n, expected_of_volume(volume_of(flat, points), volume));
-  return with_costs(n, kLeast * by_volume, kMostOfShapes * strict_n + rationed, maker, false);
+  return with_costs(n, kLeast * by_volume, kMostOfShapes * strict_n + rationed, each);
 }
 
 std::string impossible_text(const MeshForecast& mesh, double memory) {

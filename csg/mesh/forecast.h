@@ -53,9 +53,9 @@ double expected_of_volume(double volume, double max_volume);
 /// bound.
 double for_quality(double radius_edge);
 
-/// With the memory and the time that so many take, or where the count is not told within 30 % the most; both
-/// within a third. `by_sizes`: else by a bound of volumes.
-MeshForecast with_costs(double tetrahedra, double least, double most, Maker maker, bool by_sizes);
+/// With the memory and the time that so many take, or where the count is not told within 30 % the most; `seconds`
+/// of each.
+MeshForecast with_costs(double tetrahedra, double least, double most, double seconds);
 
 /// What is foretold of the mesh that the options ask for. `sizes` are those of the options, or those by which ours
 /// come to a quality, and `regions` are there where sizes are. `most` may be infinite: then only the least is

@@ -18,8 +18,9 @@ using Segment = std::array<Index, 2>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Facets ask for their widths, and edges between facets in a row are half of that apart.
 constexpr double kNear = 0.4;
-constexpr double kPiece = 2.7;        // so many times as long as the size at its ends
-constexpr double kLeastShare = 1e-7;  // of the model; nobody refines for what is as near as that
+constexpr double kPiece = 2.7;                // so many times as long as the size at its ends
+constexpr std::size_t kMostPieces = 200'000;  // longer ones speak for the rest
+constexpr double kLeastShare = 1e-7;          // of the model; nobody refines for what is as near as that
 
 /// So many times the distance to a facet, an edge, a point are edges long there.
 constexpr double kToFacet = 1.25, kToEdge = 2, kToPoint = 1;
@@ -79,6 +80,7 @@ class Near {
   std::vector<Index> free_;  // points on no segment
   std::optional<BoxTree> tree_;
   double least_ = 0;
+  std::size_t pieces_ = 0;
   std::vector<SizeField::Source> sources_;
 
   void add_facets() {
@@ -141,8 +143,8 @@ class Near {
 
   /// The size at a place on a segment, by the next feature that has none of its ends, if one is near; else
   /// infinity.
-  double near(const Vector& p, const Segment& on) const {
-    const double most = kNear * elsewhere(p);
+  double near(const Vector& p, const Segment& on) const { return near(p, on, kNear * elsewhere(p)); }
+  double near(const Vector& p, const Segment& on, double most) const {
     double nearest = most;
     tree_->query(
         [&](const Box& box) {
@@ -174,8 +176,12 @@ class Near {
   void halve(const Segment& on, const Vector& a, double near_a, const Vector& b, double near_b) {
     const Vector along = minus(b, a), middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
     const double length = std::sqrt(dot(along, along));
-    if (length > least_ &&
-        length > std::min(kPiece * std::min(near_a, near_b), kLongest * sizes_.field.at(middle))) {
+    const double size = elsewhere(middle), need = std::min(near_a, near_b);
+    // Nothing on it is near if nothing is as near to its middle.
+    const double most = kNear * (size + sizes_.field.growth() * length / 2) + kToEdge * length / 2;
+    if (need == kInfinity && near(middle, on, most) == kInfinity) return;
+    if (pieces_ < kMostPieces && length > least_ && length > std::min(kPiece * need, kLongest * size)) {
+      ++pieces_;
       const double half = near(middle, on);
       add_point(middle, half);
       halve(on, a, near_a, middle, half);

@@ -210,7 +210,7 @@ class TetrahedraMaker {
     return told;
   }
   bool takes_too_long(const MeshForecast& told) const {
-    constexpr double kPatience = 15;  // seconds
+    constexpr double kPatience = 20;  // seconds
     const double patience = !options_.seconds       ? kPatience
                             : *options_.seconds > 0 ? *options_.seconds / 3.0
                                                     : HUGE_VAL;
@@ -277,7 +277,7 @@ class TetrahedraMaker {
     const int enough = 5 + int(plc_.points.size() / 4000);
     if (keeps_boundary() && !bounded()) return {part, 0, clock};
     if (thin_ || fills_ || !bounded()) return {part == 0 ? enough : std::min(part, enough), 0, clock};
-    constexpr double kLeast = 10, kSlow = 20;
+    constexpr double kLeast = 10, kSlow = 10;
     const double patience = kLeast + kSlow * in_seconds_;
     return {part == 0 ? 0 : int(std::min(double(part), patience)), enough + int(2 * in_seconds_), clock};
   }
