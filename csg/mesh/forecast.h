@@ -7,7 +7,8 @@
 // halved along all axes where the doubt about its share is largest, and then points are strewn by share, the same
 // in every run. What is far thinner than edges are to be long no cell comes to: there the integral is one over
 // faces, times the distance to the face that is opposite. On the other side of such a face edges are as short, and
-// grow from there: one more integral over faces.
+// grow from there: one more integral over faces. Where features nearly touch TetGen makes short edges, too
+// (near_sizes.h); where faces meet sharply it makes none.
 //
 // A bound of volumes is a least density. Where only shapes are bounded, refinement makes edges about as long as
 // features are wide and lets them grow from there, so that sizes that nobody asked for tell of it, but not within

@@ -415,7 +415,7 @@ class TetrahedraMaker {
   /// What stays bad since nobody has asked for more.
   void tell_rationed() {
     if (bounded() || for_shapes_ == 0 || result_.quality.bad == 0) return;
-    tell("good shapes everywhere would take " + count_text(for_shapes_) +
+    tell("shapes above 0.1 everywhere would take " + count_text(for_shapes_) +
          " tetrahedra, since some parts are very thin; where no --quality is asked for, the points that are added "
          "for shapes are 2,000 and four for each point of the model at most");
   }
