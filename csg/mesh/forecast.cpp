@@ -378,10 +378,10 @@ constexpr double kBytes = 40e6, kBytesEach = 450;
 constexpr double kSecondsOfTetgen = 12e-6, kSecondsOfOurs = 8e-6, kSecondsOfDoubling = 3.5e-6, kFewSources = 32,
                  kSecondsOfThin = 25e-6, kSecondsOfFacesFirst = 40e-6;
 double seconds_of_each(const ExpectedTetrahedra& parts, Maker maker, const SizeField& field, bool surface_first) {
-  double wide = (maker == Maker::tetgen ? kSecondsOfTetgen : kSecondsOfOurs) +
-                kSecondsOfDoubling * std::log2(1 + double(field.sources()) / kFewSources);
-  if (surface_first) wide += kSecondsOfFacesFirst;
-  const double thin = std::max(wide, maker == Maker::tetgen ? kSecondsOfThin : kSecondsOfShapes);
+  const double each = (maker == Maker::tetgen ? kSecondsOfTetgen : kSecondsOfOurs) +
+                      kSecondsOfDoubling * std::log2(1 + double(field.sources()) / kFewSources);
+  const double wide = each + (surface_first ? kSecondsOfFacesFirst : 0);
+  const double thin = std::max(each, maker == Maker::tetgen ? kSecondsOfThin : kSecondsOfShapes);
   const double part = parts.all() > 0 ? parts.by_thickness / parts.all() : 0;
   return (1 - part) * wide + part * thin;
 }
