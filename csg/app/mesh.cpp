@@ -365,11 +365,13 @@ int run_mesh(const MeshArguments& arguments) {
     TetrahedraOptions asked = arguments.options;
     asked.watch.progress = bar.progress();
     if (!arguments.quiet) {
-      asked.foretold = [&](const MeshForecast& mesh) {
+      asked.foretold = [&, again = false](const MeshForecast& mesh) mutable {
+        const char* why = again ? "TetGen has made no mesh to these bounds, so others are made: " : "";
+        again = true;
         bar.foretell("the mesh", mesh.seconds, !is_close(mesh));
         if (!is_close(mesh) && !bounds(asked) && mesh.tetrahedra < kWorthTelling) return;
         bar.clear();
-        tell("notice: " + forecast_text(mesh));
+        tell("notice: " + (why + forecast_text(mesh)));
         if (const double free = double(memory_available()); free > 0 && mesh.bytes > free) {
           tell(
               "notice: that is more memory than is free now; where it runs out, ask for a larger --size, "

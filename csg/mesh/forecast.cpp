@@ -4,6 +4,7 @@
 #include <queue>
 
 #include "csg/mesh/improved.h"
+#include "csg/mesh/near_sizes.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
@@ -22,8 +23,8 @@ using Vector = SizeField::Vector;
 /// ones would be 6 * sqrt(2) = 8.49.
 constexpr double kPerCube = 13;
 /// Where sizes grow, an edge that is as long as they are in its middle is too long at its shorter end: 1.05, 1.18
-/// and 1.9 times as many were made with a growth of 0.1, 0.3 and 1.
-double for_growth_of_tetgen(double growth) { return 1 + 0.55 * growth + 0.35 * growth * growth; }
+/// and 1.8 times as many were made with a growth of 0.1, 0.3 and 1, and no more with 2.
+double for_growth_of_tetgen(double growth) { return std::min(1 + 0.55 * growth + 0.35 * growth * growth, 1.8); }
 /// The improver looks at both ends of an edge instead, and pulls short edges together.
 constexpr double kPerCubeOfOurs = 11.2;
 double for_growth_of_ours(double growth) { return 1 + 0.1 * growth; }
@@ -34,20 +35,24 @@ constexpr double kPerVolume = 2.05, kPerVolumeOfOurs = 2.45;
 constexpr double kPerThickness = 2;
 /// Ours is bounded by shape alone, which flat ones of sixteen times that thickness have: three in a prism on each
 /// triangle, so seven on each h^2, where a cube of h has twelve.
-constexpr double kPerThicknessOfOurs = 16, kFlatPart = 7.0 / 12;
-double for_flatness(double ratio) {
-  return kFlatPart + (1 - kFlatPart) * std::clamp((ratio - 0.25) / 0.75, 0.0, 1.0);
+/// Where sides are so narrow that they ask for nothing, thirty times: slabs of 2.5 x 2, 0.0015 and 0.001 thick.
+constexpr double kPerThicknessOfOurs = 16, kPerThicknessOfNarrow = 30, kFlatPart = 7.0 / 12;
+/// By TetGen in wedges, whose faces have points at their thin ends in common.
+constexpr double kFlatPartOfWedges = 0.4;
+double for_flatness(double ratio, double part) {
+  return part + (1 - part) * std::clamp((ratio - 0.25) / 0.75, 0.0, 1.0);
 }
 
 class Forecast {
  public:
-  Forecast(const FlatComplex& flat, const MeshSizes& sizes, const RegionLocator& regions, Maker maker,
-           double max_volume, const Watch& watch, bool rough)
+  Forecast(const FlatComplex& flat, const MeshSizes& sizes, const SizeField& near, const RegionLocator& regions,
+           Maker maker, double max_volume, const Watch& watch, bool rough)
       : watch_(watch),
         most_(rough ? kMost / 8 : kMost),
         of_narrow_(rough ? kOfNarrow / 8 : kOfNarrow),
         flat_(flat),
         sizes_(sizes),
+        near_(near),
         regions_(regions),
         maker_(maker),
         density_(max_volume > 0 ? (maker == Maker::tetgen ? kPerVolume : kPerVolumeOfOurs) / max_volume : 0),
@@ -58,10 +63,11 @@ class Forecast {
         for_growth_(maker == Maker::tetgen ? for_growth_of_tetgen(sizes.field.growth())
                                            : for_growth_of_ours(sizes.field.growth())) {}
 
-  ExpectedTetrahedra run(const std::vector<Vector>& points) {
-    if (points.empty()) return {};
-    cover(points);
-    in_thin_parts(points);
+  ExpectedTetrahedra run(const RoundedPoints& points) {
+    if (points.xyz.empty()) return {};
+    narrow_ = least_asked(points) / 2;
+    cover(points.xyz);
+    in_thin_parts(points.xyz);
     while (!queue_.empty() && cells_.size() < most_cells()) {
       watch_.check();
       split();
@@ -100,6 +106,7 @@ class Forecast {
   const double of_narrow_;  // points
   const FlatComplex& flat_;
   const MeshSizes& sizes_;
+  const SizeField& near_;  // between features that nearly touch
   const RegionLocator& regions_;
   const Maker maker_;
   const double density_;  // at least
@@ -107,8 +114,13 @@ class Forecast {
   std::vector<Cell> cells_;
   std::priority_queue<Doubt> queue_;
   double shares_ = 0;
-  double least_ = 0;  // shorter edges are counted as if they were as long
+  double least_ = 0;   // shorter edges are counted as if they were as long
+  double narrow_ = 0;  // the sides of a part that is thinner ask for nothing
   ExpectedTetrahedra sum_;
+
+  double per_thickness(double thick) const {
+    return maker_ == Maker::own && thick < narrow_ ? kPerThicknessOfNarrow : per_thickness_;
+  }
 
   std::size_t most_cells() const {
     return std::size_t(std::clamp(shares_ / kPerCell, double(kFewest), double(most_)));
@@ -119,31 +131,38 @@ class Forecast {
   double count(const Vector& half, double a, double b, double c) const {
     return volume_of(half) * std::max(per_cube_ / a / b / c, density_);
   }
-  double size_at(const Vector& p, Index region) const { return std::max(sizes_.at(p, region), least_); }
+  double size_at(const Vector& p, Index region) const {
+    return std::max(std::min(sizes_.at(p, region), near_.at(p)), least_);
+  }
 
   void add_at(const Vector& p, Index region, const Cell& cell, double volume) {
     const double size = size_at(p, region);
-    if (!cell.narrow) return add_density(size, size, region, volume);
+    const double grown = near_.at(p) > size ? for_growth_ : 1;
+    if (!cell.narrow) return add_density(size, size, region, volume, grown);
     const RegionLocator::Plate plate = regions_.plate(p, size);
-    if (plate.even() && plate.thickness < kThin * size) return;  // `in_thin_parts` has it
+    if (plate.even() && !plate.meet && plate.thickness < kThin * size) return;  // `in_thin_parts` has it
     // Where the faces of a wedge meet it has no thickness, and tetrahedra that have an edge there have.
-    const double thick = plate.even() ? plate.thickness : std::max(plate.thickness, plate.sine * size);
-    add_density(size, thick, region, volume);
+    const bool even = plate.even() && !plate.meet;
+    const double thick = even ? plate.thickness : std::max(plate.thickness, plate.sine * size);
+    add_density(size, thick, region, volume, grown, plate.meet);
   }
-  /// In a volume where edges are to be so long and the region is so thick.
-  void add_density(double size, double thick, Index region, double volume) {
+  /// In a volume where edges are to be so long and the region is so thick; `grown`: so many times as many where
+  /// they grow. `wedge`: its faces meet, and edges there are as long as elsewhere.
+  void add_density(double size, double thick, Index region, double volume, double grown, bool wedge = false) {
     const bool bounded =
         size == sizes_.field.overall() || (region < sizes_.regions.size() && size == sizes_.regions[region]);
     thick = std::max(thick, least_);
-    const bool thin = size > per_thickness_ * thick;  // then edges do not grow
-    if (thin) size = per_thickness_ * thick;
-    const double flat = maker_ == Maker::tetgen ? 1 : for_flatness(thick / size);
+    const double most = per_thickness(thick) * thick;
+    const bool thin = !wedge && size > most;  // then edges do not grow
+    if (thin) size = most;
+    const double part = maker_ != Maker::tetgen ? kFlatPart : wedge ? kFlatPartOfWedges : 1;
+    const double flat = for_flatness(thick / size, part);
     const double by_sizes = per_cube_ / size / size / std::min(size, thick);
     // In thin parts shapes and volumes want other points: slabs get as many as both.
     if (thin) sum_.by_thickness += volume * by_sizes * flat;
     if (by_sizes <= density_ || thin) sum_.by_volume += volume * density_;
     else if (bounded) sum_.even += volume * by_sizes * flat;
-    else sum_.growing += volume * by_sizes * flat * for_growth_;
+    else sum_.growing += volume * by_sizes * flat * grown;
   }
 
   /// The integral over faces: each has half of what lies between it and the one opposite.
@@ -196,7 +215,7 @@ class Forecast {
       for (std::size_t i = 0; i < count; ++i) {
         const auto [size, thick, beyond] = found[i];
         sum_.by_thickness += each * beyond;
-        if (thick < kThin * size) add_density(size, thick, region, each * thick / 2);
+        if (thick < kThin * size) add_density(size, thick, region, each * thick / 2, for_growth_);
       }
     }
   }
@@ -222,9 +241,10 @@ class Forecast {
     if (!regions_.meets_faces(low, high)) cell.kind = flat_.active(cell.region) ? Kind::inside : Kind::outside;
     if (cell.kind == Kind::outside) return cell;
     const double here = size_at(middle, cell.region);
-    const double slope = sizes_.field.growth() * std::hypot(half[0], half[1], half[2]);
+    const double growth = near_.empty() ? sizes_.field.growth() : std::max(sizes_.field.growth(), near_.growth());
+    const double slope = growth * std::hypot(half[0], half[1], half[2]);
     // The field may fall to a source within the cell, and there is one at most as far away as it could have risen.
-    const double least = std::max(here - slope, here / 8), most = here + slope;
+    const double least = std::max(here - slope, here / (near_.empty() ? 8 : 32)), most = here + slope;
     const auto around = [&](double room) {
       return std::pair<Vector, Vector>{{low[0] - room, low[1] - room, low[2] - room},
                                        {high[0] + room, high[1] + room, high[2] + room}};
@@ -318,7 +338,9 @@ class Forecast {
 ExpectedTetrahedra expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points,
                                        const MeshSizes& sizes, const RegionLocator& regions, Maker maker,
                                        double max_volume, const Watch& watch, bool rough) {
-  return Forecast(flat, sizes, regions, maker, max_volume, watch, rough).run(points.xyz);
+  const bool nears = maker == Maker::tetgen && !rough;
+  const SizeField near = nears ? sizes_of_near(flat, points, sizes, watch) : SizeField();
+  return Forecast(flat, sizes, near, regions, maker, max_volume, watch, rough).run(points);
 }
 
 double expected_of_volume(double volume, double max_volume) { return kPerVolumeOfOurs * volume / max_volume; }
@@ -345,10 +367,24 @@ constexpr double kLeastOfShapes = 0.45, kMostOfShapes = 1.8, kLeastOfHalves = 0.
 // Of each point of a mesh, those on faces and of flat tetrahedra included.
 constexpr double kPerPoint = 7;
 
-// Meshes of 10,000 to 2 million tetrahedra on one core: memory at its peak, with that of TetGen; seconds of all of
-// the meshing, the proof and the writing of a .vtu.
+// Meshes of 10,000 to 2 million tetrahedra on one core: memory at its peak, with that of TetGen.
 constexpr double kBytes = 40e6, kBytesEach = 450;
-constexpr double kSecondsOfTetgen = 8e-6, kSecondsOfSizes = 12e-6, kSecondsOfVolumes = 6e-6;
+
+/// On one core, all of the meshing, the proof and the writing of a .vtu, for each tetrahedron: of a block (7 to 9,
+/// and 4 where ours are halved) and of a slope with faults and bolts (16, and 10); more where lengths come from
+/// many sources, for each time that these are doubled from kFewSources on (a tunnel: 26 and 21 us
+/// each); of slabs an eightieth to a four-hundredth as thick as they are wide (16 to 33, and 80 to 120 where ours
+/// are improved); with faces first (42 to 58).
+constexpr double kSecondsOfTetgen = 12e-6, kSecondsOfOurs = 8e-6, kSecondsOfDoubling = 3.5e-6, kFewSources = 32,
+                 kSecondsOfThin = 25e-6, kSecondsOfFacesFirst = 40e-6;
+double seconds_of_each(const ExpectedTetrahedra& parts, Maker maker, const SizeField& field, bool surface_first) {
+  const double each = (maker == Maker::tetgen ? kSecondsOfTetgen : kSecondsOfOurs) +
+                      kSecondsOfDoubling * std::log2(1 + double(field.sources()) / kFewSources);
+  const double wide = each + (surface_first ? kSecondsOfFacesFirst : 0);
+  const double thin = std::max(each, maker == Maker::tetgen ? kSecondsOfThin : kSecondsOfShapes);
+  const double part = parts.all() > 0 ? parts.by_thickness / parts.all() : 0;
+  return (1 - part) * wide + part * thin;
+}
 
 }  // namespace
 
@@ -356,12 +392,11 @@ bool is_close(const MeshForecast& mesh) {
   return mesh.least >= 0.65 * mesh.tetrahedra && mesh.most <= 1.35 * mesh.tetrahedra;
 }
 
-MeshForecast with_costs(double tetrahedra, double least, double most, Maker maker, bool by_sizes) {
+MeshForecast with_costs(double tetrahedra, double least, double most, double seconds) {
   MeshForecast mesh{tetrahedra, least, most};
-  const double each = maker == Maker::tetgen ? kSecondsOfTetgen : by_sizes ? kSecondsOfSizes : kSecondsOfVolumes;
   const double counted = is_close(mesh) ? tetrahedra : most;
   mesh.bytes = kBytes + kBytesEach * counted;
-  mesh.seconds = each * counted;
+  mesh.seconds = seconds * counted;
   return mesh;
 }
 
@@ -486,6 +521,7 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
   } else {
     parts = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch);
   }
+  const double each = seconds_of_each(parts, maker, sizes.field, options.surface_first);
   const double n = parts.all(), strict_n = n + (strict - 1) * parts.growing;
   // What is thin gets points for shapes, too, if these are of use there.
   const double rationed = maker == Maker::flat
@@ -494,22 +530,21 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
   if (!sizes.empty()) {  // ours halve what is still bad
     const bool halves = maker == Maker::own && options.quality > 0;
     return with_costs(n, (halves ? kLeastOfHalves : kLeast) * n, (halves ? kMostOfHalves : kMost) * strict_n,
-                      maker, true);
+                      each);
   }
   if (maker == Maker::tetgen) {
     const double rest = n - parts.growing, shapes = strict * parts.growing;
     const double few = by_shapes ? kFewForShapes : 0;
     const double least = std::max(kLeastOfShapes * shapes - few, std::min(shapes, fewest_of(flat)));
-    return with_costs(shapes + rest, least + kLeast * rest, kMostOfShapes * shapes + few + kMost * rest, maker,
-                      by_shapes);
+    return with_costs(shapes + rest, least + kLeast * rest, kMostOfShapes * shapes + few + kMost * rest, each);
   }
   if (by_shapes) {
     return with_costs(strict_n, std::min(fewest_of(flat), kLeastOfShapes * strict_n),
-                      kMostOfShapes * strict_n + rationed, maker, true);
+                      kMostOfShapes * strict_n + rationed, each);
   }
   // Features need less where flat tetrahedra are good enough, and more where facets are long and many.
   const double by_volume = std::min(n, expected_of_volume(volume_of(flat, points), volume));
-  return with_costs(n, kLeast * by_volume, kMostOfShapes * strict_n + rationed, maker, false);
+  return with_costs(n, kLeast * by_volume, kMostOfShapes * strict_n + rationed, each);
 }
 
 std::string impossible_text(const MeshForecast& mesh, double memory) {

@@ -7,7 +7,8 @@
 // halved along all axes where the doubt about its share is largest, and then points are strewn by share, the same
 // in every run. What is far thinner than edges are to be long no cell comes to: there the integral is one over
 // faces, times the distance to the face that is opposite. On the other side of such a face edges are as short, and
-// grow from there: one more integral over faces.
+// grow from there: one more integral over faces. Where features nearly touch TetGen makes short edges, too
+// (near_sizes.h); where faces meet sharply it makes none.
 //
 // A bound of volumes is a least density. Where only shapes are bounded, refinement makes edges about as long as
 // features are wide and lets them grow from there, so that sizes that nobody asked for tell of it, but not within
@@ -53,9 +54,9 @@ double expected_of_volume(double volume, double max_volume);
 /// bound.
 double for_quality(double radius_edge);
 
-/// With the memory and the time that so many take, or where the count is not told within 30 % the most; both
-/// within a third. `by_sizes`: else by a bound of volumes.
-MeshForecast with_costs(double tetrahedra, double least, double most, Maker maker, bool by_sizes);
+/// With the memory and the time that so many take, or where the count is not told within 30 % the most; `seconds`
+/// of each.
+MeshForecast with_costs(double tetrahedra, double least, double most, double seconds);
 
 /// What is foretold of the mesh that the options ask for. `sizes` are those of the options, or those by which ours
 /// come to a quality, and `regions` are there where sizes are. `most` may be infinite: then only the least is

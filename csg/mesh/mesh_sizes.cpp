@@ -24,13 +24,8 @@ class SizeCollector {
         flat_(flat),
         xyz_(points.xyz),
         overall_(options.size > 0 ? options.size : kInfinity),
-        growth_(options.growth) {
-    Vector low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
-    for (const Vector& p : xyz_) {
-      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-    }
-    if (!xyz_.empty()) least_ = kLeastShare * std::sqrt(dot(minus(high, low), minus(high, low)));
-  }
+        growth_(options.growth),
+        least_(least_asked(points)) {}
 
   MeshSizes run(const SizeOptions& options) {
     add_said();
@@ -48,8 +43,7 @@ class SizeCollector {
   const ResultView& view_;
   const FlatComplex& flat_;
   const std::vector<Vector>& xyz_;
-  const double overall_, growth_;
-  double least_ = 0;
+  const double overall_, growth_, least_;
   double least_narrow_ = 0;  // narrower ones do not ask
   std::vector<SizeField::Source> sources_;
   std::vector<double> regions_;
@@ -150,6 +144,15 @@ class SizeCollector {
 };
 
 }  // namespace
+
+double least_asked(const RoundedPoints& points) {
+  if (points.xyz.empty()) return 0;
+  Vector low = points.xyz[0], high = low;
+  for (const Vector& p : points.xyz) {
+    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  }
+  return kLeastShare * std::sqrt(dot(minus(high, low), minus(high, low)));
+}
 
 MeshSizes mesh_sizes(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                      const SizeOptions& options) {

@@ -50,6 +50,9 @@ struct MeshSizes {
   }
 };
 
+/// What a piece or a facet asks for at least: a thousandth of the model's diagonal.
+double least_asked(const RoundedPoints& points);
+
 /// No field (it is empty) if nobody says a size. Points are those of `flat`, rounded. Throws InputError as
 /// SizeField does.
 MeshSizes mesh_sizes(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,

@@ -18,7 +18,7 @@ constexpr Vector kAlong{0.53119, 0.37943, 0.75751};
 
 struct Corners {
   std::array<Vector, 3> at;
-  Index face;
+  Index face, facet;
 };
 
 /// How far along the ray it meets the triangle, and whether at its front; infinity if it does not.
@@ -79,18 +79,46 @@ bool are_across(const Corners& one, const Corners& other, double even) {
 struct RegionLocator::Data {
   const FlatComplex& flat;
   std::vector<Corners> triangles;
+  std::vector<std::vector<Index>> facets;  // the points that they have, ascending
   BoxTree boxes;
   Index outside = FlatComplex::kNone;
   double even = 0;  // what lies no further from a plane lies in it
+
+  /// Two facets with an edge in common.
+  bool meet(const Corners& one, const Corners& other) const {
+    if (one.facet == other.facet) return true;
+    const std::vector<Index>&a = facets[one.facet], &b = facets[other.facet];
+    std::size_t common = 0;
+    for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end() && common < 2;) {
+      if (*i < *j) ++i;
+      else if (*j < *i) ++j;
+      else ++common, ++i, ++j;
+    }
+    return common == 2;
+  }
 };
 
 RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& points) {
   std::vector<Corners> triangles;
+  std::vector<std::vector<Index>> facets;
   std::vector<Box> boxes;
   Box all;
+  const auto add_facet = [&](const std::vector<FlatComplex::Loop>& loops) {
+    std::vector<Index>& of = facets.emplace_back();
+    for (const FlatComplex::Loop& loop : loops) of.insert(of.end(), loop.begin(), loop.end());
+    std::sort(of.begin(), of.end());
+    of.erase(std::unique(of.begin(), of.end()), of.end());
+  };
   for (Index f = 0; f < flat.faces.size(); ++f) {
-    for (const auto& [a, b, c] : flat.faces[f].triangles) {
-      triangles.push_back({{points.xyz[a], points.xyz[b], points.xyz[c]}, f});
+    const FlatComplex::Face& face = flat.faces[f];
+    const auto first = Index(facets.size());
+    for (const FlatComplex::Facet& facet : face.facets) add_facet(facet.loops);
+    if (face.facets.empty()) add_facet(face.loops);
+    for (std::size_t t = 0; t < face.triangles.size(); ++t) {
+      const auto& [a, b, c] = face.triangles[t];
+      const auto facet =
+          std::upper_bound(face.facet_ends.begin(), face.facet_ends.end(), t) - face.facet_ends.begin();
+      triangles.push_back({{points.xyz[a], points.xyz[b], points.xyz[c]}, f, first + Index(facet)});
       Box& box = boxes.emplace_back();
       for (const Vector& corner : triangles.back().at) box.extend(corner, corner);
       all.extend(box);
@@ -106,7 +134,7 @@ RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& point
   }
   const auto outside =
       std::find_if(flat.regions.begin(), flat.regions.end(), [](const auto& region) { return !region.bounded; });
-  data_.reset(new Data{flat, std::move(triangles), BoxTree(std::move(boxes)),
+  data_.reset(new Data{flat, std::move(triangles), std::move(facets), BoxTree(std::move(boxes)),
                        outside == flat.regions.end() ? FlatComplex::kNone : Index(outside - flat.regions.begin()),
                        1e4 * room});
 }
@@ -182,7 +210,9 @@ double RegionLocator::gap(const Vector& p, const Vector& into, Index region, std
   const Vector n = normal_of(*ahead.triangle);
   const bool front = dot(n, into) < 0;
   const bool met = data_->flat.faces[ahead.triangle->face].regions[front ? 0 : 1] == region;
-  return met && are_parallel(into, n, kEven) ? ahead.distance : most;
+  return met && are_parallel(into, n, kEven) && !data_->meet(data_->triangles[triangle], *ahead.triangle)
+             ? ahead.distance
+             : most;
 }
 
 RegionLocator::Plate RegionLocator::plate(const Vector& p, double most) const {
@@ -203,7 +233,8 @@ RegionLocator::Plate RegionLocator::plate(const Vector& p, double most) const {
     const Vector n = normal_of(*ahead.triangle), m = normal_of(*behind.triangle);
     if (!are_parallel(n, m, kAlike)) continue;
     const Vector across = cross(n, m);
-    least = {ahead.distance + behind.distance, std::sqrt(dot(across, across) / dot(n, n) / dot(m, m))};
+    least = {ahead.distance + behind.distance, std::sqrt(dot(across, across) / dot(n, n) / dot(m, m)),
+             data_->meet(*ahead.triangle, *behind.triangle)};
   }
   return least;
 }

@@ -53,6 +53,8 @@ class SizeField::Tree {
     build(0, sources_.size());
   }
 
+  std::size_t sources() const { return sources_.size(); }
+
   double at(const Vector& p, double growth, double best) const {
     struct Later {
       std::uint32_t node;
@@ -154,6 +156,8 @@ SizeField::SizeField(std::vector<Source> sources, double growth, double overall)
   }
   if (!sources.empty()) tree_ = std::make_shared<const Tree>(std::move(sources));
 }
+
+std::size_t SizeField::sources() const { return tree_ == nullptr ? 0 : tree_->sources(); }
 
 double SizeField::at(const Vector& p) const {
   return tree_ == nullptr ? overall_ : tree_->at(p, growth_, overall_);

@@ -38,6 +38,7 @@ class SizeField {
   double at(const Vector& p) const;
   double overall() const { return overall_; }
   double growth() const { return growth_; }
+  std::size_t sources() const;
   /// True if at() is infinity everywhere.
   bool empty() const { return tree_ == nullptr && overall_ == std::numeric_limits<double>::infinity(); }
 

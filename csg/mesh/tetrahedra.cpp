@@ -211,7 +211,7 @@ class TetrahedraMaker {
     return told;
   }
   bool takes_too_long(const MeshForecast& told) const {
-    constexpr double kPatience = 15;  // seconds
+    constexpr double kPatience = 20;  // seconds
     const double patience = !options_.seconds       ? kPatience
                             : *options_.seconds > 0 ? *options_.seconds / 3.0
                                                     : HUGE_VAL;
@@ -278,7 +278,7 @@ class TetrahedraMaker {
     const int enough = 5 + int(plc_.points.size() / 4000);
     if (keeps_boundary() && !bounded()) return {part, 0, clock};
     if (thin_ || fills_ || !bounded()) return {part == 0 ? enough : std::min(part, enough), 0, clock};
-    constexpr double kLeast = 10, kSlow = 20;
+    constexpr double kLeast = 10, kSlow = 10;
     const double patience = kLeast + kSlow * in_seconds_;
     return {part == 0 ? 0 : int(std::min(double(part), patience)), enough + int(2 * in_seconds_), clock};
   }
@@ -427,7 +427,7 @@ class TetrahedraMaker {
   /// What stays bad since nobody has asked for more.
   void tell_rationed() {
     if (bounded() || for_shapes_ == 0 || result_.quality.bad == 0) return;
-    tell("good shapes everywhere would take " + count_text(for_shapes_) +
+    tell("shapes above 0.1 everywhere would take " + count_text(for_shapes_) +
          " tetrahedra, since some parts are very thin; where no --quality is asked for, the points that are added "
          "for shapes are 2,000 and four for each point of the model at most");
   }

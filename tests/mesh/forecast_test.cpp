@@ -188,6 +188,67 @@ TEST_CASE("a wedge takes no more for being thin where its faces meet", "[size][f
   }
 }
 
+TEST_CASE("a wedge takes no more however thin it is, beside a sheet and alone", "[size][forecast]") {
+  for (const char* z : {"9/10", "2/5"}) {
+    const std::string top = z;
+    const auto [told, made] =
+        told_and_made("  sheet: {polygon: [[0, 0, 0], [10, 0, " + top + "], [10, 10, " + top +
+                          "], [0, 10, 0]]}\n  block: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n"
+                          "  model: {union: [sheet, block], dominance: left}\n",
+                      sizes(2, 0.3));
+    INFO(z << ": " << told.tetrahedra << " foretold, " << made << " made");
+    CHECK(told.tetrahedra / made > 0.7);
+    CHECK(told.tetrahedra / made < 1.3);
+  }
+  const auto [told, made] =
+      told_and_made("  model: {tetrahedron: [[0, 0, 0], [10, 0, 0], [0, 10, 0], [1, 1, 9/10]]}\n", sizes(1, 0.3));
+  INFO(told.tetrahedra << " foretold, " << made << " made");
+  CHECK(told.tetrahedra / made > 0.7);
+  CHECK(told.tetrahedra / made < 1.3);
+}
+
+TEST_CASE("what is made between features that nearly touch is foretold", "[size][forecast]") {
+  // Lengths along a wire and edges of sheets are inversely as their distances; points and ends make a few hundred.
+  const std::string block = "  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}}\n";
+  for (const std::string& near :
+       {std::string("  a: {points: [[2, 2, 2], [2, 2, 2.02]]}\n  model: {union: [a, block], dominance: left}\n"),
+        std::string("  a: {polyline: [[1, 1.5, 3.98], [3.1, 3.3, 3.98]]}\n"
+                    "  model: {union: [a, block], dominance: left}\n"),
+        std::string("  a: {polygon: [[1, 1.5, 1], [3.1, 3.3, 1], [3.1, 3.3, 3.9], [1, 1.5, 3.9]]}\n"
+                    "  model: {union: [a, block], dominance: left}\n"),
+        std::string("  a: {polyline: [[1, 1, 1], [3.1, 3.3, 2.9]]}\n"
+                    "  b: {polyline: [[1, 1, 1.02], [3.1, 3.3, 2.92]]}\n"
+                    "  model: {union: [a, b, block], dominance: left}\n"),
+        std::string("  a: {polygon: [[1, 1, 1], [3, 1, 1], [3, 3.3, 1], [1, 3.3, 1]]}\n"
+                    "  b: {polygon: [[2, 1.2, 1.1], [2, 1.2, 3], [2, 2.8, 3], [2, 2.8, 1.1]]}\n"
+                    "  model: {union: [a, b, block], dominance: left}\n")}) {
+    const auto [told, made] = told_and_made(block + near, sizes(1, 0.3));
+    INFO(near << told.tetrahedra << " foretold, " << made << " made");
+    CHECK(told.tetrahedra / made > 0.7);
+    CHECK(told.tetrahedra / made < 1.3);
+  }
+}
+
+TEST_CASE("lengths that grow as fast as can be are foretold", "[size][forecast]") {
+  const auto [told, made] = told_and_made(
+      "  block: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n"
+      "  wire: {polyline: [[2, 3, 4], [8, 7, 6]], size: 1/10}\n"
+      "  model: {union: [wire, block], dominance: left}\n",
+      sizes(5, 2));
+  INFO(told.tetrahedra << " foretold, " << made << " made");
+  CHECK(told.tetrahedra / made > 0.7);
+  CHECK(told.tetrahedra / made < 1.3);
+}
+
+TEST_CASE("constrained slabs whose sides ask for nothing are foretold", "[size][forecast]") {
+  TetrahedraOptions options = sizes(0.5, 0.3);
+  options.constrained = true;
+  const auto [told, made] = told_and_made("  model: {box: {min: [0, 0, 0], max: [2.5, 2, 1/1000]}}\n", options);
+  INFO(told.tetrahedra << " foretold, " << made << " made");
+  CHECK(told.tetrahedra / made > 0.7);
+  CHECK(told.tetrahedra / made < 1.3);
+}
+
 TEST_CASE("constrained tetrahedra come to a quality by sizes, and are foretold", "[forecast]") {
   for (const Model& model : models()) {
     const std::string name = model.name;
