@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "csg/mesh/has_to_be_split.h"
 #include "kernel/base/vectors.h"
 #include "kernel/refine/box_tree.h"
+#include "kernel/tetrahedra/bounds.h"
 
 namespace cnrg {
 namespace {
@@ -20,7 +20,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNear = 0.4;
 constexpr double kPiece = 2.7;                // so many times as long as the size at its ends
 constexpr std::size_t kMostPieces = 200'000;  // longer ones speak for the rest
-constexpr double kLeastShare = 1e-7;          // of the model; nobody refines for what is as near as that
+constexpr double kLeastShare = 1e-3;          // of the model
 
 /// So many times the distance to a facet, an edge, a point are edges long there.
 constexpr double kToFacet = 1.25, kToEdge = 2, kToPoint = 1;
@@ -159,9 +159,9 @@ class Near {
           const Item& item = items_[i];
           const auto& [a, b, c] = item.corners;
           const double size = item.longer * std::sqrt(squared_distance(p, {xyz_[a], xyz_[b], xyz_[c]}));
-          if (size < nearest && !is_at(item, on[0]) && !is_at(item, on[1])) nearest = size;
+          if (size < nearest && size >= least_ && !is_at(item, on[0]) && !is_at(item, on[1])) nearest = size;
         });
-    return nearest < most ? std::max(nearest, least_) : kInfinity;
+    return nearest < most ? nearest : kInfinity;
   }
 
   double point(Index p) {
@@ -180,7 +180,7 @@ class Near {
     // Nothing on it is near if nothing is as near to its middle.
     const double most = kNear * (size + sizes_.field.growth() * length / 2) + kToEdge * length / 2;
     if (need == kInfinity && near(middle, on, most) == kInfinity) return;
-    if (pieces_ < kMostPieces && length > least_ && length > std::min(kPiece * need, kLongest * size)) {
+    if (pieces_ < kMostPieces && length > least_ && length > std::min(kPiece * need, kLongestEdge * size)) {
       ++pieces_;
       const double half = near(middle, on);
       add_point(middle, half);

@@ -48,8 +48,9 @@ class TetrahedraMaker {
                                    [](const auto& region) { return region.component != 0; });
     if (!solid) {
       throw InputError(
-          "the result has no region to fill with tetrahedra; `cnrg eval -o` writes its faces, wires "
-          "and points");
+          "the result has no region to fill with tetrahedra; `cnrg mesh --surface` writes triangles and lines, "
+          "and "
+          "`cnrg eval -o` its faces, wires and points");
     }
     if (options_.constrained && options_.keep_boundary)
       throw InputError("constrained tetrahedra need points on the boundary; leave out --keep-boundary");
@@ -378,7 +379,7 @@ class TetrahedraMaker {
       } catch (const InputError& e) {
         refused = e.what();
       } catch (const InvariantError& e) {  // the proof refuses what the mesher returns
-        refused = std::string("what TetGen returns is not what was asked for (") + e.what() +
+        refused = std::string("the answer of TetGen is no mesh of the result (") + e.what() +
                   "); try --quality 2, curved leaves that are finer or coarser, or leave out --keep-boundary";
       }
     }

@@ -363,7 +363,7 @@ TEST_CASE("join: more pairs than a few are not joined as harmless", "[join]") {
     const Result before = result_of(c);
     JoinReport report;
     const Result after = join(before, Rational(1, 1000), &report, {}, Joins::harmless);
-    CHECK(report.refused == pairs > kFewPairs);
+    CHECK(report.refused == (pairs > kFewPairs));
     CHECK(report.merged.size() == (report.refused ? 0 : pairs));
   }
 }
