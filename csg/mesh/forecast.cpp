@@ -15,9 +15,9 @@ namespace {
 using Index = FlatComplex::Index;
 using Vector = SizeField::Vector;
 
-// Calibrated on meshes that TetGen makes where a tetrahedron is split while its longest edge is above kLongest
-// (tetrahedra.cpp) times the size; tests/mesh/forecast_test.cpp has the models. Edges are 0.98 h long in the mean
-// then.
+// Calibrated on meshes that TetGen makes where a tetrahedron is split while its longest edge is above kLongestEdge
+// (kernel/tetrahedra/bounds.h) times the size; tests/mesh/forecast_test.cpp has the models. Edges are 0.98 h long
+// in the mean then.
 
 /// Tetrahedra per h^3: 12 in cubes, 14 to 15 where many facets of curved faces are about as wide as h. Regular
 /// ones would be 6 * sqrt(2) = 8.49.
@@ -26,7 +26,7 @@ constexpr double kPerCube = 13;
 /// and 1.8 times as many were made with a growth of 0.1, 0.3 and 1, and no more with 2.
 double for_growth_of_tetgen(double growth) { return std::min(1 + 0.55 * growth + 0.35 * growth * growth, 1.8); }
 /// The improver looks at both ends of an edge instead, and pulls short edges together.
-constexpr double kPerCubeOfOurs = 11.2;
+constexpr double kPerCubeOfOurs = 12.5;
 double for_growth_of_ours(double growth) { return 1 + 0.1 * growth; }
 /// In a volume of as many bounds of volumes, where these are small beside features.
 constexpr double kPerVolume = 2.05, kPerVolumeOfOurs = 2.45;
@@ -38,7 +38,7 @@ constexpr double kPerThickness = 2;
 /// Where sides are so narrow that they ask for nothing, thirty times: slabs of 2.5 x 2, 0.0015 and 0.001 thick.
 constexpr double kPerThicknessOfOurs = 16, kPerThicknessOfNarrow = 30, kFlatPart = 7.0 / 12;
 /// By TetGen in wedges, whose faces have points at their thin ends in common.
-constexpr double kFlatPartOfWedges = 0.4;
+constexpr double kFlatPartOfWedges = 0.65;
 double for_flatness(double ratio, double part) {
   return part + (1 - part) * std::clamp((ratio - 0.25) / 0.75, 0.0, 1.0);
 }
