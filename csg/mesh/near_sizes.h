@@ -3,9 +3,9 @@
 // TetGen halves an edge of the model while a point lies in the ball around it, and a facet likewise. So a point
 // that is near to an edge or a facet on which it does not lie makes edges there about as long as that distance,
 // and they grow from it. Points are the ends of edges and what halves them: an edge that passes a facet or another
-// edge is halved until its points are a quarter of a piece away, and where two cross at an angle that is soon. What is
-// nearer than a thousandth of the model does not count: TetGen mostly does not come to an end there, and those who
-// are asked then do not refine for it.
+// edge is halved until its points are a quarter of a piece away, and where two cross at an angle that is soon.
+// What is nearer than a thousandth of the model does not count: TetGen mostly does not come to an end there, and
+// those who are asked then do not refine for it.
 #pragma once
 
 #include "csg/mesh/mesh_sizes.h"
