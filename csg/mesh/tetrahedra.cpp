@@ -83,6 +83,7 @@ class TetrahedraMaker {
     if (thin_) to_sizes_ = sized();
     if (thin_ && !sized()) surface_first_ = options_.surface_first;  // TetGen had to keep it, halves need not
     tell(flat_text_);
+    if (not_foretold_) tell("how many tetrahedra there would be was not counted, to leave the time for the mesh");
     improve_shapes(rounded);
     result_.rounding = rounded.report();
     result_.expected = expected_;
@@ -128,9 +129,10 @@ class TetrahedraMaker {
   TooLarge has_to_be_split_;                              // where what is wide is bounded
   std::array<std::optional<MeshForecast>, 3> forecasts_;  // by makers
   double expected_ = 0;
-  double for_shapes_ = 0;  // as many would be made if points that nobody asks for were not rationed
-  double in_seconds_ = 0;  // that what is expected takes, at most
-  bool late_ = false;      // TetGen has not come to an end of refining
+  double for_shapes_ = 0;      // as many would be made if points that nobody asks for were not rationed
+  double in_seconds_ = 0;      // that what is expected takes, at most
+  bool not_foretold_ = false;  // since that takes too long
+  bool late_ = false;          // TetGen has not come to an end of refining
   bool surface_first_ = options_.surface_first;
   bool ours_ = options_.constrained || !trial_.fault.empty();  // TetGen is not asked, or has failed
   bool rationed_ = false;                                      // points in narrow parts are
@@ -230,12 +232,21 @@ class TetrahedraMaker {
         "are as flat as they have to be";
   }
 
-  /// To the sizes that there are; each is made once.
+  /// To the sizes that there are; each is made once. With few seconds the mesh is worth more than to know its
+  /// size: it gets a quarter of them, and is empty where that is too little.
   const MeshForecast& forecast_of(const RoundedPoints& points, Maker maker) {
     std::optional<MeshForecast>& made = forecasts_[std::size_t(maker)];
-    if (!made) {
-      watch_.begin("mesh: forecast");
-      made = forecast(view_, flat_, points, sizes_, regions_, maker, options_, watch_, surface_.points.size());
+    if (made) return *made;
+    made.emplace();
+    if (not_foretold_) return *made;
+    watch_.begin("mesh: forecast");
+    const Deadline part(watch_, deadline_.seconds_left() / 4);
+    try {
+      made =
+          forecast(view_, flat_, points, sizes_, regions_, maker, options_, part.watch(), surface_.points.size());
+    } catch (const Stopped&) {
+      if (watch_.stop.stop_requested()) throw;
+      not_foretold_ = true;
     }
     return *made;
   }

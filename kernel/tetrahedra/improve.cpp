@@ -286,6 +286,7 @@ class Improver {
     }
     return false;
   }
+
   /// Moves may have made some larger again than they may be; halves are smaller. True if there were any.
   bool halve_large() {
     if (in_the_end_.volume == 0 && !in_the_end_.length) return false;
