@@ -364,8 +364,9 @@ int run_mesh(const MeshArguments& arguments) {
     bar.show("mesh");
     TetrahedraOptions asked = arguments.options;
     asked.watch.progress = bar.progress();
+    bool again = false;
     if (!arguments.quiet) {
-      asked.foretold = [&, again = false](const MeshForecast& mesh) mutable {
+      asked.foretold = [&](const MeshForecast& mesh) {
         const char* why = again ? "TetGen has made no mesh to these bounds, so others are made: " : "";
         again = true;
         bar.foretell("the mesh", mesh.seconds, !is_close(mesh));

@@ -340,6 +340,19 @@ TEST_CASE("mesh: surfaces alone, with a row per group of faces", "[app][mesh]") 
   CHECK(!std::filesystem::exists(w.path("bad.msh")));
 }
 
+TEST_CASE("mesh: what is foretold once more says why", "[app][mesh]") {
+  const Workshop w;
+  w.write("near.yaml",
+          "cnrg: 1\nnodes:\n  box:  {box: {min: [0, 0, 0], max: [1, 2, 3]}}\n"
+          "  near: {polygon: [[-1, -1, 3.00001], [3, -1, 3.00001], [0.5, 4, 3.00001]]}\n"
+          "  all:  {union: [near, box], dominance: left}\nresult: all\n");
+  const Outcome o = w.run("mesh near.yaml --size 1 -o near.msh");
+  INFO(o.err);
+  CHECK(o.status == 0);
+  CHECK_THAT(o.err, StartsWith("notice: about ") &&
+                        Contains("\nnotice: TetGen has made no mesh to these bounds, so others are made: about "));
+}
+
 TEST_CASE("mesh: a thin slab is meshed whatever way is taken, and what it lacks is told", "[app][mesh]") {
   const Workshop w;
   w.write("slab.yaml", "cnrg: 1\nnodes:\n  slab: {box: {min: [0, 0, 0], max: [10, 10, 0.0001]}}\nresult: slab\n");
