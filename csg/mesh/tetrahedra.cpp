@@ -49,8 +49,7 @@ class TetrahedraMaker {
     if (!solid) {
       throw InputError(
           "the result has no region to fill with tetrahedra; `cnrg mesh --surface` writes triangles and lines, "
-          "and "
-          "`cnrg eval -o` its faces, wires and points");
+          "and `cnrg eval -o` its faces, wires and points");
     }
     if (options_.constrained && options_.keep_boundary)
       throw InputError("constrained tetrahedra need points on the boundary; leave out --keep-boundary");
