@@ -15,6 +15,7 @@
 #include "csg/result/flat.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
@@ -338,8 +339,8 @@ class Bender {
     std::vector<std::size_t> opposite;  // corners opposite to curved sides
     std::vector<Index> sides;           // their triangles
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto it =
-          curved_sides_.find(sorted({t.points[(k + 1) % 4], t.points[(k + 2) % 4], t.points[(k + 3) % 4]}));
+      const auto it = curved_sides_.find(
+          sorted(std::array{t.points[(k + 1) % 4], t.points[(k + 2) % 4], t.points[(k + 3) % 4]}));
       if (it == curved_sides_.end()) continue;
       opposite.push_back(k);
       sides.push_back(it->second);
@@ -361,10 +362,10 @@ class Bender {
     const std::vector<Index> faces = edge_faces_.at(key(a, b));
     mesh_.triangles[sides[0]].points = {c, a, d};
     mesh_.triangles[sides[1]].points = {d, b, c};
-    curved_sides_.erase(sorted({a, b, c}));
-    curved_sides_.erase(sorted({a, b, d}));
-    curved_sides_[sorted({a, c, d})] = sides[0];
-    curved_sides_[sorted({b, c, d})] = sides[1];
+    curved_sides_.erase(sorted(std::array{a, b, c}));
+    curved_sides_.erase(sorted(std::array{a, b, d}));
+    curved_sides_[sorted(std::array{a, c, d})] = sides[0];
+    curved_sides_[sorted(std::array{b, c, d})] = sides[1];
     bent_.erase(key(a, b));
     edges_.erase(key(a, b));
     was_bent_.erase(key(a, b));
@@ -377,10 +378,6 @@ class Bender {
     return true;
   }
 
-  static std::array<Index, 3> sorted(std::array<Index, 3> points) {
-    std::sort(points.begin(), points.end());
-    return points;
-  }
   Point normal_of(const std::array<Index, 3>& t) const {
     return cross(difference(original_[t[1]], original_[t[0]]), difference(original_[t[2]], original_[t[0]]));
   }

@@ -22,12 +22,6 @@ Vector middle_of(const Corners& corners) {
 
 }  // namespace
 
-bool is_longer(const Corners& corners, const MeshSizes& sizes, MeshSizes::Index region) {
-  const auto& [a, b, c, d] = corners;
-  const LongestEdge edge = longest_edge_of(a, b, c, d);
-  return edge.length > kLongestEdge * sizes.at(edge.middle, region);
-}
-
 TooLarge larger_than(const MeshSizes& sizes, const RegionLocator& regions, const FlatComplex& flat) {
   return [sizes, least = sizes.least_in_regions(), &regions, &flat](const Corners& corners) {
     const auto& [a, b, c, d] = corners;

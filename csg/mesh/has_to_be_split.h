@@ -7,10 +7,8 @@
 
 namespace cnrg {
 
-/// Is its longest edge longer than it may be (kernel/tetrahedra/bounds.h) beside what is wanted in a region?
-bool is_longer(const std::array<std::array<double, 3>, 4>& corners, const MeshSizes& sizes,
-               MeshSizes::Index region);
-/// Those of active regions with a longer edge; of all else that fills the box around the model none. What is given
+/// Those of active regions with an edge of more than `kLongestEdge` (kernel/tetrahedra/bounds.h) times the size in
+/// the middle of the tetrahedron; of all else that fills the box around the model none. What is given
 /// must outlive the answer, but for the sizes.
 TooLarge larger_than(const MeshSizes& sizes, const RegionLocator& regions, const FlatComplex& flat);
 

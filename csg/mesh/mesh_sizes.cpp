@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/mesh/facets.h"
 #include "csg/result/sizes.h"
 #include "kernel/base/vectors.h"
 
@@ -106,15 +107,9 @@ class SizeCollector {
     wide_.assign(flat_.faces.size(), 0);
     for (Index f = 0; f < flat_.faces.size(); ++f) {
       const FlatComplex::Face& face = flat_.faces[f];
-      const auto add = [&](const std::vector<FlatComplex::Loop>& loops, std::size_t begin, std::size_t end) {
+      for_each_facet(face, [&](const auto& loops, const auto&, Index begin, Index end) {
         if (add_facet(face, loops, begin, end)) wide_[f] = 1;
-      };
-      if (face.facets.empty()) {
-        add(face.loops, 0, face.triangles.size());
-        continue;
-      }
-      for (std::size_t k = 0; k < face.facets.size(); ++k)
-        add(face.facets[k].loops, k == 0 ? 0 : face.facet_ends[k - 1], face.facet_ends[k]);
+      });
     }
   }
 

@@ -15,14 +15,6 @@ namespace {
 using Index = Mesh::Index;
 using Vector = DoubleVector;
 
-constexpr std::size_t kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
-
-template <std::size_t N>
-std::array<Index, N> sorted(std::array<Index, N> points) {
-  std::sort(points.begin(), points.end());
-  return points;
-}
-
 /// The lowest that a simplex is in.
 template <class Entries, class Points>
 auto found(const Entries& entries, const Points& points)
@@ -59,7 +51,7 @@ NearCells::NearCells(const Mesh& mesh) : mesh_(mesh), cell_of_point_(mesh.points
   for (const auto& s : mesh.segments) edges_.emplace_back(sorted(s.points), MeshCell{1, s.entity});
   for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k)
-      edges_.emplace_back(sorted<2>({t.points[k], t.points[(k + 1) % 3]}), MeshCell{2, t.entity});
+      edges_.emplace_back(sorted(std::array{t.points[k], t.points[(k + 1) % 3]}), MeshCell{2, t.entity});
   }
   sort_unique(edges_);
 }
@@ -69,8 +61,8 @@ Index NearCells::point_of(MeshCell cell) const {
 }
 
 std::optional<Index> NearCells::face(const Mesh::Simplex<4>& t, std::size_t opposite) const {
-  return found(faces_, sorted<3>({t.points[(opposite + 1) % 4], t.points[(opposite + 2) % 4],
-                                  t.points[(opposite + 3) % 4]}));
+  return found(faces_, sorted(std::array{t.points[(opposite + 1) % 4], t.points[(opposite + 2) % 4],
+                                         t.points[(opposite + 3) % 4]}));
 }
 
 bool NearCells::touch(MeshCell a, MeshCell b) const {
@@ -140,7 +132,7 @@ std::optional<NearCells::Gap> NearCells::narrowest(const Mesh::Simplex<4>& t, do
   std::array<std::optional<MeshCell>, 6> edges;
   for (std::size_t e = 0; e < 6; ++e) {
     const auto& [i, j] = kEdges[e];
-    edges[e] = found(edges_, sorted<2>({t.points[i], t.points[j]}));
+    edges[e] = found(edges_, sorted(std::array{t.points[i], t.points[j]}));
   }
   for (const auto& [i, j] : kEdges) {
     if (!are_apart(corners[i], corners[j])) continue;

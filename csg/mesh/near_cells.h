@@ -19,6 +19,9 @@
 
 namespace cnrg {
 
+/// Of a tetrahedron, by places of its corners; the last three are opposite to the first three, from behind.
+inline constexpr std::size_t kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
 /// A vertex, an edge or a face of a mesh, and its place among the entities of its dimension; 3: inside of a
 /// region.
 struct MeshCell {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "csg/mesh/facets.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/refine/box_tree.h"
 #include "kernel/tetrahedra/bounds.h"
@@ -85,13 +87,9 @@ class Near {
 
   void add_facets() {
     for (const FlatComplex::Face& face : flat_.faces) {
-      if (face.facets.empty()) {
-        add_facet(face, face.loops, face.isolated, 0, face.triangles.size());
-        continue;
-      }
-      for (std::size_t k = 0; k < face.facets.size(); ++k)
-        add_facet(face, face.facets[k].loops, face.facets[k].isolated, k == 0 ? 0 : face.facet_ends[k - 1],
-                  face.facet_ends[k]);
+      for_each_facet(face, [&](const auto& loops, const auto& isolated, Index begin, Index end) {
+        add_facet(face, loops, isolated, begin, end);
+      });
     }
   }
   void add_facet(const FlatComplex::Face& face, const std::vector<FlatComplex::Loop>& loops, const auto& isolated,
@@ -118,8 +116,7 @@ class Near {
       for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k)
         add_segment(edge.points[k], edge.points[(k + 1) % n]);
     }
-    std::sort(segments_.begin(), segments_.end());
-    segments_.erase(std::unique(segments_.begin(), segments_.end()), segments_.end());
+    sort_unique(segments_);
     for (const auto& [a, b] : segments_) items_.push_back({{a, b, b}, kToEdge});
     for (const FlatComplex::Vertex& vertex : flat_.vertices) {
       if (!vertex.free) continue;

@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 
+#include "csg/mesh/facets.h"
 #include "kernel/exact/triangulate.h"
 
 namespace cnrg {
@@ -49,15 +50,9 @@ class PlcMaker {
   }
 
   void add_face(Index i) {
-    const auto& face = flat_.faces[i];
-    if (face.facets.empty()) {
-      add_facet(i, face.loops, face.isolated, 0, Index(face.triangles.size()));
-      return;
-    }
-    for (std::size_t k = 0; k < face.facets.size(); ++k) {
-      add_facet(i, face.facets[k].loops, face.facets[k].isolated, k == 0 ? 0 : face.facet_ends[k - 1],
-                face.facet_ends[k]);
-    }
+    for_each_facet(flat_.faces[i], [&](const auto& loops, const auto& isolated, Index begin, Index end) {
+      add_facet(i, loops, isolated, begin, end);
+    });
   }
 
   void add_facet(Index face, const std::vector<Loop>& loops, std::span<const Index> isolated, Index begin,

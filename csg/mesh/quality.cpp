@@ -27,7 +27,6 @@ using Vector = DoubleVector;
 
 double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 
-constexpr std::size_t kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 /// Opposite to each edge, the other two.
 constexpr std::size_t kOthers[6][2] = {{2, 3}, {1, 3}, {1, 2}, {0, 3}, {0, 2}, {0, 1}};
 

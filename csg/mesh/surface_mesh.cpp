@@ -4,6 +4,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "csg/mesh/facets.h"
 #include "csg/mesh/material_field.h"
 #include "csg/mesh/mesh.h"
 #include "csg/result/solid.h"
@@ -133,16 +134,10 @@ class SurfaceMesher {
 
   void add_faces() {
     for (Index i = 0; i < flat_.faces.size(); ++i) {
-      const auto& f = flat_.faces[i];
       const Index first = Index(mesh_.entities[2].size());
-      if (f.facets.empty()) {
-        add_facet(i, f.loops, !f.isolated.empty(), 0, Index(f.triangles.size()));
-      } else {
-        for (std::size_t k = 0; k < f.facets.size(); ++k) {
-          const auto& facet = f.facets[k];
-          add_facet(i, facet.loops, !facet.isolated.empty(), k == 0 ? 0 : f.facet_ends[k - 1], f.facet_ends[k]);
-        }
-      }
+      for_each_facet(flat_.faces[i], [&](const auto& loops, const auto& isolated, Index begin, Index end) {
+        add_facet(i, loops, !isolated.empty(), begin, end);
+      });
       facets_.push_back({first, Index(mesh_.entities[2].size())});
     }
   }

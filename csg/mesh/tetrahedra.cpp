@@ -123,6 +123,7 @@ class TetrahedraMaker {
   PlcMesh out_;
   TetrahedralMesh result_;
   MeshSizes sizes_;
+  std::optional<MeshSizes> said_;
   std::optional<RegionLocator> regions_;
   TooLarge too_large_;                                    // where sizes are asked for
   TooLarge has_to_be_split_;                              // where what is wide is bounded
@@ -316,28 +317,27 @@ class TetrahedraMaker {
   }
 
   /// Without what features ask for by themselves.
-  MeshSizes said_sizes(const RoundedResult& rounded) const {
-    return mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth, false, true});
+  const MeshSizes& said_sizes(const RoundedResult& rounded) {
+    if (!said_) said_ = mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth, false, true});
+    return *said_;
   }
 
-  /// The same by places in regions of the complex, for the improver.
-  std::function<double(const Vector&, std::int32_t)> said_lengths(const RoundedResult& rounded) const {
-    std::vector<MeshSizes::Index> region_of;
-    for (const Plc::Seed& region : plc_.regions) region_of.push_back(region.region);
-    return [said = said_sizes(rounded), region_of](const Vector& p, std::int32_t region) {
-      return said.at(p, region_of[std::size_t(region)]);
+  /// The same by places in regions of the complex, which are those of the mesh in their order.
+  WantedLength said_lengths(const RoundedResult& rounded) {
+    return [this, &said = said_sizes(rounded)](const Vector& p, std::int32_t region) {
+      return said.at(p, plc_.regions[std::size_t(region)].region);
     };
   }
 
   /// The triangles of surfaces as facets.
-  Plc surface_complex(const RoundedResult& rounded) const {
+  Plc surface_complex(const RoundedResult& rounded) {
     SurfaceOptions asked;
     if (options_.seconds) asked.seconds = 0;  // the watch knows
     asked.watch = watch_;
     const SurfaceNarrow narrow = rationed_ ? SurfaceNarrow::left : SurfaceNarrow::rationed;
     if (sizes_.empty()) return refined_plc(flat_, rounded.points(), asked, {}, narrow);
     asked.size = [&](const Vector& p) { return kLongestEdge * sizes_.field.at(p); };
-    const MeshSizes said = said_sizes(rounded);
+    const MeshSizes& said = said_sizes(rounded);
     return refined_plc(
         flat_, rounded.points(), asked, [&](const Vector& p) { return kLongestEdge * said.field.at(p); }, narrow);
   }
@@ -455,20 +455,14 @@ class TetrahedraMaker {
     if (!text.empty()) return tell(text + why);
     if (!sized()) return;
     // What features ask for they do by themselves.
-    const std::size_t n = longer_ones(said_sizes(rounded));
+    const WantedLength said = said_lengths(rounded);
+    const auto n = std::ranges::count_if(mesh().tetrahedra, [&, &p = mesh().points](const auto& t) {
+      const auto& [a, b, c, d] = t.points;
+      return is_too_long(p[a], p[b], p[c], p[d], std::int32_t(t.entity), said);
+    });
     if (n == 0) return;
-    tell(counted(n, "tetrahedron has", "tetrahedra have") +
+    tell(counted(std::size_t(n), "tetrahedron has", "tetrahedra have") +
          " an edge of more than 1.4 times the size that is asked for" + why);
-  }
-  std::size_t longer_ones(const MeshSizes& said) {
-    std::vector<MeshSizes::Index> region_of;  // by entity
-    for (MeshSizes::Index i = 0; i < flat_.regions.size(); ++i)
-      if (flat_.regions[i].component != 0) region_of.push_back(i);
-    const auto& p = mesh().points;
-    return std::size_t(std::ranges::count_if(mesh().tetrahedra, [&](const auto& t) {
-      const auto& c = t.points;
-      return is_longer({p[c[0]], p[c[1]], p[c[2]], p[c[3]]}, said, region_of[t.entity]);
-    }));
   }
 
   /// What the mesher returns, once it is proven.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace cnrg {
@@ -10,6 +12,13 @@ template <class T>
 void sort_unique(std::vector<T>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// The corners of a simplex in an order that all who have them agree on.
+template <class T, std::size_t N>
+std::array<T, N> sorted(std::array<T, N> corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
 }
 
 }  // namespace cnrg

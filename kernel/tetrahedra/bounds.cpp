@@ -3,18 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/tetrahedra/shapes.h"
-
 namespace cnrg {
+
+bool is_too_long(const CornerPoint& a, const CornerPoint& b, const CornerPoint& c, const CornerPoint& d,
+                 std::int32_t region, const WantedLength& wanted) {
+  const LongestEdge edge = longest_edge_of(a, b, c, d);
+  return edge.length > kLongestEdge * wanted(edge.middle, region);
+}
 
 bool Bounds::is_large(const Stars& mesh, const Stars::Tetrahedron& t) const {
   if (t.region < 0 || (volume == 0 && !length)) return false;
   const Stars::Point &a = mesh.point(t.corners[0]), &b = mesh.point(t.corners[1]), &c = mesh.point(t.corners[2]),
                      &d = mesh.point(t.corners[3]);
   if (volume > 0 && volume_of(a, b, c, d) > volume) return true;
-  if (!length) return false;
-  const LongestEdge edge = longest_edge_of(a, b, c, d);
-  return edge.length > kLongestEdge * length(edge.middle, t.region);
+  return length && is_too_long(a, b, c, d, t.region, length);
 }
 
 double Bounds::cost(const Stars& mesh, const Stars::Tetrahedron& t) const {

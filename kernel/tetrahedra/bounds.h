@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "kernel/tetrahedra/shapes.h"
 #include "kernel/tetrahedra/stars.h"
 
 namespace cnrg {
@@ -10,12 +11,18 @@ namespace cnrg {
 /// So many times as long as is wanted in its middle is an edge at most.
 inline constexpr double kLongestEdge = 1.4;
 
+/// The length of edges that is wanted at a place of a region.
+using WantedLength = std::function<double(const CornerPoint&, std::int32_t region)>;
+
+/// Is the longest edge longer than it may be beside what is wanted in its middle?
+bool is_too_long(const CornerPoint& a, const CornerPoint& b, const CornerPoint& c, const CornerPoint& d,
+                 std::int32_t region, const WantedLength& wanted);
+
 struct Bounds {
   double shape = 0;        ///< to the third power, as `Stars::measure` has it, at least
   double radius_edge = 0;  ///< ratio of circumradius to shortest edge at most; 0: no bound
   double volume = 0;       ///< at most; 0: no bound
-  /// The length of edges that is wanted at a place of a region; empty: any.
-  std::function<double(const Stars::Point&, std::int32_t region)> length{};
+  WantedLength length{};   ///< empty: any
 
   /// What is in no region is nobody's care.
   bool keeps(const Stars& mesh, const Stars::Tetrahedron& t) const { return cost(mesh, t) == 0; }

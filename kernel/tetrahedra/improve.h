@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "kernel/base/progress.h"
+#include "kernel/tetrahedra/bounds.h"
 #include "kernel/tetrahedra/conforming.h"
 
 namespace cnrg {
@@ -23,7 +24,7 @@ struct ImproveOptions {
   std::vector<double> region_size{};  ///< the same inside of regions, by number; empty, or infinite: no bound
   /// What somebody wants of that; what is longer in the end is halved (`kLongestEdge`), whatever becomes of its
   /// shape; with `keep_boundary` it might not end. Empty: nothing.
-  std::function<double(const ConformingTetrahedra::Point&, std::int32_t region)> longest{};
+  WantedLength longest{};
   double good = 0.4;  ///< local moves are tried on all of a worse shape
   /// What a tetrahedron has to be; points are added until all are, where that can be.
   double shape = 0.1;      ///< at least

@@ -21,12 +21,6 @@ using Point = Stars::Point;
 /// nothing inside.
 constexpr double kOutside = 1e12, kFlatOutside = 0.02 * 0.02 * 0.02;
 
-template <std::size_t N>
-std::array<Index, N> sorted(std::array<Index, N> corners) {
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
 /// The two other places, so that (i, j, first, second) is an even permutation.
 struct Others {
   std::array<std::array<std::array<int, 2>, 4>, 4> of{};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "kernel/base/sorted.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/input.h"
@@ -22,11 +23,6 @@ std::string too_thin(const std::array<double, 3>& p) {
   text << "tetrahedra are too thin for doubles near (" << p[0] << " " << p[1] << " " << p[2]
        << "); join what nearly touches there by --join or `weld`, or move it apart";
   return text.str();
-}
-
-std::array<VertexId, 3> sorted(std::array<VertexId, 3> corners) {
-  std::sort(corners.begin(), corners.end());
-  return corners;
 }
 
 }  // namespace
@@ -82,7 +78,7 @@ VertexId SteinerPoints::first(VertexId v) const {
 /// Is it an edge of a segment, or a face of a facet?
 bool SteinerPoints::is_bound(std::span<const VertexId> corners) const {
   if (corners.size() == 2) return edges_.contains(RefineInput::key(first(corners[0]), first(corners[1])));
-  return faces_.contains(sorted({first(corners[0]), first(corners[1]), first(corners[2])}));
+  return faces_.contains(sorted(std::array{first(corners[0]), first(corners[1]), first(corners[2])}));
 }
 
 /// Is an edge in no segment and no face of a facet?

@@ -78,6 +78,18 @@ TetrahedraOptions sizes(double size, double growth) {
   return options;
 }
 
+void check_close(const MeshForecast& told, double made) {
+  CHECK(told.tetrahedra / made > 0.7);
+  CHECK(told.tetrahedra / made < 1.3);
+}
+
+/// A sheet that rises from an edge of a block's floor to such a height.
+std::string wedge(const std::string& height) {
+  return "  sheet: {polygon: [[0, 0, 0], [10, 0, " + height + "], [10, 10, " + height +
+         "], [0, 10, 0]]}\n  block: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n"
+         "  model: {union: [sheet, block], dominance: left}\n";
+}
+
 }  // namespace
 
 TEST_CASE("as many tetrahedra are foretold as are made, within 30 %", "[size][forecast]") {
@@ -147,8 +159,7 @@ TEST_CASE("what lies between a wall and a face beside it is foretold", "[size][f
         ", -1, 9]]}\n  model: {union: [wall, block], dominance: left}\n";
     const auto [told, made] = told_and_made(nodes, sizes(x == std::string("79/10") ? 1 : 4, 0.3));
     INFO(told.tetrahedra << " foretold, " << made << " made");
-    CHECK(told.tetrahedra / made > 0.7);
-    CHECK(told.tetrahedra / made < 1.3);
+    check_close(told, made);
   }
 }
 
@@ -176,35 +187,22 @@ TEST_CASE("thin parts and what edges grow from there are foretold, whatever is a
 
 TEST_CASE("a wedge takes no more for being thin where its faces meet", "[size][forecast]") {
   for (const char* z : {"9/5", "3"}) {
-    const std::string top = z;
-    const auto [told, made] =
-        told_and_made("  sheet: {polygon: [[0, 0, 0], [10, 0, " + top + "], [10, 10, " + top +
-                          "], [0, 10, 0]]}\n  block: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n"
-                          "  model: {union: [sheet, block], dominance: left}\n",
-                      sizes(1, 0.3));
+    const auto [told, made] = told_and_made(wedge(z), sizes(1, 0.3));
     INFO(z << ": " << told.tetrahedra << " foretold, " << made << " made");
-    CHECK(told.tetrahedra / made > 0.7);
-    CHECK(told.tetrahedra / made < 1.3);
+    check_close(told, made);
   }
 }
 
 TEST_CASE("a wedge takes no more however thin it is, beside a sheet and alone", "[size][forecast]") {
   for (const char* z : {"9/10", "2/5"}) {
-    const std::string top = z;
-    const auto [told, made] =
-        told_and_made("  sheet: {polygon: [[0, 0, 0], [10, 0, " + top + "], [10, 10, " + top +
-                          "], [0, 10, 0]]}\n  block: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n"
-                          "  model: {union: [sheet, block], dominance: left}\n",
-                      sizes(2, 0.3));
+    const auto [told, made] = told_and_made(wedge(z), sizes(2, 0.3));
     INFO(z << ": " << told.tetrahedra << " foretold, " << made << " made");
-    CHECK(told.tetrahedra / made > 0.7);
-    CHECK(told.tetrahedra / made < 1.3);
+    check_close(told, made);
   }
   const auto [told, made] =
       told_and_made("  model: {tetrahedron: [[0, 0, 0], [10, 0, 0], [0, 10, 0], [1, 1, 9/10]]}\n", sizes(1, 0.3));
   INFO(told.tetrahedra << " foretold, " << made << " made");
-  CHECK(told.tetrahedra / made > 0.7);
-  CHECK(told.tetrahedra / made < 1.3);
+  check_close(told, made);
 }
 
 TEST_CASE("what is made between features that nearly touch is foretold", "[size][forecast]") {
@@ -224,8 +222,7 @@ TEST_CASE("what is made between features that nearly touch is foretold", "[size]
                     "  model: {union: [a, b, block], dominance: left}\n")}) {
     const auto [told, made] = told_and_made(block + near, sizes(1, 0.3));
     INFO(near << told.tetrahedra << " foretold, " << made << " made");
-    CHECK(told.tetrahedra / made > 0.7);
-    CHECK(told.tetrahedra / made < 1.3);
+    check_close(told, made);
   }
 }
 
@@ -236,8 +233,7 @@ TEST_CASE("lengths that grow as fast as can be are foretold", "[size][forecast]"
       "  model: {union: [wire, block], dominance: left}\n",
       sizes(5, 2));
   INFO(told.tetrahedra << " foretold, " << made << " made");
-  CHECK(told.tetrahedra / made > 0.7);
-  CHECK(told.tetrahedra / made < 1.3);
+  check_close(told, made);
 }
 
 TEST_CASE("constrained slabs whose sides ask for nothing are foretold", "[size][forecast]") {
@@ -245,8 +241,7 @@ TEST_CASE("constrained slabs whose sides ask for nothing are foretold", "[size][
   options.constrained = true;
   const auto [told, made] = told_and_made("  model: {box: {min: [0, 0, 0], max: [2.5, 2, 1/1000]}}\n", options);
   INFO(told.tetrahedra << " foretold, " << made << " made");
-  CHECK(told.tetrahedra / made > 0.7);
-  CHECK(told.tetrahedra / made < 1.3);
+  check_close(told, made);
 }
 
 TEST_CASE("constrained tetrahedra come to a quality by sizes, and are foretold", "[forecast]") {
@@ -275,8 +270,7 @@ TEST_CASE("what a bound of volumes makes is foretold within 30 %", "[forecast]")
     options.max_volume = volume_of(model) / 10'000;
     const auto [told, made] = told_and_made(model.nodes, options);
     INFO(model.name << ": " << told.tetrahedra << " foretold, " << made << " made");
-    CHECK(told.tetrahedra / made > 0.7);
-    CHECK(told.tetrahedra / made < 1.3);
+    check_close(told, made);
     CHECK(told.bytes > 300 * made);
     CHECK(told.seconds > 0);
   }
@@ -286,8 +280,7 @@ TEST_CASE("what a bound of volumes makes is foretold within 30 %", "[forecast]")
   both.max_volume = 1e-4;
   const auto [told, made] = told_and_made(kBlock, both);
   INFO(told.tetrahedra << " foretold, " << made << " made");
-  CHECK(told.tetrahedra / made > 0.7);
-  CHECK(told.tetrahedra / made < 1.3);
+  check_close(told, made);
 }
 
 TEST_CASE("what a bound of volumes makes of constrained tetrahedra is foretold", "[forecast]") {
