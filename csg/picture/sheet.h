@@ -68,10 +68,6 @@ struct Sheet {
 /// From the middle of small letters down to the line they stand on, in letters of size 1.
 inline constexpr double kHalfLetter = 0.36;
 
-class Font;
 std::string svg_text(const Sheet& sheet);
-std::string pdf_bytes(const Sheet& sheet);
-/// With two pixels for each unit: screens have that many.
-std::string png_bytes(const Sheet& sheet);
 
 }  // namespace cnrg
