@@ -37,7 +37,7 @@ std::string picture_bytes(const std::string& path, const std::vector<Panel>& pan
   require(!panels.empty(), "picture_bytes: no panel");
   const std::string extension = extension_of(path);
   const Font font;
-  const Sheet sheet = lay_out(with_shown_texts(panels, font, extension != ".svg"), size, font);
+  const PaperSheet sheet = lay_out(with_shown_texts(panels, font, extension != ".svg"), size, font);
   return extension == ".svg" ? svg_text(sheet) : extension == ".pdf" ? pdf_bytes(sheet) : png_bytes(sheet);
 }
 

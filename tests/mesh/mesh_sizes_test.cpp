@@ -9,12 +9,11 @@
 #include "csg/result/result_data.h"
 #include "csg/result/snap.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 
 using namespace cnrg;
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The sizes of a tree's result.
 struct Sized {

@@ -8,13 +8,13 @@
 #include <thread>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 
 using namespace cnrg;
 
 namespace {
 
 using Vector = SizeField::Vector;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double distance(const Vector& p, const Vector& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
