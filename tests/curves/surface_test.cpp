@@ -11,12 +11,11 @@
 #include "csg/curves/surface_math.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/parameters.h"
+#include "tests/exact/rational_text.h"
 
 using namespace cnrg;
 
 namespace {
-
-Rational r(const char* text) { return *parse_rational(text); }
 
 struct Made {
   Soup soup;
