@@ -30,19 +30,18 @@
 #include <TopoDS_Vertex.hxx>
 #include <cmath>
 #include <gp_Pnt.hxx>
-#include <limits>
 #include <numbers>
 #include <set>
 
 #include "csg/curves/boundary_curves.h"
 #include "csg/imports/cad_occt.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 
 namespace cnrg::occt {
 namespace {
 
 using Index = std::uint32_t;
-constexpr Index kNone = std::numeric_limits<Index>::max();
 constexpr int kAttempts = 6;
 
 class Tessellator {

@@ -39,7 +39,7 @@ std::string picture_bytes(const std::string& path, const std::vector<Panel>& pan
   require(!panels.empty(), "picture_bytes: no panel");
   const std::string extension = extension_of(path);
   const std::unique_ptr<Font> font(CNRG_PLUGIN_FUNCTION(kPaperPlugin, cnrg_paper_font)());
-  const Sheet sheet = lay_out(with_shown_texts(panels, *font, extension != ".svg"), size, *font);
+  const PaperSheet sheet = lay_out(with_shown_texts(panels, *font, extension != ".svg"), size, *font);
   if (extension == ".svg") return svg_text(sheet);
   std::string bytes;
   if (extension == ".pdf") CNRG_PLUGIN_FUNCTION(kPaperPlugin, cnrg_paper_pdf)(sheet, bytes);

@@ -18,7 +18,7 @@ std::string_view font_file();
 // for each unit: screens have that many.
 extern "C" {
 cnrg::Font* cnrg_paper_font();
-void cnrg_paper_pdf(const cnrg::Sheet& sheet, std::string& bytes);
-void cnrg_paper_png(const cnrg::Sheet& sheet, std::string& bytes);
+void cnrg_paper_pdf(const cnrg::PaperSheet& sheet, std::string& bytes);
+void cnrg_paper_png(const cnrg::PaperSheet& sheet, std::string& bytes);
 const char* cnrg_paper_version();
 }
