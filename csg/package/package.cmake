@@ -9,8 +9,8 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "the authors of cnrg")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact Booleans of solids, surfaces, wires and points in one model")
 set(description "Models are trees of shapes and operators. Every cell of the result is
-computed in exact arithmetic: regions, faces, edges and vertices, with names and
-materials. Results and their meshes are written for ParaView, Gmsh, Abaqus,
+computed in exact arithmetic: regions, faces, edges and vertices, with names
+and materials. Results and their meshes are written for ParaView, Gmsh, Abaqus,
 DAGMC and others.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)

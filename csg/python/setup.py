@@ -60,7 +60,7 @@ class SourcesOfAll(sdist):
             target.parent.mkdir(parents=True, exist_ok=True)
             if (ROOT / part).is_dir():
                 shutil.copytree(ROOT / part, target, dirs_exist_ok=True,
-                                ignore=shutil.ignore_patterns("__pycache__", "build", "dist", "*.egg-info"))
+                                ignore=shutil.ignore_patterns("__pycache__", "build", "dist", "*.egg-info", Path(base_dir).name))
             else:
                 shutil.copy2(ROOT / part, target)
 
