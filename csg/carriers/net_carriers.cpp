@@ -42,7 +42,7 @@ PowerBasis transpose(const PowerBasis& c) {
 
 /// Leaves out leading coefficients that are zero.
 void trim(PowerBasis& c) {
-  while (c.size() > 1 && std::all_of(c.back().begin(), c.back().end(), is_zero)) c.pop_back();
+  while (c.size() > 1 && std::all_of(c.back().begin(), c.back().end(), is_zero_point)) c.pop_back();
   while (c[0].size() > 1 &&
          std::all_of(c.begin(), c.end(), [](const auto& row) { return is_zero_point(row.back()); })) {
     for (auto& row : c) row.pop_back();

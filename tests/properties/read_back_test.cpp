@@ -87,7 +87,7 @@ TEST_CASE("Every node of a dag is read back as it was written", "[dag]") {
       SUCCEED();
       continue;
     }
-    const auto [least, why] = shrink(dag, failure, failure_of);
+    const auto [least, why] = shrink(dag, failure, read_back_failure);
     FAIL_CHECK("seed " << seed << ": " << failure << "\nshrunk: " << why << "\n" << tree_file(least));
   }
 }

@@ -150,7 +150,7 @@ void add_transforms(Families& families) {
     for (RandomDag& less : properties::smaller(moved.dag)) out.push_back({std::move(less), moved.steps});
     return out;
   };
-  recipe.text = text_of;
+  recipe.text = moved_text;
   add(families, recipe);
 }
 
