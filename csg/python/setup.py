@@ -46,10 +46,11 @@ class BuildByCMake(build_ext):
         folder = Path(self.build_temp).resolve()
         staged = folder / "staged"
         shutil.rmtree(staged, ignore_errors=True)
-        cmake("--install", built_package(folder / "build"), "--component", "python", "--prefix", staged)
+        cmake("--install", built_package(folder / "build"), "--component", "python", "--strip", "--prefix", staged)
         built, = staged.rglob("_cnrg*.so")
         target = Path(self.get_ext_fullpath(extension.name)).parent
         shutil.copytree(built.parent, target, dirs_exist_ok=True)
+        shutil.copy2(ROOT / "LICENSE", target)
 
 
 class SourcesOfAll(sdist):
