@@ -1,4 +1,4 @@
-# Packages of Debian, by cpack: `cnrg` (program with all that it opens), `libcnrg-dev` (headers, static libraries, CMake
+# Packages of Debian, by cpack: `cnrg` (the program with its plug-ins), `libcnrg-dev` (headers, static libraries, CMake
 # package), `python3-cnrg`. What they need of shared libraries dpkg-shlibdeps reads off the files.
 #   cmake --workflow --preset package     builds them in build/package
 find_program(CNRG_DPKG dpkg)
@@ -31,16 +31,11 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME cnrg)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION math)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${description}")
 
-set(same "cnrg (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcnrg-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-# What cnrgConfig.cmake looks for, and what its targets name.
-set(needed libgmp-dev libmpfr-dev libtbb-dev libyaml-cpp-dev zlib1g-dev libexpat1-dev libtet1.5-dev libhdf5-dev
-  libcairo2-dev libfreetype-dev)
-if(CNRG_WITH_OPENCASCADE)
-  list(APPEND needed libocct-data-exchange-dev)
-endif()
-list(JOIN needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
+# What the targets name; the plug-ins, which programs with the library open, too, are those of the program.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "cnrg (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libgmp-dev, \
+libmpfr-dev, libtbb-dev, libyaml-cpp-dev, zlib1g-dev, libexpat1-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${description}\n\nThis package holds the library for C++.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-cnrg)
