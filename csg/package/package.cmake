@@ -1,5 +1,5 @@
 # Packages of Debian, by cpack: `cnrg` (the program with its plug-ins), `libcnrg-dev` (headers, static libraries, CMake
-# package), `python3-cnrg`. What they need of shared libraries dpkg-shlibdeps reads off the files.
+# package), `python3-cnrg`. dpkg-shlibdeps finds the shared libraries that each of them depends on.
 #   cmake --workflow --preset package     builds them in build/package
 find_program(CNRG_DPKG dpkg)
 if(NOT CNRG_DPKG)

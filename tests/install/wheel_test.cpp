@@ -1,6 +1,5 @@
-// The Python module as a wheel: made without the network of what is built, it holds the library and works by
-// itself. That the repository alone and an sdist build one, too, tests/packages/run tries, which compiles
-// everything anew.
+// A wheel of the Python module, made without the network of what is built, holds the library and works by itself.
+// tests/packages/run makes one from the sources alone, which takes minutes.
 #ifdef CNRG_PYTHON
 
 #include <catch2/catch.hpp>
