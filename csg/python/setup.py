@@ -1,7 +1,7 @@
 """A wheel of the module: CMake builds the project, and its component `python` becomes the package.
 
-An sdist holds kernel and csg in its folder `repository`. CNRG_BUILD names a build folder where the target cnrg_package is
-up to date; nothing is compiled then.
+An sdist holds kernel and csg in its folder `repository`. CNRG_BUILD names a build folder where the target cnrg_package
+is up to date; nothing is compiled then.
 """
 
 import os
