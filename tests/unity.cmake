@@ -1,4 +1,4 @@
-# cnrg_unity(TARGET): files of the target are compiled several at a time, neighbours by name, up to 20 kB of them: half
+# cnrg_unity(TARGET): files of the target are compiled several at a time, neighbours by name, up to 32 kB of them: half
 # the work, and some seconds after a change. -DCMAKE_UNITY_BUILD=OFF compiles each file by itself.
 function(cnrg_unity target)
   if(DEFINED CMAKE_UNITY_BUILD AND NOT CMAKE_UNITY_BUILD)
@@ -12,7 +12,7 @@ function(cnrg_unity target)
     get_filename_component(path ${source} ABSOLUTE)
     file(SIZE ${path} size)
     math(EXPR bytes "${bytes} + ${size}")
-    if(bytes GREATER 20000)
+    if(bytes GREATER 32000)
       math(EXPR unit "${unit} + 1")
       set(bytes ${size})
     endif()
