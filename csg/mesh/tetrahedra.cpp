@@ -19,6 +19,7 @@
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
 #include "csg/text/input_file.h"
+#include "csg/text/plugin.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
@@ -37,7 +38,9 @@ class TetrahedraMaker {
                   const TetgenTrial& trial)
       : view_(view),
         options_(options),
-        trial_(trial),
+        trial_(options.constrained || !trial.fault.empty() || plugin_fault(kTetgenPlugin).empty()
+                   ? trial
+                   : TetgenTrial{false, plugin_fault(kTetgenPlugin)}),
         deadline_(deadline),
         watch_(deadline.watch()),
         flat_(flatten_for_mesh(view)) {}

@@ -2,11 +2,11 @@
 // tests/packages/run makes one from the sources alone, which takes minutes.
 #ifdef CNRG_PYTHON
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 #include "tests/install/installed.h"
 
 namespace cnrg {

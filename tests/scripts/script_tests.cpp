@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <cstdio>
 #include <set>
 #include <sstream>
 #include <string>
+
+#include "tests/catch.h"
+
+extern const char kSuite[];  // the command that runs the tests of the room
 
 namespace cnrg {
 namespace {
@@ -22,7 +25,7 @@ struct Ended {
 
 /// Runs the suite; its errors are in the text, too.
 Ended suite(const std::string& argument) {
-  const std::string command = CNRG_SUITE " " + argument + " 2>&1";
+  const std::string command = std::string(kSuite) + " " + argument + " 2>&1";
   Ended ended;
   FILE* const pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return ended;
@@ -79,8 +82,7 @@ class NoTests : public Catch::ITestInvoker {
 };
 
 void add(Catch::ITestInvoker* test, const std::string& name, const std::string& tag) {
-  Catch::getMutableRegistryHub().registerTest(
-      Catch::makeTestCase(test, "", Catch::NameAndTags(name, tag), CATCH_INTERNAL_LINEINFO));
+  Catch::AutoReg(Catch::Invoker(test), CATCH_INTERNAL_LINEINFO, "", Catch::NameAndTags(name, tag));
 }
 
 [[maybe_unused]] const bool registered = [] {
