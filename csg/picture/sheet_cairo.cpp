@@ -29,7 +29,7 @@ void require_status(cairo_status_t status) {
 
 cairo_status_t append_bytes(void* to, const unsigned char* bytes, unsigned n) {
   try {
-    static_cast<std::string*>(to)->append_bytes(reinterpret_cast<const char*>(bytes), n);
+    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), n);
   } catch (const std::bad_alloc&) {
     return CAIRO_STATUS_NO_MEMORY;
   }

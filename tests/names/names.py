@@ -240,8 +240,9 @@ class House:
                 if len({n.file for n in names}) > 1 and not self.are_one(names):
                     yield f"`{name}` is in more than one file of {room}: " + ", ".join(n.at() for n in names)
                 for other in shown[name] if name in shown else []:
-                    if other.file in seen and scope == ("" if other.scope in used else other.scope) and \
-                            not (names[0].kind == other.kind == "alias" and self.are_one([other, *names])):
+                    around = (scope + "::").startswith(other.scope + "::") or (scope == "" and other.scope in used)
+                    one = names[0].kind == other.kind == "alias" and self.are_one([other, *names])
+                    if other.file in seen and around and not one:
                         yield f"`{name}` hides what the room sees: {names[0].at()}, {other.at()}"
                         break
 

@@ -90,6 +90,11 @@ class OfARoom(unittest.TestCase):
             self.assertEqual(len(found), 1, text)
             self.assertTrue(found[0].startswith(f"`{name}` hides what the room sees: csg/mesh/a.cpp:3, "), found)
 
+    def test_names_of_the_namespaces_around_are_hidden_too(self):
+        files = {"csg/app/a.cpp": '#include "csg/text/a.h"\nnamespace app {\n' + hidden("int text(double x) { return 1; }") + "\n}"}
+        self.assertEqual(len(faults(files | {"csg/text/a.h": "int text(const Rational& x);"})), 1)
+        self.assertEqual(faults(files | {"csg/text/a.h": "namespace text {\nint text(const Rational& x);\n}"}), [])
+
     def test_a_global_name_meets_those_of_a_namespace_that_a_file_uses(self):
         files = {"csg/mesh/a.cpp": "// a\n" + hidden("int same() { return 1; }\n"),
                  "csg/mesh/b.cpp": hidden("int same() { return 2; }")}
