@@ -68,10 +68,6 @@ struct PaperSheet {
 /// From the middle of small letters down to the line they stand on, in letters of size 1.
 inline constexpr double kHalfLetter = 0.36;
 
-class Font;
 std::string svg_text(const PaperSheet& sheet);
-std::string pdf_bytes(const PaperSheet& sheet);
-/// With two pixels for each unit: screens have that many.
-std::string png_bytes(const PaperSheet& sheet);
 
 }  // namespace cnrg

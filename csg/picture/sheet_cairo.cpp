@@ -8,9 +8,9 @@
 #include <memory>
 #include <new>
 
-#include "csg/picture/font.h"
-#include "csg/picture/sheet.h"
+#include "csg/picture/paper.h"
 #include "csg/text/escape.h"
+#include "csg/text/plugin.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -43,7 +43,7 @@ class CairoFont {
   CairoFont() {
     FT_Library library = nullptr;
     if (FT_Init_FreeType(&library) != 0) throw std::bad_alloc();
-    const std::string_view bytes = Font::file();
+    const std::string_view bytes = font_file();
     FT_Face face = nullptr;
     if (FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes.data()),
                            static_cast<FT_Long>(bytes.size()), 0, &face) != 0) {
@@ -188,10 +188,10 @@ void paint(cairo_surface_t* surface, const PaperSheet& sheet, double scale, bool
   for (const PaperSheet::Line& line : sheet.lines) paint(cr, line);
   for (const PaperSheet::Disk& disk : sheet.disks) paint(cr, disk);
   cairo_set_fill_rule(cr, CAIRO_FILL_RULE_WINDING);
-  const Font font;
+  const std::unique_ptr<Font> font(cnrg_paper_font());
   const CairoFont face;
   cairo_set_font_face(cr, face.face());
-  for (const PaperSheet::Text& text : sheet.texts) paint(cr, text, font, as_text);
+  for (const PaperSheet::Text& text : sheet.texts) paint(cr, text, *font, as_text);
   require_status(cairo_status(cr));
 }
 
@@ -213,15 +213,6 @@ std::string pdf_bytes_once(const PaperSheet& sheet) {
   return bytes;
 }
 
-}  // namespace
-
-std::string pdf_bytes(const PaperSheet& sheet) {
-  // Where cairo 1.16 gets no memory while it ends a .pdf, it may leave out what needed it and say nothing.
-  std::string bytes = pdf_bytes_once(sheet);
-  if (bytes != pdf_bytes_once(sheet)) throw std::bad_alloc();
-  return bytes;
-}
-
 std::string png_bytes(const PaperSheet& sheet) {
   const double width = sheet.width * kPixels, height = sheet.height * kPixels;
   if (width > kMostPixels || height > kMostPixels) {
@@ -238,4 +229,20 @@ std::string png_bytes(const PaperSheet& sheet) {
   return bytes;
 }
 
+}  // namespace
 }  // namespace cnrg
+
+CNRG_PLUGIN_EXPORT void cnrg_paper_pdf(const cnrg::PaperSheet& sheet, std::string& bytes) {
+  // Where cairo 1.16 gets no memory while it ends a .pdf, it may leave out what needed it and say nothing.
+  bytes = cnrg::pdf_bytes_once(sheet);
+  if (bytes != cnrg::pdf_bytes_once(sheet)) throw std::bad_alloc();
+}
+
+CNRG_PLUGIN_EXPORT void cnrg_paper_png(const cnrg::PaperSheet& sheet, std::string& bytes) {
+  bytes = cnrg::png_bytes(sheet);
+}
+
+CNRG_PLUGIN_EXPORT const char* cnrg_paper_version() {
+  static const std::string text = std::string("cairo ") + cairo_version_string();
+  return text.c_str();
+}
