@@ -17,8 +17,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 # Folders of programs and of stand-ins: what is in one of these files meets nothing of the others.
-ALONE = ("csg/examples", "bench", "bench/peers/external", "tests/campaign/fuzz/targets", "tests/consumer",
-         "tests/threads")
+ALONE = ("csg/examples", "bench", "bench/peers/external", "tests/consumer", "tests/threads")
 
 
 class Name(NamedTuple):
