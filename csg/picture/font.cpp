@@ -29,7 +29,7 @@ Font::Font() : face_(std::make_unique<Face>()) {
 Font::~Font() { FT_Done_FreeType(face_->library); }  // and the face with it
 
 double Font::width(std::string_view text, double size) const {
-  long units = 0;
+  std::int64_t units = 0;
   const FT_Face face = face_->face;
   for (std::size_t i = 0; i < text.size();) {
     const Character c = first_character(text.substr(i));
@@ -45,7 +45,7 @@ double Font::width(std::string_view text, double size) const {
   return size * static_cast<double>(units) / face->units_per_EM;
 }
 
-unsigned long Font::glyph(std::uint32_t character) const { return FT_Get_Char_Index(face_->face, character); }
+std::uint32_t Font::glyph(std::uint32_t character) const { return FT_Get_Char_Index(face_->face, character); }
 
 std::string Font::without_unknown(std::string_view text) const {
   std::string result;

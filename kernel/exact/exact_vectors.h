@@ -1,7 +1,7 @@
 // Vectors of exact numbers.
 #pragma once
 
-#include "kernel/exact/rational.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 
@@ -33,13 +33,6 @@ inline Rational volume6(const RationalPoint& a, const RationalPoint& b, const Ra
 /// The doubles nearest to the coordinates.
 inline std::array<double, 3> to_doubles(const RationalPoint& p) {
   return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
-}
-
-/// a / b in lowest terms.
-inline Rational fraction(long a, long b) {
-  Rational result(a, b);
-  result.canonicalize();
-  return result;
 }
 
 /// `(x, y, z)` in decimals, for messages.
