@@ -21,7 +21,7 @@ namespace cnrg {
 template <std::integral T>
 Integer to_integer(T n) {
   static_assert(sizeof(T) <= sizeof(std::uint64_t));
-  const bool negative = n < T{0};
+  const bool negative = std::cmp_less(n, 0);
   std::uint64_t size = static_cast<std::uint64_t>(n);
   if (negative) size = 0 - size;
   Integer out;

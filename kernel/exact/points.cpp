@@ -223,12 +223,18 @@ void PointTable::reserve(std::size_t n) {
 void PointTable::add(std::span<const double> xyz) {
   lo_.insert(lo_.end(), xyz.begin(), xyz.end());
   row_.resize(lo_.size() / 3, kDouble);
+  check_count(row_.size(), kPlural<VertexId>);
+}
+
+VertexId PointTable::last() const {
+  check_count(row_.size(), kPlural<VertexId>);
+  return VertexId(row_.size() - 1);
 }
 
 VertexId PointTable::add(double x, double y, double z) {
   lo_.insert(lo_.end(), {x + 0.0, y + 0.0, z + 0.0});  // no zero keeps a sign: it would say how the point was made
   row_.push_back(kDouble);
-  return VertexId(row_.size() - 1);
+  return last();
 }
 
 VertexId PointTable::add(const RationalPoint& p) {
@@ -264,10 +270,11 @@ VertexId PointTable::add(const Definition& definition, const std::array<double, 
   row_.push_back(static_cast<std::uint32_t>(upper_.size()));
   upper_.push_back(hi);
   definitions_.push_back(definition);
-  return VertexId(row_.size() - 1);
+  return last();
 }
 
 PlaneId PointTable::add_plane(VertexId a, VertexId b, VertexId c) {
+  check_count(planes_.size() + 1, "planes");
   planes_.push_back({a, b, c});
   return PlaneId(planes_.size() - 1);
 }
