@@ -139,9 +139,7 @@ Model mapped(Model model, const AffineMap& map) {
   return model;
 }
 
-Rational power_of_tenth(int k) {
-  return Rational(Integer(1), power_of_ten(static_cast<std::size_t>(k)));
-}
+Rational power_of_tenth(int k) { return Rational(Integer(1), power_of_ten(static_cast<std::size_t>(k))); }
 
 Model box_between(const RationalPoint& min, const RationalPoint& max) {
   const auto& [x0, y0, z0] = min;
