@@ -69,9 +69,11 @@ std::vector<std::string> narrow_places(const std::string& text) {
   const std::vector<std::string> lines = lines_of(code_of(text));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::sregex_iterator match(lines[i].begin(), lines[i].end(), narrow), end; match != end; ++match) {
-      // The second word of `long long`.
-      if (match->str() == "long" && std::regex_search(match->prefix().str(), std::regex("\\blong\\s+$"))) continue;
-      places.push_back(std::to_string(i + 1) + ": " + match->str());
+      // The second word of `long long`; the end of a `long double`.
+      const std::string found = match->str(), before = match->prefix().str();
+      if (found == "long" && std::regex_search(before, std::regex("\\blong\\s+$"))) continue;
+      if (before.ends_with('.') && std::isdigit(static_cast<unsigned char>(found[0])) != 0) continue;
+      places.push_back(std::to_string(i + 1) + ": " + found);
     }
   }
   return places;
