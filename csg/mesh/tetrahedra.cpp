@@ -303,7 +303,7 @@ class TetrahedraMaker {
     std::string text = "mesh: TetGen";
     if (bounded() && !fills_ && expected_ > 0) return text;
     if (std::isfinite(time.clock) && time.clock > 0)
-      text += ", at most " + std::to_string(std::lround(std::ceil(time.clock))) + " s";
+      text += ", at most " + std::to_string(std::llround(std::ceil(time.clock))) + " s";
     else if (time.seconds > 0) text += ", at most " + std::to_string(time.seconds) + " s of processor";
     return text;
   }
