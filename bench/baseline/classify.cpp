@@ -22,7 +22,7 @@ struct Sector {
   HalfEdgeId half_edge;  ///< along `to`; none where `to` bisects a wide corner
 };
 
-[[noreturn]] void fail(const char* what) { throw Failure(Stage::classification, what); }
+[[noreturn]] void fail_classification(const char* what) { throw Failure(Stage::classification, what); }
 
 template <class N>
 std::vector<Sector<N>> neighbourhood(const Scene<N>& scene, VertexId vertex) {
@@ -38,7 +38,7 @@ std::vector<Sector<N>> neighbourhood(const Scene<N>& scene, VertexId vertex) {
                      scene.plane(topology.face(h)).normal, h};
     const int width = scene.metric.unit_sign(dot(sector.normal, cross(sector.to, sector.from)));
     if (width <= 0) {
-      if (width == 0 && dot(sector.to, sector.from) > 0) fail("a corner without an angle");
+      if (width == 0 && dot(sector.to, sector.from) > 0) fail_classification("a corner without an angle");
       const Vec<N> middle =
           Metric<N>::direction(width == 0 ? cross(sector.normal, sector.to) : (sector.from + sector.to) * N(-1));
       sectors.push_back({sector.from, middle, sector.normal, kNo<HalfEdgeId>});
@@ -148,7 +148,7 @@ class VertexVertexClassifier {
         return {scene_.coplanar_side(solid, dot(half.normal, other[k].normal) > 0), true};
     }
     const int reflex = metric_.unit_sign(dot(other[0].normal, other[1].end));
-    if (above[0] == 0 && above[1] == 0) fail("a sector is on the other boundary and is not");
+    if (above[0] == 0 && above[1] == 0) fail_classification("a sector is on the other boundary and is not");
     const bool out = reflex > 0 ? above[0] >= 0 && above[1] >= 0 : above[0] > 0 || above[1] > 0;
     return {out ? Side::out : Side::in, false};
   }
@@ -165,14 +165,15 @@ class VertexVertexClassifier {
       enters[solid] = after == Side::in;
       places[solid] = {meeting.sector[solid], Within::inside};
       if (!crosses[solid] || !meeting.at_edge[solid]) continue;
-      if (before_on && after_on) fail("an edge between two coplanar sectors of different sides");
+      if (before_on && after_on) fail_classification("an edge between two coplanar sectors of different sides");
       const Side edge = before_on ? before : after_on ? after : scene_.edge_side(solid);
       if (edge == before) places[solid] = {(meeting.sector[solid] + 1) % sectors_[solid].size(), Within::start};
       else places[solid].within = Within::end;
     }
-    if (crosses[0] != crosses[1]) fail("one neighbourhood crosses the other, which does not cross it");
+    if (crosses[0] != crosses[1])
+      fail_classification("one neighbourhood crosses the other, which does not cross it");
     if (!crosses[0]) return;
-    if (enters[0] == enters[1]) fail("both neighbourhoods enter each other in one direction");
+    if (enters[0] == enters[1]) fail_classification("both neighbourhoods enter each other in one direction");
     for (int solid = 0; solid < 2; ++solid) places_[solid].push_back(places[solid]);
     crossing_.rays.push_back({meeting.direction, enters[0]});
   }
@@ -248,7 +249,8 @@ Crossing<N> classify_vertex_face(const Scene<N>& scene, const VertexFace& contac
   for (std::size_t k = 0; k < count; ++k) {
     if (with_sectors[k] != Side::on) continue;
     const Side left = with_sectors[before(k)], right = with_sectors[(k + 1) % count];
-    if (left == Side::on || right == Side::on) fail("a sector with both edges on a face whose plane it leaves");
+    if (left == Side::on || right == Side::on)
+      fail_classification("a sector with both edges on a face whose plane it leaves");
     sides[k] = left == right ? left : scene.edge_side(solid);
   }
   Crossing<N> crossing;
@@ -260,7 +262,7 @@ Crossing<N> classify_vertex_face(const Scene<N>& scene, const VertexFace& contac
     const std::size_t j = before(k);
     if (sides[j] != sides[k]) {
       const N hj = heights[j] < 0 ? N(-heights[j]) : heights[j], hk = heights[k] < 0 ? N(-heights[k]) : heights[k];
-      if (hj == 0 && hk == 0) fail("two edges on a face that are on different sides");
+      if (hj == 0 && hk == 0) fail_classification("two edges on a face that are on different sides");
       const Vec<N> direction = Metric<N>::direction(sectors[j].to * hk + sectors[k].to * hj);
       star.push_back({kNo<HalfEdgeId>, static_cast<std::uint32_t>(crossing.rays.size())});
       crossing.rays.push_back({direction, (sides[k] == Side::in) == (solid == 0)});
@@ -279,7 +281,8 @@ void check_turns(const Crossing<N>& crossing) {
     for (const StarItem& item : star)
       if (item.half_edge == kNo<HalfEdgeId>) forward.push_back(crossing.rays[item.ray].forward);
     for (std::size_t k = 0; k < forward.size(); ++k)
-      if (forward[k] == forward[(k + 1) % forward.size()]) fail("a boundary enters the other twice in a row");
+      if (forward[k] == forward[(k + 1) % forward.size()])
+        fail_classification("a boundary enters the other twice in a row");
   }
 }
 

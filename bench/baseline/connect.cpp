@@ -16,7 +16,7 @@
 namespace cnrg::bench::mantyla {
 namespace {
 
-[[noreturn]] void fail(const std::string& what) { throw Failure(Stage::connecting, what); }
+[[noreturn]] void fail_connecting(const std::string& what) { throw Failure(Stage::connecting, what); }
 
 template <class N>
 class Connection {
@@ -67,7 +67,8 @@ class Connection {
       group->second.erase(std::find(group->second.begin(), group->second.end(), to));
       scene_.joints.push_back({k, to, {}, {}});
     }
-    if (loose > 0) fail(std::to_string(loose) + " of " + std::to_string(count) + " null edges stay loose ahead");
+    if (loose > 0)
+      fail_connecting(std::to_string(loose) + " of " + std::to_string(count) + " null edges stay loose ahead");
   }
 
   std::uint32_t nearest(std::uint32_t from, const std::pair<FaceId, FaceId>& faces,
@@ -96,10 +97,10 @@ class Connection {
   void bring_together(HalfEdgeId h, HalfEdgeId g) {
     const FaceId f = topology_.face(h), e = topology_.face(g);
     if (f == e) return;
-    if (topology_.face(f).surface != topology_.face(e).surface) fail("null edges in different faces");
+    if (topology_.face(f).surface != topology_.face(e).surface) fail_connecting("null edges in different faces");
     if (!topology_.is_outer(topology_.loop(h))) topology_.ringmv(topology_.loop(h), e);
     else if (!topology_.is_outer(topology_.loop(g))) topology_.ringmv(topology_.loop(g), f);
-    else fail("null edges that the intersection curve separated");
+    else fail_connecting("null edges that the intersection curve separated");
   }
 
   /// The strip between `head`, OUT to IN, and `tail`, IN to OUT. An edge that is there already is its side.
@@ -118,8 +119,8 @@ class Connection {
     joint.in[solid] = topology_.next(head);
     joint.out[solid] = topology_.prev(head);
     if (topology_.next(joint.in[solid]) != tail || topology_.prev(joint.out[solid]) != tail)
-      fail("a strip that does not close");
-    if (topology_.face(topology_.face(head)).loops.size() != 1) fail("a strip with rings");
+      fail_connecting("a strip that does not close");
+    if (topology_.face(topology_.face(head)).loops.size() != 1) fail_connecting("a strip with rings");
     null_faces_.push_back(topology_.face(head));
     if (parted && !has_in && !topology_.is_outer(old_loop))
       turn_ring(topology_.loop(topology_.mate(joint.in[solid])), old_loop);
@@ -168,7 +169,7 @@ class Connection {
       best = face;
       best_area = area;
     }
-    if (best == kNo<FaceId>) fail("a ring in no part of its face");
+    if (best == kNo<FaceId>) fail_connecting("a ring in no part of its face");
     if (best != topology_.loop(ring).face) topology_.ringmv(ring, best);
   }
 

@@ -6,13 +6,6 @@
 #include "bench/baseline/topology.h"
 
 namespace cnrg::bench::mantyla {
-namespace {
-
-void require(bool holds, const char* what) {
-  if (!holds) throw TopologyError(what);
-}
-
-}  // namespace
 
 HalfEdgeId Topology::mate(HalfEdgeId half_edge) const {
   const Edge& edge = edges_[half_edges_[half_edge].edge];

@@ -7,7 +7,7 @@
 namespace cnrg::bench::mantyla {
 namespace {
 
-[[noreturn]] void fail(const std::string& what) { throw Failure(Stage::finishing, what); }
+[[noreturn]] void fail_finishing(const std::string& what) { throw Failure(Stage::finishing, what); }
 
 template <class N>
 class Finish {
@@ -58,7 +58,7 @@ class Finish {
         const LoopId in = topology_.loop(joint.in[solid]), out = topology_.loop(joint.out[solid]);
         const FaceId face = topology_.loop(out).face;
         if (in == out || topology_.loop(in).face != face || topology_.face(face).loops.size() != 2)
-          fail("a null face without two loops");
+          fail_finishing("a null face without two loops");
         topology_.mfkrh(topology_.is_outer(in) ? out : in);
       }
   }
@@ -70,7 +70,7 @@ class Finish {
     const auto shell = [&](HalfEdgeId h) { return shells[static_cast<std::size_t>(topology_.face(h))]; };
     const auto note = [&](HalfEdgeId h, Side side) {
       if (sides.emplace(shell(h), side).first->second != side)
-        fail("the intersection curve does not part a solid: a shell is on both sides of the other");
+        fail_finishing("the intersection curve does not part a solid: a shell is on both sides of the other");
     };
     for (const Joint& joint : scene_.joints)
       for (int solid = 0; solid < 2; ++solid) {
@@ -110,24 +110,24 @@ class Finish {
       if (found != Side::on) return found;
       if (scene_.metric.null_unit(cross(own, normal))) return scene_.coplanar_side(solid, dot(own, normal) > 0);
     }
-    fail("no face says on which side its shell lies");
+    fail_finishing("no face says on which side its shell lies");
   }
 
   /// Zips two null faces: their loops, as runs of edges, are opposite. The edges of B go.
   void glue(HalfEdgeId a, HalfEdgeId b) {
     const FaceId face_a = topology_.face(a), face_b = topology_.face(b);
     if (topology_.cycle(topology_.loop(a)).size() != topology_.cycle(topology_.loop(b)).size())
-      fail("null faces with different numbers of edges");
+      fail_finishing("null faces with different numbers of edges");
     topology_.kfmrh(face_a, face_b);
     HalfEdgeId other = topology_.next(b);
     check_same(topology_.origin(a), topology_.origin(other));
     topology_.kev(topology_.edge(topology_.mekr(a, other)).second);
     other = b;
     for (std::size_t steps = 0; topology_.next(a) != other; ++steps) {
-      if (steps > topology_.half_edge_ids()) fail("gluing comes to no end");
+      if (steps > topology_.half_edge_ids()) fail_finishing("gluing comes to no end");
       const HalfEdgeId next_a = topology_.next(a), next_b = topology_.prev(other);
       check_same(topology_.target(a), topology_.origin(other));
-      if (topology_.target(a) == topology_.origin(other)) fail("gluing pinches a vertex");
+      if (topology_.target(a) == topology_.origin(other)) fail_finishing("gluing pinches a vertex");
       const EdgeId between = topology_.mef(next_a, other);
       const FaceId rest = topology_.face(topology_.edge(between).first);
       kept_.resize(topology_.face_ids(), false);
@@ -137,12 +137,13 @@ class Finish {
       a = next_a;
       other = next_b;
     }
-    if (topology_.next(other) != a) fail("gluing does not close");
+    if (topology_.next(other) != a) fail_finishing("gluing does not close");
     topology_.kef(other);
   }
 
   void check_same(VertexId v, VertexId w) const {
-    if (!scene_.metric.equal(scene_.point(v), scene_.point(w))) fail("gluing of vertices at different places");
+    if (!scene_.metric.equal(scene_.point(v), scene_.point(w)))
+      fail_finishing("gluing of vertices at different places");
   }
 
   Scene<N>& scene_;

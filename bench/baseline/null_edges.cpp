@@ -11,7 +11,7 @@
 namespace cnrg::bench::mantyla {
 namespace {
 
-[[noreturn]] void fail(const char* what) { throw Failure(Stage::null_edges, what); }
+[[noreturn]] void fail_null_edges(const char* what) { throw Failure(Stage::null_edges, what); }
 
 /// The parts of a neighbourhood, one by vertex, while it is split.
 template <class N>
@@ -35,7 +35,7 @@ class Splitter {
       parts_.push_back(std::move(in));
       return edge;
     }
-    fail("null edges cross each other in a neighbourhood");
+    fail_null_edges("null edges cross each other in a neighbourhood");
   }
 
  private:
@@ -124,7 +124,7 @@ void insert_null_edges(Scene<N>& scene) {
   for (const Crossing<N>& crossing : scene.crossings) {
     for (const VertexId v : crossing.vertices)
       if (v != kNo<VertexId> && !taken.insert(v).second)
-        fail("a vertex crosses the other boundary, which touches itself there, in more than one place");
+        fail_null_edges("a vertex crosses the other boundary, which touches itself there, in more than one place");
     insert(scene, crossing);
   }
 }

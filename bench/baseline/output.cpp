@@ -10,7 +10,7 @@
 namespace cnrg::bench::mantyla {
 namespace {
 
-[[noreturn]] void fail(const std::string& what) { throw Failure(Stage::output, what); }
+[[noreturn]] void fail_output(const std::string& what) { throw Failure(Stage::output, what); }
 
 Rational exact(double x) { return from_double(x); }
 const Rational& exact(const Rational& x) { return x; }
@@ -21,12 +21,12 @@ void check_face(const Scene<N>& scene, FaceId face) {
   const std::vector<LoopId>& loops = scene.topology.face(face).loops;
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const std::vector<HalfEdgeId> all = scene.topology.cycle(loops[k]);
-    if (all.size() < 3) fail("a loop of less than three edges");
+    if (all.size() < 3) fail_output("a loop of less than three edges");
     for (const HalfEdgeId h : all)
       if (N(0) == scene.metric.length && scene.metric.side(plane, scene.point(scene.topology.origin(h))) != 0)
-        fail("a face that is not planar");
+        fail_output("a face that is not planar");
     const N area = signed_area(scene, plane.normal, loops[k]);
-    if (k == 0 ? !(area > 0) : !(area < 0)) fail("a loop of a face runs the wrong way or has no area");
+    if (k == 0 ? !(area > 0) : !(area < 0)) fail_output("a loop of a face runs the wrong way or has no area");
   }
 }
 
@@ -62,7 +62,7 @@ class Clipping {
       edges_.insert(std::minmax(triangles.back()[0], triangles.back()[2]));
       polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(ear));
     }
-    if (shape(1) < -kFlat) fail("a face that cannot be cut into triangles");
+    if (shape(1) < -kFlat) fail_output("a face that cannot be cut into triangles");
     triangles.push_back({polygon_[0], polygon_[1], polygon_[2]});
     return triangles;
   }
@@ -119,7 +119,7 @@ class Clipping {
           best_start = s;
           best = length;
         }
-    if (best_hole == holes.size()) fail("a hole of a face that cannot be reached");
+    if (best_hole == holes.size()) fail_output("a hole of a face that cannot be reached");
     std::vector<std::uint32_t> with = holes[best_hole];
     std::rotate(with.begin(), with.begin() + static_cast<std::ptrdiff_t>(best_start), with.end());
     with.push_back(with.front());
@@ -169,7 +169,7 @@ class Clipping {
     std::size_t flattest = 0;
     for (std::size_t k = 1; k < n; ++k)
       if (std::fabs(shape(k)) < std::fabs(shape(flattest))) flattest = k;
-    if (std::fabs(shape(flattest)) > kFlat) fail("a face that cannot be cut into triangles");
+    if (std::fabs(shape(flattest)) > kFlat) fail_output("a face that cannot be cut into triangles");
     return flattest;
   }
 
@@ -204,7 +204,7 @@ class Writer {
         model_.faces.back().loops.emplace_back();
         auto& polygon = model_.faces.back().loops.back();
         for (const HalfEdgeId h : topology_.cycle(loop)) {
-          if (!ours.contains(topology_.face(topology_.mate(h)))) fail("the result is open");
+          if (!ours.contains(topology_.face(topology_.mate(h)))) fail_output("the result is open");
           polygon.push_back(vertex(topology_.origin(h)));
           const std::uint32_t middle = middle_of(h);
           if (middle != kNone) polygon.push_back(middle);
@@ -254,7 +254,7 @@ Model write_result(const Scene<N>& scene, const std::vector<FaceId>& faces) {
   try {
     scene.topology.validate();
   } catch (const TopologyError& error) {
-    fail(error.what());
+    fail_output(error.what());
   }
   return Writer<N>(scene).run(faces);
 }

@@ -6,13 +6,6 @@
 #include <utility>
 
 namespace cnrg::bench::mantyla {
-namespace {
-
-void require(bool holds, const char* what) {
-  if (!holds) throw TopologyError(what);
-}
-
-}  // namespace
 
 std::vector<VertexId> Topology::assemble(const std::vector<std::vector<std::vector<std::uint32_t>>>& faces,
                                          std::size_t corners, std::uint32_t first_surface, std::uint32_t solid) {

@@ -31,6 +31,9 @@ class TopologyError : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
+inline void require(bool holds, const char* what) {
+  if (!holds) throw TopologyError(what);
+}
 
 /// An array by ids. A wrong id throws: a broken state must not become a crash.
 template <class Id, class T>

@@ -12,7 +12,7 @@
 namespace cnrg::bench {
 namespace {
 
-std::string point(double x, double y, double z) {
+std::string corner_text(double x, double y, double z) {
   std::ostringstream text;
   text << "[" << x << ", " << y << ", " << z << "]";
   return text.str();
@@ -35,11 +35,12 @@ std::string solids(const ScatteredSolids& s) {
     const double x = 20 * (at % side) + shift, y = 20 * (at / side % side) + shift, z = 20 * (at / side / side);
     text += "  s" + std::to_string(i) + ": ";
     if (i % 2 == 0) {
-      text += "{box: {min: " + point(x, y, z) +
-              ", max: " + point(x + number(5, 10), y + number(5, 10), z + number(5, 10)) + "}}\n";
+      text += "{box: {min: " + corner_text(x, y, z) +
+              ", max: " + corner_text(x + number(5, 10), y + number(5, 10), z + number(5, 10)) + "}}\n";
     } else {
-      text += "{tetrahedron: [" + point(x, y, z) + ", " + point(x + number(6, 12), y, z + 1) + ", " +
-              point(x, y + number(6, 12), z + 2) + ", " + point(x + 1, y + 2, z + number(6, 12)) + "]}\n";
+      text += "{tetrahedron: [" + corner_text(x, y, z) + ", " + corner_text(x + number(6, 12), y, z + 1) + ", " +
+              corner_text(x, y + number(6, 12), z + 2) + ", " + corner_text(x + 1, y + 2, z + number(6, 12)) +
+              "]}\n";
     }
   }
   return text;
@@ -59,12 +60,12 @@ std::string winding_solid(int i, Random& random) {
   const auto high = [&] { return random.integer(13, 18); };
   const auto low = [&] { return random.integer(0, 3); };
   if (i % 2 == 0) {
-    return "{box: {min: " + point(x + low(), y + low(), z + low()) +
-           ", max: " + point(x + high(), y + high(), z + high()) + "}}\n";
+    return "{box: {min: " + corner_text(x + low(), y + low(), z + low()) +
+           ", max: " + corner_text(x + high(), y + high(), z + high()) + "}}\n";
   }
-  return "{tetrahedron: [" + point(x + low(), y + low(), z + low()) + ", " +
-         point(x + high(), y + high(), z + low()) + ", " + point(x + high(), y + low(), z + high()) + ", " +
-         point(x + low(), y + high(), z + high()) + "]}\n";
+  return "{tetrahedron: [" + corner_text(x + low(), y + low(), z + low()) + ", " +
+         corner_text(x + high(), y + high(), z + low()) + ", " + corner_text(x + high(), y + low(), z + high()) +
+         ", " + corner_text(x + low(), y + high(), z + high()) + "]}\n";
 }
 
 }  // namespace

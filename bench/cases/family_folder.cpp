@@ -24,7 +24,7 @@ constexpr const char* kPrefix = "files-union-";
 /// Paths of operands: two files, or one that is united with its copy.
 using Files = std::vector<std::string>;
 
-bool is_mesh(const fs::path& path) {
+bool is_mesh_of_any_case(const fs::path& path) {
   std::string extension = path.extension().string();
   for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   return extension == ".off" || extension == ".obj" || extension == ".stl" || extension == ".ply";
@@ -59,7 +59,7 @@ std::map<std::string, Files> problem_files(const std::string& folder) {
     throw std::runtime_error("'" + folder + "' is no folder; give the folder of the meshes");
   std::set<fs::path> meshes;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && is_mesh(entry.path())) meshes.insert(entry.path());
+    if (entry.is_regular_file() && is_mesh_of_any_case(entry.path())) meshes.insert(entry.path());
   std::map<std::string, Files> problems;
   const auto add = [&](const std::string& word, Files files) {
     std::string name = kPrefix + word;

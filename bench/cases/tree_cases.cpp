@@ -29,7 +29,7 @@ std::string decimal(int thousandths) {
   return text;
 }
 
-std::string point(const Thousandths& p) {
+std::string point_text(const Thousandths& p) {
   return "[" + decimal(p[0]) + ", " + decimal(p[1]) + ", " + decimal(p[2]) + "]";
 }
 
@@ -56,7 +56,7 @@ std::array<double, 3> direction(Random& random) {
 }
 
 /// Its corners are its centre plus and minus two vectors, so that they lie in a plane exactly.
-std::string fracture(Random& random) {
+std::string fracture_text(Random& random) {
   const double radius = random.real(10, 40);
   const std::array<double, 3> a = direction(random), other = direction(random);
   std::array<double, 3> b{a[1] * other[2] - a[2] * other[1], a[2] * other[0] - a[0] * other[2],
@@ -72,8 +72,8 @@ std::string fracture(Random& random) {
     corners[2][k] = centre - u;
     corners[3][k] = centre - v;
   }
-  return "{polygon: [" + point(corners[0]) + ", " + point(corners[1]) + ", " + point(corners[2]) + ", " +
-         point(corners[3]) + "]}";
+  return "{polygon: [" + point_text(corners[0]) + ", " + point_text(corners[1]) + ", " + point_text(corners[2]) +
+         ", " + point_text(corners[3]) + "]}";
 }
 
 const char* const kUnitBox = "  unit: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n";
@@ -86,7 +86,7 @@ std::vector<std::string> cuts(int count, unsigned seed) {
     Thousandths centre{};
     for (int& x : centre) x = random.integer(-200, 1200);
     const std::string number = std::to_string(k);
-    texts.push_back("  s" + number + ": {sphere: {center: " + point(centre) +
+    texts.push_back("  s" + number + ": {sphere: {center: " + point_text(centre) +
                     ", radius: " + decimal(random.integer(200, 600)) + ", segments: 32}}\n  k" + number +
                     ": {intersection: [s" + number + ", unit]}\n");
   }
@@ -138,7 +138,7 @@ std::string plate_chain(int holes) {
 std::string fractures_in_block(int count, unsigned seed) {
   Random random(seed);
   std::string text = "  block: {box: {min: [0, 0, 0], max: [100, 100, 100]}}\n";
-  for (int i = 0; i < count; ++i) text += "  f" + std::to_string(i) + ": " + fracture(random) + "\n";
+  for (int i = 0; i < count; ++i) text += "  f" + std::to_string(i) + ": " + fracture_text(random) + "\n";
   return tree_of(text + "  fractures: {union: [" + list_of("f", count) + "]}\n" +
                      "  inside: {intersection: [fractures, block]}\n  all: {union: [block, inside]}\n",
                  "all");

@@ -12,12 +12,12 @@ namespace cnrg::bench {
 namespace {
 
 namespace processing = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using InexactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using InexactMesh = CGAL::Surface_mesh<InexactKernel::Point_3>;
 
-Mesh mesh_of(const TriangleMesh& in) {
-  Mesh mesh;
-  for (const auto& p : in.points) mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+InexactMesh inexact_mesh(const TriangleMesh& in) {
+  InexactMesh mesh;
+  for (const auto& p : in.points) mesh.add_vertex(InexactKernel::Point_3(p[0], p[1], p[2]));
   if (!add_polygons(mesh, in.triangles)) throw std::runtime_error("a mesh is no 2-manifold");
   return mesh;
 }
@@ -25,10 +25,10 @@ Mesh mesh_of(const TriangleMesh& in) {
 }  // namespace
 
 Outcome evaluate_corefinement(const Case& c, const Checks& checks, int) {
-  std::vector<Mesh> meshes;
-  for (const TriangleMesh& leaf : c.leaves) meshes.push_back(mesh_of(leaf));
+  std::vector<InexactMesh> meshes;
+  for (const TriangleMesh& leaf : c.leaves) meshes.push_back(inexact_mesh(leaf));
   Measurement measurement;
-  Mesh& result = meshes[0];
+  InexactMesh& result = meshes[0];
   for (std::size_t i = 1; i < meshes.size(); ++i) {
     const bool done = c.operation == Operation::unite
                           ? processing::corefine_and_compute_union(result, meshes[i], result)

@@ -66,7 +66,7 @@ Nef one_by_one(const Case& c, std::vector<Nef>& operands) {
   return result;
 }
 
-Outcome evaluate(const Case& c, const Checks& checks, Nef (*combine)(const Case&, std::vector<Nef>&)) {
+Outcome evaluate_by(const Case& c, const Checks& checks, Nef (*combine)(const Case&, std::vector<Nef>&)) {
   std::vector<Mesh> meshes;
   for (const TriangleMesh& leaf : c.leaves) meshes.push_back(mesh_of(leaf));
   Measurement measurement;
@@ -91,9 +91,9 @@ Outcome evaluate(const Case& c, const Checks& checks, Nef (*combine)(const Case&
 
 }  // namespace
 
-Outcome evaluate_nef(const Case& c, const Checks& checks, int) { return evaluate(c, checks, at_once); }
+Outcome evaluate_nef(const Case& c, const Checks& checks, int) { return evaluate_by(c, checks, at_once); }
 Outcome evaluate_nef_one_by_one(const Case& c, const Checks& checks, int) {
-  return evaluate(c, checks, one_by_one);
+  return evaluate_by(c, checks, one_by_one);
 }
 
 }  // namespace cnrg::bench

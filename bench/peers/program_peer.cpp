@@ -10,7 +10,7 @@
 namespace cnrg::bench {
 namespace {
 
-double volume_of(const TriangleMesh& mesh) {
+double rounded_volume(const TriangleMesh& mesh) {
   const auto& origin = mesh.points[mesh.triangles[0][0]];
   long double sum = 0;
   for (const auto& t : mesh.triangles) {
@@ -64,7 +64,7 @@ Outcome evaluate_program(const std::string& executable, const Case& c, const Che
   const TriangleMesh result = read_mesh(out);
   outcome.vertices = result.points.size();
   outcome.faces = result.triangles.size();
-  if (checks.volume) outcome.volume = volume_of(result);
+  if (checks.volume) outcome.volume = rounded_volume(result);
   return outcome;
 }
 

@@ -11,15 +11,15 @@ namespace cnrg::bench {
 namespace {
 
 namespace processing = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using InexactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using InexactMesh = CGAL::Surface_mesh<InexactKernel::Point_3>;
 
-Mesh mesh_of(const Model& model) {
+InexactMesh checked_mesh(const Model& model) {
   if (!model.solid()) throw Refusal("input", "an operand is no solid");
   const auto rounded = [](const RationalPoint& p) {
-    return Kernel::Point_3(to_double(p[0]), to_double(p[1]), to_double(p[2]));
+    return InexactKernel::Point_3(to_double(p[0]), to_double(p[1]), to_double(p[2]));
   };
-  Mesh mesh = triangulated(closed_surface<Mesh>(model, rounded));
+  InexactMesh mesh = triangulated(closed_surface<InexactMesh>(model, rounded));
   for (const auto f : mesh.faces())
     if (processing::is_degenerate_triangle_face(f, mesh))
       throw Refusal("input", "an operand has a face without area");
@@ -28,12 +28,12 @@ Mesh mesh_of(const Model& model) {
   return mesh;
 }
 
-Model model_of(const Mesh& mesh) {
+Model model_of(const InexactMesh& mesh) {
   Model model;
   std::vector<std::uint32_t> number(mesh.num_vertices());
   for (const auto v : mesh.vertices()) {
     number[v] = static_cast<std::uint32_t>(model.points.size());
-    const Kernel::Point_3& p = mesh.point(v);
+    const InexactKernel::Point_3& p = mesh.point(v);
     model.points.push_back({from_double(p.x()), from_double(p.y()), from_double(p.z())});
   }
   for (const auto f : mesh.faces()) {
@@ -44,7 +44,7 @@ Model model_of(const Mesh& mesh) {
   return model;
 }
 
-bool combine(Operation operation, Mesh& a, Mesh& b) {
+bool combine(Operation operation, InexactMesh& a, InexactMesh& b) {
   const auto check = CGAL::parameters::throw_on_self_intersection(true);
   switch (operation) {
     case Operation::unite: return processing::corefine_and_compute_union(a, b, a, check, check);
@@ -53,15 +53,15 @@ bool combine(Operation operation, Mesh& a, Mesh& b) {
   }
 }
 
-Answer evaluate(const Problem& problem) {
-  std::vector<Mesh> meshes;
+Answer answer_of_corefinement(const Problem& problem) {
+  std::vector<InexactMesh> meshes;
   try {
-    for (const Model& operand : problem.operands) meshes.push_back(mesh_of(operand));
+    for (const Model& operand : problem.operands) meshes.push_back(checked_mesh(operand));
   } catch (const CGAL::Failure_exception& error) {
     throw Refusal("input", words_of(error));
   }
   Measurement measurement;
-  Mesh& result = meshes[0];
+  InexactMesh& result = meshes[0];
   for (std::size_t i = 0; i < problem.steps.size(); ++i) {
     const std::string step = "step " + std::to_string(i + 1) + ": ";
     try {
@@ -94,7 +94,7 @@ System corefinement_system() {
           .rounding = 0x1p-50,
           .regularized = true,
           .absent = "",
-          .evaluate = evaluate};
+          .evaluate = answer_of_corefinement};
 }
 
 }  // namespace cnrg::bench

@@ -37,7 +37,7 @@ Model read_result(const std::string& path) {
   return model;
 }
 
-Answer evaluate(const std::string& executable, const Problem& problem) {
+Answer answer_of_external(const std::string& executable, const Problem& problem) {
   std::vector<TriangleMesh> operands;
   for (const Model& operand : problem.operands) operands.push_back(rounded_triangles(operand));
   const TemporaryFolder folder;
@@ -85,7 +85,7 @@ System external_system(const std::string& name, const std::string& executable, d
           .rounding = rounding,
           .regularized = true,
           .absent = "",
-          .evaluate = [executable](const Problem& problem) { return evaluate(executable, problem); },
+          .evaluate = [executable](const Problem& problem) { return answer_of_external(executable, problem); },
           .executable = executable};
 }
 

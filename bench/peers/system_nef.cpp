@@ -64,7 +64,7 @@ Nef settled(Nef nef) {
   return Nef(Nef::EMPTY);  // CGAL reads the mark off a vertex, and there is none
 }
 
-Nef united(const std::vector<Nef>& sets) {
+Nef united_nef(const std::vector<Nef>& sets) {
   if (sets.empty()) return Nef(Nef::EMPTY);
   if (sets.size() == 1) return sets[0];
   if (sets.size() == 2) return settled(sets[0] + sets[1]);
@@ -79,22 +79,22 @@ Nef difference(const Nef& a, const Nef& b) { return settled(settled(a - b).closu
 Nef set_of(const Parts& parts) {
   std::vector<Nef> sets;
   for (const auto& [mesh, cavity] : parts.shells) {
-    if (cavity) sets = {difference(united(sets), Nef(mesh))};
+    if (cavity) sets = {difference(united_nef(sets), Nef(mesh))};
     else sets.emplace_back(mesh);
   }
   for (const auto& sheet : parts.sheets) sets.emplace_back(sheet.begin(), sheet.end());
   for (const auto& [a, b] : parts.wires) sets.emplace_back(Nef::Segment_3(a, b));
   for (const Kernel::Point_3& p : parts.points) sets.emplace_back(p);
-  return united(sets);
+  return united_nef(sets);
 }
 
-Nef folded(const Problem& problem, const std::vector<Nef>& operands) {
+Nef folded_nef(const Problem& problem, const std::vector<Nef>& operands) {
   Nef value = operands[0];
   for (std::size_t i = 0; i < problem.steps.size();) {
     if (problem.steps[i] == Operation::unite) {
       std::vector<Nef> run{value};
       for (; i < problem.steps.size() && problem.steps[i] == Operation::unite; ++i) run.push_back(operands[i + 1]);
-      value = united(run);
+      value = united_nef(run);
       continue;
     }
     const Nef& right = operands[i + 1];
@@ -106,9 +106,9 @@ Nef folded(const Problem& problem, const std::vector<Nef>& operands) {
 
 // --- results
 
-class ModelMaker {
+class NefModelMaker {
  public:
-  explicit ModelMaker(const Nef& nef) : nef_(nef) {}
+  explicit NefModelMaker(const Nef& nef) : nef_(nef) {}
 
   Model run() {
     for (auto f = nef_.halffacets_begin(); f != nef_.halffacets_end(); ++f) add_facet(f);
@@ -162,7 +162,7 @@ class ModelMaker {
 
 /// Runs a stage; an assertion of CGAL that fails there is a refusal.
 template <class Work>
-auto guarded(const char* stage, Work work) {
+auto guarded_nef(const char* stage, Work work) {
   try {
     return work();
   } catch (const CGAL::Failure_exception& error) {
@@ -170,22 +170,22 @@ auto guarded(const char* stage, Work work) {
   }
 }
 
-Answer evaluate(const Problem& problem) {
+Answer answer_of_nef(const Problem& problem) {
   std::vector<Parts> parts;
-  guarded("input", [&] {
+  guarded_nef("input", [&] {
     for (const Model& operand : problem.operands) parts.push_back(nef::parts_of(operand));
   });
   Measurement measurement;
   std::vector<Nef> operands;
-  guarded("conversion", [&] {
+  guarded_nef("conversion", [&] {
     for (const Parts& of_operand : parts) operands.push_back(set_of(of_operand));
   });
   measurement.lap("conversion");
-  const Nef result = guarded("Boolean", [&] { return folded(problem, operands); });
+  const Nef result = guarded_nef("Boolean", [&] { return folded_nef(problem, operands); });
   measurement.lap("Boolean");
   Answer answer;
   answer.measures = measurement.stop();
-  answer.model = guarded("output", [&] { return ModelMaker(result).run(); });
+  answer.model = guarded_nef("output", [&] { return NefModelMaker(result).run(); });
   return answer;
 }
 
@@ -195,9 +195,9 @@ Model read_nef(const std::string& path) {
   std::ifstream in(path);
   if (!in) throw std::runtime_error("cannot read " + path);
   Nef nef;
-  guarded("output", [&] { in >> nef; });
+  guarded_nef("output", [&] { in >> nef; });
   if (!in) throw std::runtime_error("is no text of a Nef polyhedron: " + path);
-  return guarded("output", [&] { return ModelMaker(nef).run(); });
+  return guarded_nef("output", [&] { return NefModelMaker(nef).run(); });
 }
 
 System nef_system() {
@@ -208,7 +208,7 @@ System nef_system() {
           .rounding = 0,
           .regularized = false,
           .absent = "",
-          .evaluate = evaluate};
+          .evaluate = answer_of_nef};
 }
 
 }  // namespace cnrg::bench

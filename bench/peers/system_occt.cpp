@@ -37,8 +37,8 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr int kLargest = 9;   // binary exponent of the largest coordinate
-constexpr int kMaterial = 1;  // parts of one material are joined in the end
+constexpr int kLargestOcct = 9;  // binary exponent of the largest coordinate
+constexpr int kMaterial = 1;     // parts of one material are joined in the end
 
 // --- operands
 
@@ -245,9 +245,9 @@ void select_parts(BOPAlgo_CellsBuilder& fuse, const std::vector<Term>& terms) {
 
 // --- results
 
-class ModelMaker {
+class OcctModelMaker {
  public:
-  ModelMaker(const TopoDS_Shape& shape, const Rational& scale) : shape_(shape), scale_(scale) {}
+  OcctModelMaker(const TopoDS_Shape& shape, const Rational& scale) : shape_(shape), scale_(scale) {}
 
   Model run() {
     for (TopExp_Explorer solids(shape_, TopAbs_SOLID); solids.More(); solids.Next()) {
@@ -357,7 +357,7 @@ class ModelMaker {
 
 /// Runs a stage; what OpenCASCADE throws there is a refusal.
 template <class Work>
-auto guarded(const char* stage, Work work) {
+auto guarded_occt(const char* stage, Work work) {
   try {
     return work();
   } catch (const Standard_Failure& failure) {
@@ -366,33 +366,33 @@ auto guarded(const char* stage, Work work) {
   }
 }
 
-Answer evaluate(const Problem& problem) {
-  const Rational scale = scale_to(problem.operands, kLargest);
+Answer answer_of_occt(const Problem& problem) {
+  const Rational scale = scale_to(problem.operands, kLargestOcct);
   Measurement measurement;
   std::vector<Arguments> operands;
-  guarded("input", [&] {
+  guarded_occt("input", [&] {
     for (const Model& operand : problem.operands) operands.push_back(ArgumentMaker(operand, scale).run());
   });
   measurement.lap("conversion");
   BOPAlgo_CellsBuilder fuse;
   fuse.SetNonDestructive(true);
-  guarded("General Fuse", [&] {
+  guarded_occt("General Fuse", [&] {
     for (const Arguments& arguments : operands)
       for (const TopoDS_Shape& argument : arguments) fuse.AddArgument(argument);
     fuse.Perform();
   });
   require_no_errors(fuse, "General Fuse");
   measurement.lap("General Fuse");
-  guarded("parts", [&] { select_parts(fuse, terms_of(problem, operands)); });
+  guarded_occt("parts", [&] { select_parts(fuse, terms_of(problem, operands)); });
   require_no_errors(fuse, "parts");
   measurement.lap("parts");
 
   Answer answer;
   answer.measures = measurement.stop();
   if (fuse.HasWarnings()) answer.note = first_line([&](std::ostream& out) { fuse.DumpWarnings(out); });
-  guarded("output", [&] {
+  guarded_occt("output", [&] {
     try {
-      answer.model = ModelMaker(fuse.Shape(), scale).run();
+      answer.model = OcctModelMaker(fuse.Shape(), scale).run();
     } catch (const InvariantError&) {
       throw Refusal("output", "a face of the result crosses itself");
     }
@@ -410,7 +410,7 @@ System occt_system() {
           .rounding = 1e-9,
           .regularized = false,
           .absent = "",
-          .evaluate = evaluate};
+          .evaluate = answer_of_occt};
 }
 
 }  // namespace cnrg::bench

@@ -16,7 +16,7 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr int kLargest = 32;  // binary exponent of the largest coordinate
+constexpr int kLargestScad = 32;  // binary exponent of the largest coordinate
 
 void write_polyhedron(std::ostream& out, const TriangleMesh& mesh) {
   char line[96];
@@ -60,8 +60,8 @@ Model scaled(Model model, const Rational& scale) {
   return model;
 }
 
-Answer evaluate(const Problem& problem) {
-  const Rational scale = scale_to(problem.operands, kLargest);
+Answer answer_of_openscad(const Problem& problem) {
+  const Rational scale = scale_to(problem.operands, kLargestScad);
   std::vector<TriangleMesh> operands;
   for (const Model& operand : problem.operands) operands.push_back(rounded_triangles(operand, scale));
   const TemporaryFolder folder;
@@ -104,7 +104,7 @@ System openscad_system() {
           .rounding = 0x1p-50,
           .regularized = false,
           .absent = on_path("openscad") ? "" : "there is no program openscad; install the package openscad",
-          .evaluate = evaluate};
+          .evaluate = answer_of_openscad};
 }
 
 }  // namespace cnrg::bench

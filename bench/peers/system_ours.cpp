@@ -41,7 +41,7 @@ NodeValue operand_value(const Complex& complex, std::vector<Group>& groups, cons
 }
 
 /// Runs of one operation are one node each: (m0 op m1 op m2 ...).
-NodeValue folded(const Complex& complex, const Problem& problem, std::vector<NodeValue> operands) {
+NodeValue folded_value(const Complex& complex, const Problem& problem, std::vector<NodeValue> operands) {
   NodeValue value = std::move(operands[0]);
   for (std::size_t i = 0; i < problem.steps.size();) {
     std::vector<NodeValue> run;
@@ -70,9 +70,9 @@ SimplifiedComplex point_set(const Complex& complex, const NodeValue& value) {
 
 /// The simplified cells as a model. All faces are planar and all edges straight, so points that are no vertices of
 /// the simplified complex are not needed.
-class ModelMaker {
+class OurModelMaker {
  public:
-  ModelMaker(const Complex& complex, const SimplifiedComplex& simplified)
+  OurModelMaker(const Complex& complex, const SimplifiedComplex& simplified)
       : complex_(complex),
         simplified_(simplified),
         number_(complex.points.size(), kNone),
@@ -142,7 +142,7 @@ std::shared_ptr<const Complex> complex_of(const Soup& soup, RefineReport& report
   }
 }
 
-Answer evaluate(const Problem& problem) {
+Answer answer_of_ours(const Problem& problem) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   Measurement measurement;
   Soup soup;
@@ -158,14 +158,14 @@ Answer evaluate(const Problem& problem) {
   for (const std::vector<LeafId>& of_operand : leaves)
     operands.push_back(operand_value(complex, groups, of_operand));
   measurement.lap("leaves");
-  const NodeValue value = folded(complex, problem, std::move(operands));
+  const NodeValue value = folded_value(complex, problem, std::move(operands));
   measurement.lap("Boolean");
   const SimplifiedComplex simplified = point_set(complex, value);
   measurement.lap("simplify");
 
   Answer answer;
   answer.measures = measurement.stop();
-  answer.model = ModelMaker(complex, simplified).run();
+  answer.model = OurModelMaker(complex, simplified).run();
   answer.exact_share = report.stages.exact_share();
   answer.note = "constructed " + std::to_string(report.constructed);
   return answer;
@@ -181,7 +181,7 @@ System our_system() {
           .rounding = 0,
           .regularized = false,
           .absent = "",
-          .evaluate = evaluate};
+          .evaluate = answer_of_ours};
 }
 
 }  // namespace cnrg::bench

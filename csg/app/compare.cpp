@@ -18,8 +18,8 @@ struct Input {
   NodeId node;
 };
 
-Input read(const std::string& path, const std::string& node, const char* option,
-           const CompareArguments& arguments) {
+Input read_input(const std::string& path, const std::string& node, const char* option,
+                 const CompareArguments& arguments) {
   Input input{tree_of_any(path, arguments.inside, arguments.finer), {}};
   input.node = node_of(input.tree, node, option);
   return input;
@@ -32,8 +32,8 @@ int run_compare(const CompareArguments& arguments) {
     throw InputError(
         "cnrg: error: only one of A and B can be read from standard input; give a file for the other");
   }
-  const Input a = read(arguments.a, arguments.node_a, "--node-a", arguments);
-  const Input b = read(arguments.b, arguments.node_b, "--node-b", arguments);
+  const Input a = read_input(arguments.a, arguments.node_a, "--node-a", arguments);
+  const Input b = read_input(arguments.b, arguments.node_b, "--node-b", arguments);
   limit_threads(arguments.threads);
   CompareOptions options;
   options.threads = arguments.threads;

@@ -19,7 +19,7 @@ Rational total_volume(const Result& result) {
 
 /// `the regions have 65 % less volume`: where a distance is too large, that tells more than what met. Empty where
 /// it is less than a hundredth.
-std::string volume_text(const Result& before, const Result& after) {
+std::string volume_change_text(const Result& before, const Result& after) {
   const Rational was = total_volume(before);
   if (was == 0) return {};
   const double change = to_double((total_volume(after) - was) / was);
@@ -49,7 +49,8 @@ Result joined(const Tree& tree, NodeId node, const Result& result, const std::st
   }
   for (const std::string& warning : report.warnings(within)) tell(of + "warning: " + name + warning);
   if (report.rounds == 0) return out;
-  if (const std::string text = volume_text(result, out); !text.empty()) tell(of + "warning: " + name + text);
+  if (const std::string text = volume_change_text(result, out); !text.empty())
+    tell(of + "warning: " + name + text);
   return out;
 }
 

@@ -15,7 +15,7 @@
 namespace cnrg::app {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 16;
+constexpr std::size_t kLineBlock = 1 << 16;
 constexpr std::size_t kLongestLine = 4 * kMostDigits;  // three numbers and what is between them
 
 bool must_wait() {
@@ -54,10 +54,10 @@ void LineReader::fill() {
   at_ = 0;
   if (must_wait()) before_waiting_();
   const std::size_t size = waiting_.size();
-  waiting_.resize(size + kBlock);
+  waiting_.resize(size + kLineBlock);
   ssize_t n;
   do {
-    n = ::read(STDIN_FILENO, waiting_.data() + size, kBlock);
+    n = ::read(STDIN_FILENO, waiting_.data() + size, kLineBlock);
   } while (n < 0 && errno == EINTR);
   const int reason = errno;
   waiting_.resize(size + static_cast<std::size_t>(n > 0 ? n : 0));

@@ -13,7 +13,7 @@
 namespace cnrg::app {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 16;
+constexpr std::size_t kOutputBlock = 1 << 16;
 
 /// Writes to standard output; the system's reason if it refuses.
 int write_out(std::string_view text) {
@@ -69,7 +69,7 @@ std::streamsize Output::xsputn(const char* text, std::streamsize n) {
   const std::size_t line_end = added.rfind('\n');
   if (line_end != std::string_view::npos) lines_ = waiting_.size() + line_end + 1;
   waiting_ += added;
-  if (waiting_.size() >= kBlock && !drain(false)) return 0;
+  if (waiting_.size() >= kOutputBlock && !drain(false)) return 0;
   return n;
 }
 

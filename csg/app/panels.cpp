@@ -10,7 +10,7 @@ namespace {
 
 /// Reads an option; faults of the command line begin so.
 template <class Read>
-void read(Read read) {
+void read_option(Read read) {
   try {
     read(OptionNames(true));
   } catch (const InputError& e) {

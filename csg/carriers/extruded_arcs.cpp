@@ -10,7 +10,7 @@
 namespace cnrg {
 namespace {
 
-ExtrudeShape image(const ExtrudeShape& shape, const Transform& transform) {
+ExtrudeShape shape_image(const ExtrudeShape& shape, const Transform& transform) {
   ExtrudeShape result = shape;
   result.vector = transform.apply_to_vector(shape.vector);
   result.center.reset();
@@ -61,7 +61,7 @@ Rational ExtrudedArc::parameter(const Rational& turn) const {
 }
 
 std::vector<ExtrudedArc> arcs_of(const ExtrudeForm& form, const Transform& transform) {
-  const ExtrudeShape placed = image(form.shape, transform);
+  const ExtrudeShape placed = shape_image(form.shape, transform);
   BoundaryCurves boundary(form.fineness, form.steps.get());
   std::vector<ExtrudedArc> result;
   std::uint32_t number = 0;
@@ -86,7 +86,7 @@ std::vector<ExtrudedArc> arcs_of(const ExtrudeForm& form, const Transform& trans
 std::unique_ptr<PreparedLeaf> extrude_anew(const ExtrudeForm& form, const Transform& transform,
                                            FixedSamples fixed) {
   const auto sweep = std::make_shared<CommonSweep>();
-  sweep->shape = image(form.shape, transform);
+  sweep->shape = shape_image(form.shape, transform);
   sweep->mirrored = form.mirrored != (transform.determinant() < 0);
   sweep->steps = form.steps;
   sweep->fixed = std::move(fixed);

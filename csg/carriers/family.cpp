@@ -37,7 +37,7 @@ Family::Family(std::vector<Member> members, bool may_round)
   }
 }
 
-void Family::add_marks(std::size_t member, const Marks& marks) {
+void Family::add_marks(std::size_t member, const TangencyMarks& marks) {
   marks_.insert(marks_.end(), marks.directions.begin(), marks.directions.end());
   for (const RationalPoint& p : marks.points) add_point(member, p);
   for (const MeridianPoint& p : marks.circles) add_circle(member, p);

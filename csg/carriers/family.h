@@ -40,7 +40,7 @@ class Family {
   Family& operator=(const Family&) = delete;
 
   /// Points and circles that `member` must have as vertices.
-  void add_marks(std::size_t member, const Marks& marks);
+  void add_marks(std::size_t member, const TangencyMarks& marks);
   /// Contacts first, then directions: what must be one may be added between.
   void solve_meridians() { plane_.solve(); }
   /// With `others` (turns.h), which are not kept.

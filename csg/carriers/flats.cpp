@@ -10,7 +10,7 @@ namespace cnrg {
 namespace {
 
 /// On the line through a and b, between them or one of them.
-bool between(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
+bool on_segment(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
   return is_zero(cross(b - a, p - a)) && cnrg::dot(p - a, p - b) <= 0;
 }
 
@@ -73,7 +73,7 @@ bool Flat::polygon_meets(const RationalPoint& p, const RationalPoint& q) const {
   for (const auto& loop : loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const RationalPoint &a = loop[i], &b = loop[(i + 1) % loop.size()];
-      if (between(a, b, p) || between(a, b, q)) return true;
+      if (on_segment(a, b, p) || on_segment(a, b, q)) return true;
       if (p != q && side(a, b, p) * side(a, b, q) <= 0 && side(p, q, a) * side(p, q, b) <= 0 &&
           !(is_zero(cross(b - a, q - p)) && side(a, b, p) != 0))
         return true;

@@ -34,7 +34,7 @@ Rational along(const MeridianPiece& arc, const Rational& degrees) {
 }
 
 /// Nearer to an end than this, in degrees, a point is not told from it.
-constexpr double kNear = 1e-9;
+constexpr double kNearAngle = 1e-9;
 
 bool on_circle(const MeridianPiece& arc, const Point& p, const Rational& square) {
   const Point off = p - arc.middle;
@@ -45,7 +45,7 @@ bool on_circle(const MeridianPiece& arc, const Point& p, const Rational& square)
 bool holds(const MeridianPiece& arc, const Point& p, const Rational& square) {
   if (p == arc.from || p == arc.to || abs(arc.sweep) == 360) return true;
   const double way = to_double(along(arc, from_double(degrees_of(p, arc.middle, square))));
-  return way > kNear && way < std::abs(to_double(arc.sweep)) - kNear;
+  return way > kNearAngle && way < std::abs(to_double(arc.sweep)) - kNearAngle;
 }
 
 bool on_line(const MeridianPiece& line, const Point& p) {
@@ -127,9 +127,9 @@ void add_points(const MeridianPiece& p, const MeridianPiece& q, std::vector<Poin
       if (arc->kind != Kind::arc) continue;
       held = held && holds(*arc, x, square);
       for (const Point& y : result.points) {
-        known =
-            known || std::abs(std::remainder(
-                         degrees_of(x, arc->middle, square) - degrees_of(y, arc->middle, square), 360)) < kNear;
+        known = known ||
+                std::abs(std::remainder(degrees_of(x, arc->middle, square) - degrees_of(y, arc->middle, square),
+                                        360)) < kNearAngle;
       }
     }
     if (!held || known) continue;
@@ -212,7 +212,7 @@ void MeridianPlane::add_vertex(std::size_t i, const MeridianPoint& at) {
   if (piece.kind != Kind::arc) return;
   const double radius = to_double(piece.radius);
   const Point off = at - piece.middle;
-  if (std::abs(std::sqrt(to_double(dot(off, off, square_))) - radius) > kNear * radius) return;
+  if (std::abs(std::sqrt(to_double(dot(off, off, square_))) - radius) > kNearAngle * radius) return;
   arcs_.at({piece.middle, piece.radius}).marks.push_back(at);
 }
 
@@ -260,7 +260,7 @@ void MeridianPlane::sample(Arc& arc) const {
   for (const auto& [error, p] : by_error) {
     const double angle = angle_of(arc, p);
     const bool known = std::any_of(marked.begin(), marked.end(), [&](double other) {
-      return std::abs(std::remainder(angle - other, 360)) < kNear;
+      return std::abs(std::remainder(angle - other, 360)) < kNearAngle;
     });
     if (known) continue;
     kept.push_back(p);
@@ -324,7 +324,7 @@ std::vector<RevolvedGrid::Row> MeridianPlane::rows(std::size_t i) const {
     for (const Vertex& vertex : arc.vertices) {
       if (vertex.at == piece.from || vertex.at == piece.to) continue;
       const Rational way = along(piece, vertex.degrees);
-      if (to_double(way) > kNear && to_double(way) < whole - kNear) inside.emplace_back(way, vertex.at);
+      if (to_double(way) > kNearAngle && to_double(way) < whole - kNearAngle) inside.emplace_back(way, vertex.at);
     }
     std::sort(inside.begin(), inside.end());
     for (const auto& [way, p] : inside) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNear = 1e-6;
 
-double length(const RationalPoint& v) {
+double rounded_length(const RationalPoint& v) {
   double square = 0;
   for (const Rational& x : v) square += to_double(x) * to_double(x);
   return std::sqrt(square);
@@ -54,7 +54,7 @@ std::optional<Gap> between_balls(const PlacedForm& a, const MeridianPiece& p, co
   if (p.middle.r != 0 || q.middle.r != 0) return std::nullopt;
   const RationalPoint first = a.axis.foot + p.middle.t * a.axis.direction,
                       second = b.axis.foot + q.middle.t * b.axis.direction;
-  const double apart = length(first - second) + std::abs(to_double(p.radius - q.radius));
+  const double apart = rounded_length(first - second) + std::abs(to_double(p.radius - q.radius));
   return Gap{"spheres", apart, to_double(std::max(p.radius, q.radius))};
 }
 
@@ -62,16 +62,16 @@ std::optional<Gap> between_balls(const PlacedForm& a, const MeridianPiece& p, co
 double axes_apart(const PlacedForm& a, const PlacedForm& b) {
   if (a.axis == b.axis) return 0;
   double far = 0;
-  const double first = length(a.axis.direction), second = length(b.axis.direction);
+  const double first = rounded_length(a.axis.direction), second = rounded_length(b.axis.direction);
   for (const auto& line : a.lines) {
     for (const MeridianPiece& piece : line) {
       for (const Rational& t : {piece.from.t, piece.to.t}) {
         const RationalPoint off = a.axis.foot + t * a.axis.direction - b.axis.foot;
-        far = std::max(far, length(cross(off, b.axis.direction)) / second);
+        far = std::max(far, rounded_length(cross(off, b.axis.direction)) / second);
       }
     }
   }
-  return far + length(cross(a.axis.direction, b.axis.direction)) / first / second * far;
+  return far + rounded_length(cross(a.axis.direction, b.axis.direction)) / first / second * far;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace cnrg {
 namespace {
 
-RationalPoint between(const RationalPoint& a, const RationalPoint& b) {
+RationalPoint bisector(const RationalPoint& a, const RationalPoint& b) {
   const RationalPoint sum = a + b;
   return Rational(1 / root(dot(sum, sum))) * sum;
 }
@@ -33,7 +33,7 @@ void solve_turns(const std::vector<std::shared_ptr<Family>>& families, const std
       const Turns& turns = families[nested[k].inner]->turns();
       for (const RationalPoint& d : turns.directions()) directions.push_back(d);
       for (const RationalPoint& d : turns.beside(nested[k].direction))
-        directions.push_back(between(nested[k].direction, d));
+        directions.push_back(bisector(nested[k].direction, d));
     }
     families[f]->solve_turns(directions);
     solved[f] = true;

@@ -26,7 +26,7 @@ using Interval = std::array<Rational, 2>;  // in either order
 using Intervals = std::array<Interval, 3>;
 
 /// A box that holds the product of intervals, whatever doubles round.
-Box box_of(const Intervals& intervals) {
+Box interval_box(const Intervals& intervals) {
   Box box;
   for (std::size_t k = 0; k < 3; ++k) {
     box.lo[k] = std::nextafter(to_double(intervals[k][0]), -std::numeric_limits<double>::infinity());
@@ -53,7 +53,7 @@ void each_meeting(const std::vector<Item>& items, IntervalsOf intervals_of, Visi
       continue;
     }
     different.push_back(i);
-    boxes.push_back(box_of(it->first));
+    boxes.push_back(interval_box(it->first));
   }
   if (boxes.size() < 2) return;
   const BoxTree tree(boxes);

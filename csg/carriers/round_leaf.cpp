@@ -6,6 +6,7 @@
 
 #include "csg/carriers/sectors.h"
 #include "csg/curves/surface_math.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -14,7 +15,6 @@ namespace {
 using Point3 = RoundLeaf::Point3;
 using surface_math::difference;
 
-double length(const Point3& a) { return std::sqrt(surface_math::dot(a, a)); }
 double size_of(const Point3& p) { return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]); }
 
 }  // namespace

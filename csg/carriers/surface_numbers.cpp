@@ -18,7 +18,7 @@ namespace cnrg {
 namespace {
 
 /// What kind of surface, then the numbers that it is.
-enum Kind : int { kQuadric, kTorus, kTurned, kSwept, kNet };
+enum SurfaceKind : int { kQuadric, kTorus, kTurned, kSwept, kNet };
 using Key = std::vector<Rational>;
 
 /// How lengths and planes of a leaf look where a transform put it.

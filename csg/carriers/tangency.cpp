@@ -29,7 +29,7 @@ Box around(const Point3& a, const Point3& b) {
   return box;
 }
 
-Point3 image(const Transform& transform, const Point3& p) {
+Point3 point_image(const Transform& transform, const Point3& p) {
   Point3 q;
   for (std::size_t k = 0; k < 3; ++k) {
     q[k] = to_double(transform.offset[k]);
@@ -39,14 +39,14 @@ Point3 image(const Transform& transform, const Point3& p) {
 }
 
 /// Of the corners of a leaf's own box.
-Box box_of(const GeometryLeaf& leaf, const Transform& transform) {
+Box leaf_box(const GeometryLeaf& leaf, const Transform& transform) {
   Box own, box;
   for (const PointId p : IdRange<PointId>(leaf.geometry().point_count())) {
     const double* x = leaf.geometry().xyz(p);
     own.extend({x[0], x[1], x[2]}, {x[0], x[1], x[2]});
   }
   for (int i = 0; i < 8; ++i) {
-    const Point3 corner = image(
+    const Point3 corner = point_image(
         transform, {(i & 1 ? own.hi : own.lo)[0], (i & 2 ? own.hi : own.lo)[1], (i & 4 ? own.hi : own.lo)[2]});
     box.extend(around(corner, corner));
   }
@@ -100,7 +100,7 @@ class Finder {
     std::vector<Point3> points;
     for (const PointId p : IdRange<PointId>(soup.point_count())) {
       const double* x = soup.xyz(p);
-      points.push_back(image(transform, {x[0], x[1], x[2]}));
+      points.push_back(point_image(transform, {x[0], x[1], x[2]}));
     }
     std::vector<Box> boxes;
     for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
@@ -181,7 +181,7 @@ class Finder {
       if (ring.middle.r == 0 || up * up * round.exact().placed.square() != ring.radius * ring.radius) continue;
       const RationalPoint center = axis.foot + t * axis.direction;
       if (!flat.meets_circle(center, ring.middle.r)) continue;
-      Marks& marks = marks_[round.instance()];
+      TangencyMarks& marks = marks_[round.instance()];
       marks.circles.push_back({ring.middle.r, t});
       marks.needed = marks.needed || !has_vertex(round, center + ring.middle.r * round.exact().placed.start);
     }
@@ -375,14 +375,14 @@ class Finder {
   }
 
   void mark_point(const RoundLeaf& round, const RationalPoint& at) {
-    Marks& marks = marks_[round.instance()];
+    TangencyMarks& marks = marks_[round.instance()];
     if (std::find(marks.points.begin(), marks.points.end(), at) != marks.points.end()) return;
     marks.points.push_back(at);
     marks.needed = marks.needed || !has_vertex(round, at);
   }
 
   void mark_direction(const RoundLeaf& round, const RationalPoint& direction, const Tube& tube) {
-    Marks& marks = marks_[round.instance()];
+    TangencyMarks& marks = marks_[round.instance()];
     if (std::find(marks.directions.begin(), marks.directions.end(), direction) != marks.directions.end()) return;
     marks.directions.push_back(direction);
     marks.needed = marks.needed ||
@@ -395,7 +395,7 @@ class Finder {
   bool in_space_of_tree_;
   std::vector<RoundLeaf> rounds_;
   std::map<Index, std::size_t> place_;
-  std::map<Index, Marks> marks_;
+  std::map<Index, TangencyMarks> marks_;
   std::vector<std::array<Index, 2>> nested_;
   std::vector<Inside> inside_;
   std::map<CircleInSpace, std::set<HasCircle>> circles_;
@@ -418,7 +418,7 @@ std::vector<BesidePlanes> beside_planes(const std::vector<LeafInstance>& instanc
     if (dynamic_cast<const UnboundedLeaf*>(instance.leaf.get()) != nullptr) {
       for (const RevolvedInstance& of : revolved) beside.revolved.push_back(of.instance);
     } else if (const auto* geometry = dynamic_cast<const GeometryLeaf*>(instance.leaf.get())) {
-      const Box reach = box_of(*geometry, instance.transform);
+      const Box reach = leaf_box(*geometry, instance.transform);
       tree.query([&](const Box& box) { return box.meets(reach); },
                  [&](Index r) { beside.revolved.push_back(revolved[r].instance); });
     }

@@ -16,7 +16,7 @@
 namespace cnrg {
 
 /// What an instance must have in its tessellation beside what it shares with others about its axis.
-struct Marks {
+struct TangencyMarks {
   std::vector<RationalPoint> directions;  ///< at right angles to the axis: unit vectors, exactly
   std::vector<RationalPoint> points;      ///< on balls, whole ones or parts
   std::vector<MeridianPoint> circles;     ///< on arcs, as `place` (axes.h) has them
@@ -48,7 +48,7 @@ struct HasCircle {
 };
 
 struct Contacts {
-  std::map<std::uint32_t, Marks> marks;  ///< by instance, in the space that is asked about
+  std::map<std::uint32_t, TangencyMarks> marks;  ///< by instance, in the space that is asked about
   /// Whole spheres of which one touches the other from inside: a point alone would not keep facets apart around
   /// it, so these two share the axis through their centres.
   std::vector<std::array<std::uint32_t, 2>> nested;

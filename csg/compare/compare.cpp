@@ -23,7 +23,7 @@ namespace cnrg {
 namespace {
 
 /// One of the two values on the complex.
-struct Side {
+struct ComparedSide {
   const KeptValue* kept;
   Selection selection;
   CellSet cells;
@@ -32,7 +32,7 @@ struct Side {
 
 class Comparer {
  public:
-  Comparer(const Together& together, const Marks& marks, const Names& names, const Evaluation& evaluation,
+  Comparer(const Together& together, const UnusedMarks& marks, const Names& names, const Evaluation& evaluation,
            const CompareOptions& options)
       : marks_(marks), names_(names), complex_(*evaluation.complex), options_(options) {
     for (std::size_t side = 0; side < 2; ++side) {
@@ -50,7 +50,7 @@ class Comparer {
     sets_ = {only[0], only[1]};
     if (options_.components) compare_components(only);
     // All at once: to find and to measure pieces takes passes over the complex.
-    std::vector<std::vector<Piece>> pieces = pieces_of(complex_, sets_);
+    std::vector<std::vector<SetPiece>> pieces = pieces_of(complex_, sets_);
     for (std::size_t side = 0; side < 2; ++side) out_.only[side] = std::move(pieces[side]);
     for (std::size_t i = 0; i < out_.moved.size(); ++i) out_.moved[i].pieces = std::move(pieces[2 + i]);
     for (std::size_t i = 0; i < out_.said.size(); ++i) out_.said[i].pieces = std::move(pieces[said_at_ + i]);
@@ -225,11 +225,11 @@ class Comparer {
     }
   }
 
-  const Marks& marks_;
+  const UnusedMarks& marks_;
   const Names& names_;
   const Complex& complex_;
   const CompareOptions& options_;
-  std::array<Side, 2> sides_;
+  std::array<ComparedSide, 2> sides_;
   std::vector<CellSet> sets_;    // only in A, only in B, those of `moved`, of `said`, features of A and of B
   std::size_t said_at_ = 0;      // where those of `said` begin
   std::size_t features_at_ = 0;  // where the latter begin; 0: nobody asked
@@ -258,7 +258,7 @@ bool Comparison::same() const {
 Comparison compare(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const CompareOptions& options) {
   const std::array<const Tree*, 2> trees{&a, &b};
   std::array<NodeId, 2> nodes{node_a, node_b};
-  const Marks marks(a, b);
+  const UnusedMarks marks(a, b);
   const Names names(marks.node, {Given(a, node_a), Given(b, node_b)});
   // A fault of one of the trees is told in its own words, without marks and in the file that it is in.
   const auto told_alone = [&](const std::vector<std::size_t>& sides, const auto& work) {

@@ -29,7 +29,7 @@ struct Comparison {
   std::array<std::vector<std::string>, 2> components;
 
   /// Active in one value alone.
-  std::array<std::vector<Piece>, 2> only;
+  std::array<std::vector<SetPiece>, 2> only;
 
   /// Components that are made of each other and are not one and one: {1}, {1, 2} where one of A is two of B.
   /// With an empty list: those that share no cell with the other value.
@@ -44,7 +44,7 @@ struct Comparison {
   /// Active in both values, but in components that do not correspond.
   struct Moved {
     std::array<Component, 2> in;
-    std::vector<Piece> pieces;
+    std::vector<SetPiece> pieces;
   };
   std::vector<Moved> moved;
 
@@ -65,13 +65,13 @@ struct Comparison {
   /// Faces, edges and vertices that both have in components that correspond, and of which other things are said.
   struct Said {
     std::vector<Word> words;
-    std::vector<Piece> pieces;
+    std::vector<SetPiece> pieces;
   };
   std::vector<Said> said;
 
   /// Vertices, edges and faces of the simplified value that the other one has within a larger cell, where nothing
   /// else differs.
-  std::array<std::vector<Piece>, 2> features;
+  std::array<std::vector<SetPiece>, 2> features;
 
   bool same() const;
 };

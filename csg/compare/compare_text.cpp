@@ -53,7 +53,7 @@ std::vector<std::string> sizes(const Size& size) {
   return parts;
 }
 
-std::string piece_text(const Piece& piece) {
+std::string piece_text(const SetPiece& piece) {
   const auto& counts = piece.counts;
   std::vector<std::string> parts;
   const auto add = [&](std::size_t count, const char* what, const std::string& size) {
@@ -72,9 +72,9 @@ class Lines {
   explicit Lines(std::size_t most) : most_(most) {}
 
   /// A line per piece between `before` and `behind`, and one about all of them.
-  void pieces(const std::vector<Piece>& pieces, const std::string& before, const std::string& behind = "") {
+  void pieces(const std::vector<SetPiece>& pieces, const std::string& before, const std::string& behind = "") {
     Size all;
-    for (const Piece& piece : pieces) all.add(piece.size);
+    for (const SetPiece& piece : pieces) all.add(piece.size);
     for (std::size_t i = 0; i < std::min(most_, pieces.size()); ++i) {
       append_line(text_, before + piece_text(pieces[i]) + behind);
     }

@@ -14,7 +14,7 @@ Json json_of(const Extent& extent) {
   return extent.unbounded ? Json() : extent.sum.is_zero() ? Json(0) : Json(to_double(extent.sum.value()));
 }
 
-Json json_of(const Piece& piece) {
+Json json_of(const SetPiece& piece) {
   Json out{{"dimension", piece.dimension()},
            {"counts", piece.counts},
            {"volume", piece.size.volume ? Json(to_string(*piece.size.volume)) : Json()},
@@ -24,9 +24,9 @@ Json json_of(const Piece& piece) {
   return out;
 }
 
-Json json_of(const std::vector<Piece>& pieces) {
+Json json_of(const std::vector<SetPiece>& pieces) {
   Json out = Json::array();
-  for (const Piece& piece : pieces) out.push_back(json_of(piece));
+  for (const SetPiece& piece : pieces) out.push_back(json_of(piece));
   return out;
 }
 

@@ -12,10 +12,10 @@
 namespace cnrg {
 namespace {
 
-/// Places of the cells of all sets in one list.
-class Places {
+/// CellPlaces of the cells of all sets in one list.
+class CellPlaces {
  public:
-  Places(const Complex& complex, const std::vector<CellSet>& sets)
+  CellPlaces(const Complex& complex, const std::vector<CellSet>& sets)
       : vertices_(complex.points.size()),
         edges_(complex.edge_count()),
         faces_(complex.face_count()),
@@ -70,16 +70,16 @@ void for_star(const Complex& complex, VertexId v, F visit) {
 /// Points in pieces, found by trial and decided by location, which is exact.
 class PointFinder {
  public:
-  PointFinder(const Complex& complex, const Places& places) : complex_(complex), places_(places) {}
+  PointFinder(const Complex& complex, const CellPlaces& places) : complex_(complex), places_(places) {}
 
-  RationalPoint in(const Piece& piece, std::uint32_t number, const std::vector<std::uint32_t>& piece_of) {
+  RationalPoint in(const SetPiece& piece, std::uint32_t number, const std::vector<std::uint32_t>& piece_of) {
     const auto holds = [&](const RationalPoint& p) {
       const Location at = locator().locate(p);
       const std::uint32_t place = at.dimension == 0   ? places_.of(at.vertex)
                                   : at.dimension == 1 ? places_.of(at.edge)
                                   : at.dimension == 2 ? places_.of(at.face)
                                                       : places_.of(at.region);
-      return place != Places::kNone && piece_of[place] == number;
+      return place != CellPlaces::kNone && piece_of[place] == number;
     };
     const CellSet& cells = piece.cells;
     if (piece.counts[3] != 0) {
@@ -185,7 +185,7 @@ class PointFinder {
   }
 
   const Complex& complex_;
-  const Places& places_;
+  const CellPlaces& places_;
   std::optional<Locator> locator_;
 };
 
@@ -194,7 +194,7 @@ class Pieces {
   Pieces(const Complex& complex, const std::vector<CellSet>& sets)
       : complex_(complex), sets_(sets), places_(complex, sets), bounds_(places_.count(), 0) {}
 
-  std::vector<std::vector<Piece>> run() {
+  std::vector<std::vector<SetPiece>> run() {
     join();
     measure();
     count();
@@ -216,14 +216,14 @@ class Pieces {
         const std::uint32_t place = places_.of(cell);
         for_star(complex_, cell, [&](auto larger) {
           const std::uint32_t other = places_.of(larger);
-          if (other == Places::kNone || set_of[other] != set_of[place]) return;
+          if (other == CellPlaces::kNone || set_of[other] != set_of[place]) return;
           parts.unite(place, other);
           bounds_[place] = 1;
         });
       }
     };
     for (const CellSet& set : sets_) link(set.vertices), link(set.edges), link(set.faces);
-    piece_of_.assign(places_.count(), Places::kNone);
+    piece_of_.assign(places_.count(), CellPlaces::kNone);
     const auto gather = [&](std::size_t set, const auto& cells, auto member) {
       for (const auto cell : cells) {
         const std::uint32_t place = places_.of(cell), root = parts.find(place);
@@ -255,7 +255,7 @@ class Pieces {
   }
 
   void measure() {
-    for (Piece& piece : pieces_) {
+    for (SetPiece& piece : pieces_) {
       const CellSet& cells = piece.cells;
       if (!cells.regions.empty()) piece.size.volume = volume(complex_, cells.regions);
       for (const FaceId f : cells.faces) {
@@ -306,7 +306,7 @@ class Pieces {
     for (const auto& region : simple.regions) add(region.component, 3, true);
   }
 
-  std::vector<std::vector<Piece>> in_order() {
+  std::vector<std::vector<SetPiece>> in_order() {
     struct Key {
       bool bounded;
       Rational volume;
@@ -334,17 +334,17 @@ class Pieces {
       return pieces_[a.index].at < pieces_[b.index].at;
     };
     std::sort(keys.begin(), keys.end(), before);
-    std::vector<std::vector<Piece>> out(sets_.size());
+    std::vector<std::vector<SetPiece>> out(sets_.size());
     for (const Key& key : keys) out[set_of_piece_[key.index]].push_back(std::move(pieces_[key.index]));
     return out;
   }
 
   const Complex& complex_;
   const std::vector<CellSet>& sets_;
-  Places places_;
+  CellPlaces places_;
   std::vector<char> bounds_;             // by place: a larger cell of the set has the cell on its boundary
   std::vector<std::uint32_t> piece_of_;  // by place
-  std::vector<Piece> pieces_;
+  std::vector<SetPiece> pieces_;
   std::vector<std::size_t> set_of_piece_;
 };
 
@@ -358,7 +358,7 @@ void Size::add(const Size& other) {
   points += other.points;
 }
 
-std::vector<std::vector<Piece>> pieces_of(const Complex& complex, const std::vector<CellSet>& sets) {
+std::vector<std::vector<SetPiece>> pieces_of(const Complex& complex, const std::vector<CellSet>& sets) {
   return Pieces(complex, sets).run();
 }
 

@@ -30,7 +30,7 @@ struct Size {
   void add(const Size& other);
 };
 
-struct Piece {
+struct SetPiece {
   CellSet cells;  ///< connected
   Size size;
   std::array<std::size_t, 4> counts{};  ///< by dimension, simplified: points, wires, faces, 3-cells
@@ -40,6 +40,6 @@ struct Piece {
 
 /// The pieces of each of some disjoint sets, the largest first: by volume, then area, length and number of points;
 /// equal ones by their point.
-std::vector<std::vector<Piece>> pieces_of(const Complex& complex, const std::vector<CellSet>& sets);
+std::vector<std::vector<SetPiece>> pieces_of(const Complex& complex, const std::vector<CellSet>& sets);
 
 }  // namespace cnrg

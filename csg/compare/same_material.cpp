@@ -145,8 +145,8 @@ bool same_function(const Stated& a, const Stated& b) {
          same_set(*to_a->target, *a.placement, *to_b->target, *b.placement);
 }
 
-/// Classes of graded materials that are the same function.
-class Classes {
+/// MaterialClasses of graded materials that are the same function.
+class MaterialClasses {
  public:
   /// Puts a grade and all that are nested in it into classes; returns that of the outermost.
   std::string of(const PlacedGrade& placed, const std::string& mark) {
@@ -253,7 +253,7 @@ bool same_grade(const PlacedGrade& a, const PlacedGrade& b, const std::string& m
   if (blend_a != nullptr && blend_b != nullptr)
     return same_blend(*blend_a, a.placement, *blend_b, b.placement, mark);
   if (blend_a != nullptr || blend_b != nullptr) return false;
-  Classes classes;
+  MaterialClasses classes;
   return classes.of(a, {}) == classes.of(b, mark);
 }
 

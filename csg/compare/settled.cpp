@@ -8,7 +8,7 @@
 
 namespace cnrg {
 
-Settled::Settled(const Tree& tree, NodeId node, const Marks& marks, int threads) : file_("cnrg compare") {
+Settled::Settled(const Tree& tree, NodeId node, const UnusedMarks& marks, int threads) : file_("cnrg compare") {
   EvaluateOptions options;
   options.threads = threads;
   options.rows = Rows::none;

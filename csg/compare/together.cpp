@@ -58,7 +58,7 @@ void accept(std::vector<std::array<SideName, 2>>& between, Ways ways) {
 
 class Joiner {
  public:
-  explicit Joiner(const Marks& marks) : marks_(marks) {}
+  explicit Joiner(const UnusedMarks& marks) : marks_(marks) {}
 
   void add(const Tree& tree, NodeId root, std::size_t side) {
     const std::string mark = side == 0 ? "" : marks_.material;
@@ -115,7 +115,7 @@ class Joiner {
     return std::make_shared<const Selector>(std::move(selector));
   }
 
-  const Marks& marks_;
+  const UnusedMarks& marks_;
   Together out_;
   Dag dag_;
 };
@@ -160,7 +160,7 @@ std::optional<std::pair<Shape, const char*>> shape_of(const std::string& path) {
 
 }  // namespace
 
-Marks::Marks(const Tree& a, const Tree& b) {
+UnusedMarks::UnusedMarks(const Tree& a, const Tree& b) {
   // Longer than any run of this character in a name, so that no name can have it by itself.
   std::size_t longest = 0;
   const auto look = [&](const std::string& name) {
@@ -189,7 +189,7 @@ Given::Given(const Tree& tree, NodeId node) {
   }
 }
 
-Tree marked(Tree tree, const Marks& marks) {
+Tree marked(Tree tree, const UnusedMarks& marks) {
   for (Node& node : tree.nodes) {
     node.name.insert(0, marks.node);
     for (std::size_t at = 0; (at = node.name.find(kJoint, at)) != std::string::npos;) {
@@ -212,7 +212,7 @@ Tree marked(Tree tree, const Marks& marks) {
   return tree;
 }
 
-Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const Marks& marks) {
+Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const UnusedMarks& marks) {
   Joiner joiner(marks);
   joiner.add(a, node_a, 0);
   joiner.add(b, node_b, 1);

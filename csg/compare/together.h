@@ -14,8 +14,8 @@
 namespace cnrg {
 
 /// What no name of two trees has in it.
-struct Marks {
-  Marks(const Tree& a, const Tree& b);
+struct UnusedMarks {
+  UnusedMarks(const Tree& a, const Tree& b);
   std::string node, material;
 };
 
@@ -33,10 +33,10 @@ struct Together {
 };
 
 /// The trees, whose nodes may have the mark in front of their names already, must have no `weld`.
-Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const Marks& marks);
+Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const UnusedMarks& marks);
 
 /// The tree with the mark in front of the names of its nodes, and of each word of them.
-Tree marked(Tree tree, const Marks& marks);
+Tree marked(Tree tree, const UnusedMarks& marks);
 
 /// A tree with one node, that leaf.
 Tree tree_of_leaf(const std::string& file, const std::string& name, const std::string& key, Shape shape);

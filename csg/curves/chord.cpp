@@ -9,12 +9,12 @@ namespace {
 
 using Entry = std::array<double, 4>;
 
-double length(const Entry& e) { return std::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]); }
+double vector_length(const Entry& e) { return std::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]); }
 
 Entry difference(const Entry& a, const Entry& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]}; }
 
 /// Control points of the part from a to b of one row: point i is the blossom at a, n - i times, and b, i times.
-void cut(std::vector<Entry>& row, double a, double b) {
+void cut_row(std::vector<Entry>& row, double a, double b) {
   const std::size_t n = row.size() - 1;
   std::vector<Entry> result(n + 1), work;
   for (std::size_t i = 0; i <= n; ++i) {
@@ -51,7 +51,7 @@ void move_to_middle(std::vector<std::vector<Entry>>& net) {
 struct Largest {
   double point = 0, weight = 0;
   void see(const Entry& e, double factor) {
-    point = std::max(point, factor * length(e));
+    point = std::max(point, factor * vector_length(e));
     weight = std::max(weight, factor * std::abs(e[3]));
   }
 };
@@ -70,7 +70,7 @@ PatchChord::PatchChord(const BezierPatch& patch) {
       Entry e;
       for (std::size_t k = 0; k < 3; ++k) e[k] = to_double(h[k] / unit - origin[k] * w);
       e[3] = to_double(w);
-      largest = std::max(largest, length(e));
+      largest = std::max(largest, vector_length(e));
       largest_weight = std::max(largest_weight, e[3]);
       net_.back().push_back(e);
     }
@@ -86,13 +86,13 @@ PatchChord::PatchChord(const BezierPatch& patch) {
 PatchChord::Net PatchChord::part(const std::array<double, 2>& low, const std::array<double, 2>& high) const {
   Net net = net_;
   if (low[0] > 0 || high[0] < 1) {
-    for (auto& row : net) cut(row, low[0], high[0]);
+    for (auto& row : net) cut_row(row, low[0], high[0]);
   }
   if (low[1] > 0 || high[1] < 1) {
     std::vector<Entry> column(net.size());
     for (std::size_t i = 0; i < net[0].size(); ++i) {
       for (std::size_t j = 0; j < net.size(); ++j) column[j] = net[j][i];
-      cut(column, low[1], high[1]);
+      cut_row(column, low[1], high[1]);
       for (std::size_t j = 0; j < net.size(); ++j) net[j][i] = column[j];
     }
   }
@@ -109,7 +109,7 @@ ChordTerms PatchChord::terms(const std::array<double, 2>& low, const std::array<
   for (std::size_t j = 0; j < rows; ++j) {
     for (std::size_t i = 0; i < columns; ++i) {
       least = std::min(least, net[j][i][3]);
-      reach = std::max(reach, (length(net[j][i]) + error_) / (net[j][i][3] - weight_error_));
+      reach = std::max(reach, (vector_length(net[j][i]) + error_) / (net[j][i][3] - weight_error_));
       const bool right = i + 1 < columns, up = j + 1 < rows;
       if (right) u.see(difference(net[j][i + 1], net[j][i]), p);
       if (up) v.see(difference(net[j + 1][i], net[j][i]), q);

@@ -33,7 +33,7 @@
 namespace cnrg {
 namespace {
 
-double length(const RationalPoint& v) { return std::sqrt(to_double(dot(v, v))) * (1 + 1e-12); }
+double length_bound(const RationalPoint& v) { return std::sqrt(to_double(dot(v, v))) * (1 + 1e-12); }
 
 class Extrusion {
  public:
@@ -105,7 +105,7 @@ class Extrusion {
     for (const ProfileLine& line : shape_.profile.lines) {
       for (const CurveNet& net : line.segments) {
         for (const RationalPoint& p : net.points) {
-          radius_ = std::max(radius_, length(p - center_));
+          radius_ = std::max(radius_, length_bound(p - center_));
           if (dot(p - first, shape_.vector) == 0) continue;
           throw InputError(
               "extrude: with twist or scale the profile must lie at right angles to the vector, but " +
@@ -152,7 +152,7 @@ class Extrusion {
         Rational low(i, n), high(i + 1, n);
         low.canonicalize();
         high.canonicalize();
-        fine = length(curve.at(high) - curve.at(low)) <= longest_;
+        fine = length_bound(curve.at(high) - curve.at(low)) <= longest_;
       }
       if (!fine) n *= 2;
       if (n > Fineness::kMostSegments) fineness_.fail_too_fine();

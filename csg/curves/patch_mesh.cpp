@@ -11,6 +11,7 @@
 
 #include "csg/curves/chord.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -246,19 +247,16 @@ class Mesher {
     }
   }
 
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-    return static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
-  }
   void hang(std::size_t t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint64_t edge = key(triangles_[t][k], triangles_[t][(k + 1) % 3]);
+      const std::uint64_t edge = edge_key(triangles_[t][k], triangles_[t][(k + 1) % 3]);
       auto& pair = at_edge_.try_emplace(edge, std::array{kNone, kNone}).first->second;
       (pair[0] == kNone ? pair[0] : pair[1]) = t;
     }
   }
   void unhang(std::size_t t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      auto& pair = at_edge_.at(key(triangles_[t][k], triangles_[t][(k + 1) % 3]));
+      auto& pair = at_edge_.at(edge_key(triangles_[t][k], triangles_[t][(k + 1) % 3]));
       (pair[0] == t ? pair[0] : pair[1]) = kNone;
     }
   }
@@ -323,7 +321,7 @@ class Mesher {
       middle[d] = sum / 2;
     }
     const std::uint32_t m = vertex(middle);
-    const std::array<std::size_t, 2> both = at_edge_.at(key(a, b));
+    const std::array<std::size_t, 2> both = at_edge_.at(edge_key(a, b));
     for (std::size_t s : both) {
       require(s != kNone, "mesh_patch: an edge inside of a patch has one triangle");
       fineness_.check_facets(static_cast<double>(triangles_.size()));

@@ -59,7 +59,7 @@ Rational check_radii(const std::vector<SampledLine>& lines) {
 }
 
 /// The unit vector along the axis: exact where it is rational, else to 52 bits.
-RationalPoint unit(const CircleFrame& frame) {
+RationalPoint unit_axis(const CircleFrame& frame) {
   return scaled_cosine(0, 1 / dot(frame.axis(), frame.axis())) * frame.axis();
 }
 
@@ -116,7 +116,7 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafPar
     }
   }
   const CircleFrame frame(shape.axis);
-  const RationalPoint up = unit(frame);
+  const RationalPoint up = unit_axis(frame);
   LeafBuilder builder(closed ? Fill::winding : Fill::none, record);
   std::vector<std::vector<PointId>> first;
   const auto section = [&](int k) {

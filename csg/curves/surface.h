@@ -30,16 +30,16 @@ namespace cnrg {
 using enclosure::Interval;
 
 template <class Number>
-using Vector = std::array<Number, 3>;
+using Vector3 = std::array<Number, 3>;
 
 /// Of doubles: values at a point; of intervals: what holds them all over a box.
 template <class Number>
 struct SurfaceJet {
-  Vector<Number> point, along_u, along_v, normal;
+  Vector3<Number> point, along_u, along_v, normal;
 };
 template <class Number>
 struct CurveJet {
-  Vector<Number> point, along;
+  Vector3<Number> point, along;
 };
 
 /// One curved patch, before the leaf's transform.

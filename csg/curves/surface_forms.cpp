@@ -52,7 +52,7 @@ SurfaceForm slanted(CadAxes axes, double from, double to, double height) {
   return form;
 }
 
-CadKnots knots_of(int degree, const std::vector<Rational>& given, std::size_t points) {
+CadKnots cad_knots(int degree, const std::vector<Rational>& given, std::size_t points) {
   CadKnots knots;
   if (degree == 0) {
     knots.degree = static_cast<int>(points) - 1;
@@ -89,7 +89,7 @@ CadCurve spline_of(const CurveNet& net, const std::function<Point(const Rational
   curve.kind = CadCurve::Kind::spline;
   for (const RationalPoint& p : net.points) curve.points.push_back(place(p));
   curve.weights = weights_of(net.weights);
-  curve.knots = knots_of(net.degree, net.knots, net.points.size());
+  curve.knots = cad_knots(net.degree, net.knots, net.points.size());
   const auto [first, last] = domain(curve.knots);
   curve.first = first, curve.last = last;
   return curve;
@@ -210,7 +210,7 @@ SurfaceForm net_form(const PatchNet& net) {
       if (!net.weights.empty()) surface.weights.push_back(to_double(net.weights[j][i]));
     }
   }
-  surface.knots = {knots_of(net.degree[0], net.knots[0], across), knots_of(net.degree[1], net.knots[1], up)};
+  surface.knots = {cad_knots(net.degree[0], net.knots[0], across), cad_knots(net.degree[1], net.knots[1], up)};
   for (std::size_t d = 0; d < 2; ++d) {
     const auto [low, high] = domain(surface.knots[d]);
     form.low[d] = low, form.high[d] = high;

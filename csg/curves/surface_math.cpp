@@ -39,17 +39,17 @@ Interval enclose(const Rational& value) {
   return order > 0 ? Interval(std::nextafter(d, -HUGE_VAL), d) : Interval(d, std::nextafter(d, HUGE_VAL));
 }
 
-Vector<Constant> constants(const RationalPoint& p) { return {constant(p[0]), constant(p[1]), constant(p[2])}; }
+Vector3<Constant> constants(const RationalPoint& p) { return {constant(p[0]), constant(p[1]), constant(p[2])}; }
 
 Constant length(const RationalPoint& v) {
   const enclosure::RoundOutward outward;
   return constant(CGAL::sqrt(enclose(cnrg::dot(v, v))));
 }
 
-Vector<Constant> unit(const RationalPoint& v) {
+Vector3<Constant> unit(const RationalPoint& v) {
   const enclosure::RoundOutward outward;
   const Interval norm = length(v).range;
-  Vector<Constant> result;
+  Vector3<Constant> result;
   for (std::size_t k = 0; k < 3; ++k) result[k] = constant(enclose(v[k]) / norm);
   return result;
 }

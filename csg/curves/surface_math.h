@@ -26,9 +26,9 @@ struct Constant {
 Interval enclose(const Rational& value);
 inline Constant constant(const Rational& value) { return {to_double(value), enclose(value)}; }
 inline Constant constant(const Interval& range) { return {range.inf() / 2 + range.sup() / 2, range}; }
-Vector<Constant> constants(const RationalPoint& p);
+Vector3<Constant> constants(const RationalPoint& p);
 /// The unit vector along `v`, which is not zero.
-Vector<Constant> unit(const RationalPoint& v);
+Vector3<Constant> unit(const RationalPoint& v);
 /// The length of `v`.
 Constant length(const RationalPoint& v);
 
@@ -38,28 +38,28 @@ const N& as(const Constant& c) {
   else return c.range;
 }
 template <class N>
-Vector<N> as(const Vector<Constant>& c) {
+Vector3<N> as(const Vector3<Constant>& c) {
   return {as<N>(c[0]), as<N>(c[1]), as<N>(c[2])};
 }
 
 template <class N>
-Vector<N> sum(const Vector<N>& a, const Vector<N>& b) {
+Vector3<N> sum(const Vector3<N>& a, const Vector3<N>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 template <class N>
-Vector<N> difference(const Vector<N>& a, const Vector<N>& b) {
+Vector3<N> difference(const Vector3<N>& a, const Vector3<N>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 template <class N>
-Vector<N> scaled(const N& s, const Vector<N>& a) {
+Vector3<N> scaled(const N& s, const Vector3<N>& a) {
   return {s * a[0], s * a[1], s * a[2]};
 }
 template <class N>
-Vector<N> cross(const Vector<N>& a, const Vector<N>& b) {
+Vector3<N> cross(const Vector3<N>& a, const Vector3<N>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 template <class N>
-N dot(const Vector<N>& a, const Vector<N>& b) {
+N dot(const Vector3<N>& a, const Vector3<N>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 

@@ -22,8 +22,8 @@ PlacedSurface::PlacedSurface(std::shared_ptr<const LeafSurfaces> leaf, std::uint
 
 template <class N>
 SurfaceJet<N> PlacedSurface::moved(const SurfaceJet<N>& jet) const {
-  const auto by = [](const std::array<Vector<Constant>, 3>& rows, const Vector<N>& x) {
-    return Vector<N>{dot(as<N>(rows[0]), x), dot(as<N>(rows[1]), x), dot(as<N>(rows[2]), x)};
+  const auto by = [](const std::array<Vector3<Constant>, 3>& rows, const Vector3<N>& x) {
+    return Vector3<N>{dot(as<N>(rows[0]), x), dot(as<N>(rows[1]), x), dot(as<N>(rows[2]), x)};
   };
   // (A a) x (A b) is the matrix of cofactors of A times a x b.
   return {sum(by(linear_, jet.point), as<N>(offset_)), by(linear_, jet.along_u), by(linear_, jet.along_v),
@@ -53,14 +53,14 @@ class MovedCurve final : public Curve {
  private:
   template <class N>
   CurveJet<N> moved(const CurveJet<N>& jet) const {
-    const auto by = [&](const Vector<N>& x) {
-      return Vector<N>{dot(as<N>(linear_[0]), x), dot(as<N>(linear_[1]), x), dot(as<N>(linear_[2]), x)};
+    const auto by = [&](const Vector3<N>& x) {
+      return Vector3<N>{dot(as<N>(linear_[0]), x), dot(as<N>(linear_[1]), x), dot(as<N>(linear_[2]), x)};
     };
     return {sum(by(jet.point), as<N>(offset_)), by(jet.along)};
   }
   std::shared_ptr<const Curve> curve_;
-  std::array<Vector<Constant>, 3> linear_;  // rows
-  Vector<Constant> offset_;
+  std::array<Vector3<Constant>, 3> linear_;  // rows
+  Vector3<Constant> offset_;
 };
 
 }  // namespace
@@ -89,7 +89,7 @@ namespace {
 double middle_of(const Interval& x) { return x.inf() / 2 + x.sup() / 2; }
 
 /// How wide a box of directions is, seen from the origin.
-double width(const Vector<Interval>& n) {
+double width(const Vector3<Interval>& n) {
   double wide = 0, far = 0;
   for (const Interval& x : n) {
     wide = std::max(wide, x.sup() - x.inf());
@@ -138,7 +138,7 @@ std::vector<SurfacePart> quarters(const SurfacePart& part) {
 
 bool may_meet(const SurfacePart& a, const SurfacePart& b) {
   const enclosure::RoundOutward outward;
-  const Vector<Interval> way = difference(a.point, b.point);
+  const Vector3<Interval> way = difference(a.point, b.point);
   if (a.surface == nullptr || b.surface == nullptr) {
     const Interval height = dot(a.surface == nullptr ? a.normal : b.normal, way);
     return height.inf() <= 0 && height.sup() >= 0;
@@ -154,8 +154,8 @@ bool nowhere_parallel(const SurfacePart& a, const SurfacePart& b, int halvings) 
 namespace {
 
 /// One step of Gauss and Newton to the place of the surface that is next to p.
-void approach(SurfaceSite& site, const SurfaceJet<double>& jet, const Vector<double>& p) {
-  const Vector<double> way = difference(p, jet.point);
+void approach(SurfaceSite& site, const SurfaceJet<double>& jet, const Vector3<double>& p) {
+  const Vector3<double> way = difference(p, jet.point);
   const double uu = dot(jet.along_u, jet.along_u), uv = dot(jet.along_u, jet.along_v),
                vv = dot(jet.along_v, jet.along_v), u = dot(jet.along_u, way), v = dot(jet.along_v, way);
   const double determinant = uu * vv - uv * uv;
@@ -166,12 +166,12 @@ void approach(SurfaceSite& site, const SurfaceJet<double>& jet, const Vector<dou
 
 /// Moves p as little as it can be to the planes through it with unit `normals` moved by `gaps`. One that follows
 /// from those before it, or contradicts them, is left out.
-void move_to_planes(Vector<double>& p, std::span<const Vector<double>> normals, std::span<const double> gaps) {
-  std::vector<Vector<double>> directions;  // orthonormal
-  Vector<double> moved{0, 0, 0};
+void move_to_planes(Vector3<double>& p, std::span<const Vector3<double>> normals, std::span<const double> gaps) {
+  std::vector<Vector3<double>> directions;  // orthonormal
+  Vector3<double> moved{0, 0, 0};
   for (std::size_t i = 0; i < normals.size(); ++i) {
-    Vector<double> d = normals[i];
-    for (const Vector<double>& other : directions) d = difference(d, scaled(dot(normals[i], other), other));
+    Vector3<double> d = normals[i];
+    for (const Vector3<double>& other : directions) d = difference(d, scaled(dot(normals[i], other), other));
     const double length = std::sqrt(dot(d, d));
     if (length < 1e-7) continue;
     d = scaled(1 / length, d);
@@ -187,14 +187,14 @@ namespace {
 
 /// From one surface to the next, over and over: slow, but patches that continue one another smoothly, and end
 /// where they meet, have no planes that cross.
-std::optional<Vector<double>> find_by_turns(std::span<SurfaceSite> sites, const Vector<double>& point) {
+std::optional<Vector3<double>> find_by_turns(std::span<SurfaceSite> sites, const Vector3<double>& point) {
   std::vector<SurfaceSite> tried(sites.begin(), sites.end());
-  Vector<double> p = point;
+  Vector3<double> p = point;
   const double size = 1 + std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
   for (int i = 0; i < 60; ++i) {
     double far = 0;
     for (SurfaceSite& site : tried) {
-      Vector<double> next = p;
+      Vector3<double> next = p;
       if (site.surface != nullptr) {
         approach(site, site.surface->at(site.at[0], site.at[1]), p);
         next = site.surface->at(site.at[0], site.at[1]).point;
@@ -202,7 +202,7 @@ std::optional<Vector<double>> find_by_turns(std::span<SurfaceSite> sites, const 
         const double gap = dot(site.normal, difference(site.point, p)) / dot(site.normal, site.normal);
         next = sum(p, scaled(gap, site.normal));
       }
-      const Vector<double> way = difference(next, p);
+      const Vector3<double> way = difference(next, p);
       far = std::max(far, std::sqrt(dot(way, way)));
       p = next;
     }
@@ -216,16 +216,16 @@ std::optional<Vector<double>> find_by_turns(std::span<SurfaceSite> sites, const 
 
 }  // namespace
 
-std::optional<Vector<double>> find_common(std::span<SurfaceSite> sites, const Vector<double>& point) {
+std::optional<Vector3<double>> find_common(std::span<SurfaceSite> sites, const Vector3<double>& point) {
   std::vector<SurfaceSite> tried(sites.begin(), sites.end());
-  Vector<double> p = point;
+  Vector3<double> p = point;
   const double size = 1 + std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
   for (int i = 0; i < 40; ++i) {
-    std::vector<Vector<double>> normals;
+    std::vector<Vector3<double>> normals;
     std::vector<double> gaps;
     double far = 0;
     for (SurfaceSite& site : tried) {
-      Vector<double> next = site.point, normal = site.normal;
+      Vector3<double> next = site.point, normal = site.normal;
       if (site.surface != nullptr) {
         approach(site, site.surface->at(site.at[0], site.at[1]), p);
         const SurfaceJet<double> jet = site.surface->at(site.at[0], site.at[1]);
@@ -233,7 +233,7 @@ std::optional<Vector<double>> find_common(std::span<SurfaceSite> sites, const Ve
       }
       const double norm = std::sqrt(dot(normal, normal));
       if (!(norm > 0) || !std::isfinite(norm)) return std::nullopt;
-      const Vector<double> way = difference(next, p);
+      const Vector3<double> way = difference(next, p);
       normals.push_back(scaled(1 / norm, normal));
       gaps.push_back(dot(normals.back(), way));
       far = std::max(far, site.surface != nullptr ? std::sqrt(dot(way, way)) : std::abs(gaps.back()));

@@ -32,8 +32,8 @@ class PlacedSurface final : public Surface {
 
   std::shared_ptr<const LeafSurfaces> leaf_;  // holds the surface
   const Surface* surface_ = nullptr;
-  std::array<Vector<surface_math::Constant>, 3> linear_, cofactors_;  // rows
-  Vector<surface_math::Constant> offset_;
+  std::array<Vector3<surface_math::Constant>, 3> linear_, cofactors_;  // rows
+  Vector3<surface_math::Constant> offset_;
 };
 
 /// The surfaces and curves of a leaf where a transform put them; of a leaf that has none, none.
@@ -43,7 +43,7 @@ SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform);
 struct SurfacePart {
   const PlacedSurface* surface = nullptr;
   Interval u = 0, v = 0;
-  Vector<Interval> point{}, normal{};  ///< over the part; of a plane one of its points
+  Vector3<Interval> point{}, normal{};  ///< over the part; of a plane one of its points
 
   static SurfacePart of(const PlacedSurface& surface, const Interval& u, const Interval& v) {
     const SurfaceJet<Interval> jet = surface.over(u, v);
@@ -63,11 +63,11 @@ bool nowhere_parallel(const SurfacePart& a, const SurfacePart& b, int halvings);
 struct SurfaceSite {
   const PlacedSurface* surface = nullptr;
   std::array<double, 2> at{0, 0};
-  std::array<double, 2> reach{0, 0};               ///< no step of a search is longer, in each parameter
-  Vector<double> point{0, 0, 0}, normal{0, 0, 0};  ///< of the plane
+  std::array<double, 2> reach{0, 0};                ///< no step of a search is longer, in each parameter
+  Vector3<double> point{0, 0, 0}, normal{0, 0, 0};  ///< of the plane
 };
 /// The point that lies on all of up to three surfaces, near to `point`: by the points of each that are next to it
 /// and the planes that touch there, over and over. Moves `at` of the sites along. Nothing if it does not converge.
-std::optional<Vector<double>> find_common(std::span<SurfaceSite> sites, const Vector<double>& point);
+std::optional<Vector3<double>> find_common(std::span<SurfaceSite> sites, const Vector3<double>& point);
 
 }  // namespace cnrg

@@ -48,19 +48,19 @@ class RoundSurface final : public Surface {
     const N turns = as<N>(turns_) * (angle_first_ ? u : v);
     const N c = cosine(turns), s = sine(turns);
     const MeridianJet<N> m = meridian_.jet(angle_first_ ? v : u);
-    const Vector<N> e1 = as<N>(first_), e2 = as<N>(second_), n = as<N>(axis_);
-    const Vector<N> away = sum(scaled(c, e1), scaled(s, e2)), around = difference(scaled(c, e2), scaled(s, e1));
-    const Vector<N> point = sum(as<N>(center_), sum(scaled(m.r, away), scaled(m.z, n)));
-    const Vector<N> by_angle = scaled(N(turn<N>() * as<N>(turns_) * m.r), around);
-    const Vector<N> by_meridian = sum(scaled(m.r_m, away), scaled(m.z_m, n));
-    Vector<N> normal = difference(scaled(m.z_m, away), scaled(m.r_m, n));
+    const Vector3<N> e1 = as<N>(first_), e2 = as<N>(second_), n = as<N>(axis_);
+    const Vector3<N> away = sum(scaled(c, e1), scaled(s, e2)), around = difference(scaled(c, e2), scaled(s, e1));
+    const Vector3<N> point = sum(as<N>(center_), sum(scaled(m.r, away), scaled(m.z, n)));
+    const Vector3<N> by_angle = scaled(N(turn<N>() * as<N>(turns_) * m.r), around);
+    const Vector3<N> by_meridian = sum(scaled(m.r_m, away), scaled(m.z_m, n));
+    Vector3<N> normal = difference(scaled(m.z_m, away), scaled(m.r_m, n));
     if (!angle_first_) normal = scaled(N(-1), normal);
     if (angle_first_) return {point, by_angle, by_meridian, normal};
     return {point, by_meridian, by_angle, normal};
   }
 
   Meridian meridian_;
-  Vector<surface_math::Constant> center_, first_, second_, axis_;
+  Vector3<surface_math::Constant> center_, first_, second_, axis_;
   surface_math::Constant turns_;
   bool angle_first_;
 };

@@ -84,7 +84,7 @@ Interval joined(const Interval& a, const Interval& b) {
   return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
 }
 template <class N>
-Vector<N> joined(const Vector<N>& a, const Vector<N>& b) {
+Vector3<N> joined(const Vector3<N>& a, const Vector3<N>& b) {
   return {joined(a[0], b[0]), joined(a[1], b[1]), joined(a[2], b[2])};
 }
 
@@ -98,10 +98,10 @@ Point4<N> hull(const Row<N>& row) {
   return h;
 }
 template <class N>
-Vector<N> projected_hull(const Row<N>& row, bool polynomial) {
-  std::optional<Vector<N>> h;
+Vector3<N> projected_hull(const Row<N>& row, bool polynomial) {
+  std::optional<Vector3<N>> h;
   for (const Point4<N>& p : row) {
-    Vector<N> point{p[0], p[1], p[2]};
+    Vector3<N> point{p[0], p[1], p[2]};
     if (!polynomial) {
       for (N& x : point) x = x / p[3];
     }
@@ -112,8 +112,8 @@ Vector<N> projected_hull(const Row<N>& row, bool polynomial) {
 
 /// Moves homogeneous points, or the differences of such, so that `center` becomes the origin: P_t w - P w_t stays
 /// what it is, and over a box it is the narrower the smaller P is.
-void recenter(Row<double>&, const Vector<double>&) {}
-void recenter(Row<Interval>& row, const Vector<Interval>& center) {
+void recenter(Row<double>&, const Vector3<double>&) {}
+void recenter(Row<Interval>& row, const Vector3<Interval>& center) {
   for (Point4<Interval>& p : row) {
     for (std::size_t k = 0; k < 3; ++k) p[k] -= p[3] * center[k];
   }
@@ -123,9 +123,9 @@ Interval middle(const Interval& x) { return {x.inf() / 2 + x.sup() / 2}; }
 
 /// P_t w - P w_t, a positive multiple of the derivative of P / w.
 template <class N>
-Vector<N> direction(const Point4<N>& p, const Point4<N>& p_t, bool polynomial) {
+Vector3<N> direction(const Point4<N>& p, const Point4<N>& p_t, bool polynomial) {
   if (polynomial) return {p_t[0], p_t[1], p_t[2]};
-  Vector<N> d;
+  Vector3<N> d;
   for (std::size_t k = 0; k < 3; ++k) d[k] = p_t[k] * p[3] - p[k] * p_t[3];
   return d;
 }
@@ -169,9 +169,9 @@ CurveJet<N> SplineCurve::jet(const N& t) const {
     const std::optional<N> at = local(t, piece.from, piece.size, i == 0, i + 1 == pieces_.size());
     if (!at) continue;
     Row<N> row = cut(as_numbers<N>(piece.net), *at), row_t = cut(as_numbers<N>(piece.derivative), *at);
-    const Vector<N> point = projected_hull(row, piece.polynomial);
+    const Vector3<N> point = projected_hull(row, piece.polynomial);
     if (!piece.polynomial) {
-      const Vector<N> center{middle(point[0]), middle(point[1]), middle(point[2])};
+      const Vector3<N> center{middle(point[0]), middle(point[1]), middle(point[2])};
       recenter(row, center);
       recenter(row_t, center);
     }
@@ -248,13 +248,13 @@ SurfaceJet<N> SplinePatch::jet(const N& u, const N& v) const {
     if (!at[0] || !at[1]) continue;
     Row<N> net = cut(piece.net, *at[0], *at[1]), net_u = cut(piece.along_u, *at[0], *at[1]),
            net_v = cut(piece.along_v, *at[0], *at[1]);
-    const Vector<N> point = projected_hull(net, piece.polynomial);
+    const Vector3<N> point = projected_hull(net, piece.polynomial);
     if (!piece.polynomial) {
-      const Vector<N> center{middle(point[0]), middle(point[1]), middle(point[2])};
+      const Vector3<N> center{middle(point[0]), middle(point[1]), middle(point[2])};
       for (Row<N>* const row : {&net, &net_u, &net_v}) recenter(*row, center);
     }
     const Point4<N> p = hull(net), p_u = hull(net_u), p_v = hull(net_v);
-    const Vector<N> along_u = direction(p, p_u, piece.polynomial), along_v = direction(p, p_v, piece.polynomial);
+    const Vector3<N> along_u = direction(p, p_u, piece.polynomial), along_v = direction(p, p_v, piece.polynomial);
     const N by = piece.polynomial ? N(1) : squared(p[3]);
     SurfaceJet<N> jet{sum(as<N>(piece.origin), point), scaled(N(N(1) / (by * as<N>(piece.size[0]))), along_u),
                       scaled(N(N(1) / (by * as<N>(piece.size[1]))), along_v), cross(along_u, along_v)};

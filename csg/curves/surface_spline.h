@@ -28,10 +28,10 @@ class SplineCurve final : public Curve {
 
  private:
   struct Piece {
-    surface_math::Constant from, size;      // of the span
-    Vector<surface_math::Constant> origin;  // the net is relative to it, so that products stay small
-    ConstantRow net, derivative;            // homogeneous; by the piece's own parameter
-    bool polynomial = false;                // all weights are 1
+    surface_math::Constant from, size;       // of the span
+    Vector3<surface_math::Constant> origin;  // the net is relative to it, so that products stay small
+    ConstantRow net, derivative;             // homogeneous; by the piece's own parameter
+    bool polynomial = false;                 // all weights are 1
   };
   std::vector<Piece> pieces_;
 };
@@ -52,7 +52,7 @@ class SplinePatch final : public Surface {
   using Net = std::vector<ConstantRow>;
   struct Piece {
     std::array<surface_math::Constant, 2> from, size;
-    Vector<surface_math::Constant> origin;
+    Vector3<surface_math::Constant> origin;
     Net net, along_u, along_v;
     bool polynomial = false;
   };

@@ -36,24 +36,24 @@ class SweptSurface final : public Surface {
   template <class N>
   SurfaceJet<N> jet(const N& u, const N& t) const {
     const CurveJet<N> p = profile_.jet(u);
-    const Vector<N> center = as<N>(center_), v = as<N>(vector_), n = as<N>(axis_);
+    const Vector3<N> center = as<N>(center_), v = as<N>(vector_), n = as<N>(axis_);
     if (!twisted_ && !scaled_) return {sum(p.point, scaled(t, v)), p.along, v, cross(p.along, v)};
     const N size = N(1) + as<N>(growth_) * t, turns = as<N>(turns_) * t;
     const N c = twisted_ ? cosine(turns) : N(1), s = twisted_ ? sine(turns) : N(0);
-    const auto turned = [&](const Vector<N>& x) {
+    const auto turned = [&](const Vector3<N>& x) {
       if (!twisted_) return x;
       return sum(sum(scaled(c, x), scaled(s, cross(n, x))), scaled(N((N(1) - c) * dot(n, x)), n));
     };
-    const Vector<N> q = difference(p.point, center), spin = cross(n, q);
+    const Vector3<N> q = difference(p.point, center), spin = cross(n, q);
     const N speed = turn<N>() * as<N>(turns_) * size;
-    const Vector<N> across = sum(sum(scaled(as<N>(growth_), q), scaled(speed, spin)), v);  // R^-1 S_t
-    Vector<N> normal = turned(cross(p.along, across));
+    const Vector3<N> across = sum(sum(scaled(as<N>(growth_), q), scaled(speed, spin)), v);  // R^-1 S_t
+    Vector3<N> normal = turned(cross(p.along, across));
     return {sum(center, sum(scaled(size, turned(q)), scaled(t, v))), scaled(size, turned(p.along)), turned(across),
             normal};
   }
 
   SplineCurve profile_;
-  Vector<Constant> center_, vector_, axis_;
+  Vector3<Constant> center_, vector_, axis_;
   Constant turns_, growth_;
   bool twisted_, scaled_;
 };

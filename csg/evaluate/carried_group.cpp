@@ -41,7 +41,7 @@ std::vector<LeafId> list_of(std::span<const LeafId> leaves) { return {leaves.beg
 
 /// Numbers from 0 for keys, in the order in which they come.
 template <class Key>
-class Numbers {
+class KeyNumbers {
  public:
   /// The number of a key, and whether it is new.
   std::pair<std::uint32_t, bool> operator()(const Key& key) {
@@ -126,9 +126,9 @@ class CarriedGroup::Maker {
   IdVector<SegmentId, Index> segment_;
   IdVector<EdgeId, Index> walked_by_;
   IdVector<EdgeId, char> slit_;
-  Numbers<std::pair<SourceSetId, bool>> covers_;
-  Numbers<std::vector<Index>> lists_of_segments_;
-  Numbers<std::vector<LeafCell>> lists_of_gone_;
+  KeyNumbers<std::pair<SourceSetId, bool>> covers_;
+  KeyNumbers<std::vector<Index>> lists_of_segments_;
+  KeyNumbers<std::vector<LeafCell>> lists_of_gone_;
   std::vector<VertexId> listed_;
   std::vector<LeafId> all_;
 
@@ -146,7 +146,7 @@ class CarriedGroup::Maker {
 
   /// 3-cells of one region are of one class if they came from the same regions of leaves.
   void find_classes() {
-    Numbers<std::pair<std::uint32_t, LabelSetId>> numbers;
+    KeyNumbers<std::pair<std::uint32_t, LabelSetId>> numbers;
     for (const auto& [r, region] : group_.cells) {
       const auto [number, fresh] = numbers({region, complex_.region_labels[r]});
       class_of_[r] = number + 1;
@@ -161,7 +161,7 @@ class CarriedGroup::Maker {
   /// one.
   void mark_faces() {
     using Side = std::pair<Index, LabelSetId>;
-    Numbers<std::tuple<SourceSetId, LeafSetId, Side, Side, std::vector<LeafCell>>> numbers;
+    KeyNumbers<std::tuple<SourceSetId, LeafSetId, Side, Side, std::vector<LeafCell>>> numbers;
     const auto side = [&](RegionId r) { return Side(class_of_[r], complex_.region_labels[r]); };
     const auto mark = [&](FaceId f) {
       const auto& [front, back] = complex_.face_regions[f];
@@ -246,7 +246,7 @@ class CarriedGroup::Maker {
 
   /// An edge vanishes if it only parts two pieces of one face.
   void mark_edges() {
-    Numbers<std::tuple<std::vector<SegmentId>, LeafSetId, bool, Index>> numbers;
+    KeyNumbers<std::tuple<std::vector<SegmentId>, LeafSetId, bool, Index>> numbers;
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
       std::array<FaceId, 2> pair;
       std::size_t count = 0;

@@ -1,6 +1,8 @@
 // What an evaluation has to say beside its values, with the place in the tree file that it is about.
 #pragma once
 
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "csg/evaluate/prepared_leaves.h"
@@ -10,6 +12,10 @@
 #include "kernel/complex/complex.h"
 
 namespace cnrg {
+
+inline void append(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
 
 /// Notices: per leaf, how many of its faces have no area and so are no part of the complex.
 std::vector<Diagnostic> dropped_faces(const Tree& tree, const PreparedLeaves& leaves, const Complex& complex,

@@ -54,10 +54,6 @@ std::vector<NodeId> roots_of(const Tree& tree, const EvaluateOptions& options) {
   return roots;
 }
 
-void append(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-}
-
 /// The leaves as they are refined: on common lines, and welded where the tree asks for that.
 struct PlacedLeaves {
   std::vector<LeafInstance> instances;

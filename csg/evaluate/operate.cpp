@@ -88,15 +88,15 @@ FoldResult step_of(const Complex& complex, const Node& node, const Transform& pl
 }
 
 /// What a step gives becomes the value so far.
-void add_step(FoldResult step, PartedGroup& value, Outcome& outcome) {
+void add_step(FoldResult step, PartedGroup& value, StepOutcome& outcome) {
   outcome.removals.add(step.removals);
   std::move(step.conflicts.begin(), step.conflicts.end(), std::back_inserter(outcome.conflicts));
   value = std::move(step.group);
 }
 
 /// A Boolean node: the fold ((a op b) op c) op ... of its operands.
-Outcome boolean_of(const Complex& complex, const Node& node, const Transform& placement,
-                   std::span<const Operand> operands) {
+StepOutcome boolean_of(const Complex& complex, const Node& node, const Transform& placement,
+                       std::span<const Operand> operands) {
   std::vector<PartedGroup> values;
   values.reserve(operands.size());
   std::vector<Dominance> dominances;
@@ -117,7 +117,7 @@ Outcome boolean_of(const Complex& complex, const Node& node, const Transform& pl
     FoldResult result = boolean_fold(complex, boolean_op(node.op), dominances, std::move(values));
     return {std::move(result.group), std::move(result.removals), std::move(result.conflicts)};
   }
-  Outcome outcome;
+  StepOutcome outcome;
   PartedGroup value = std::move(values[0]);
   for (std::size_t k = 1; k < values.size(); ++k) {
     add_step(step_of(complex, node, placement, dominances[k - 1], std::move(value), std::move(values[k])), value,
@@ -128,10 +128,11 @@ Outcome boolean_of(const Complex& complex, const Node& node, const Transform& pl
 }
 
 /// The same in folds of two, each shown to `see` as whole groups.
-Outcome boolean_in_steps(const Complex& complex, const Node& node, const Transform& placement,
-                         std::span<const Operand> operands, const std::function<void(const BooleanStep&)>& see) {
+StepOutcome boolean_in_steps(const Complex& complex, const Node& node, const Transform& placement,
+                             std::span<const Operand> operands,
+                             const std::function<void(const BooleanStep&)>& see) {
   const BooleanOp op = boolean_op(node.op);
-  Outcome outcome;
+  StepOutcome outcome;
   PartedGroup value = group_operand(complex, node, operands[0]);
   for (std::size_t k = 1; k < operands.size(); ++k) {
     PartedGroup right = group_operand(complex, node, operands[k]);
@@ -148,8 +149,8 @@ Outcome boolean_in_steps(const Complex& complex, const Node& node, const Transfo
 }
 
 /// What of a solid is below or above a surface: the solid cut to the part that is there.
-Outcome side_of(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                const std::function<void(const BooleanStep&)>& see) {
+StepOutcome side_of(const Complex& complex, const Node& node, std::span<const Operand> operands,
+                    const std::function<void(const BooleanStep&)>& see) {
   const Group surface = whole(group_operand(complex, node, operands[0]));
   PartedGroup block = group_operand(complex, node, operands[1]);
   const Group left = whole(block);
@@ -163,7 +164,7 @@ Outcome side_of(const Complex& complex, const Node& node, std::span<const Operan
 }
 
 /// What is picked out of the first operand; the others are sets of points in which, or at which, it lies.
-Outcome selected(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate) {
+StepOutcome selected(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate) {
   Criteria criteria = node.selector->criteria;
   if (operands[0].below) criteria.leaves = *operands[0].below;
   const std::span<const Operand> places = operands.subspan(1);
@@ -184,14 +185,14 @@ Outcome selected(const Complex& complex, const Node& node, std::span<const Opera
   return {NodeValue(complex, std::move(picked)), {}, {}};
 }
 
-Outcome validated_boolean(const Complex& complex, const Node& node, const Transform& placement,
-                          std::span<const Operand> operands) {
+StepOutcome validated_boolean(const Complex& complex, const Node& node, const Transform& placement,
+                              std::span<const Operand> operands) {
   return boolean_in_steps(complex, node, placement, operands, [&](const BooleanStep& step) {
     require_identity(node, check_boolean(complex, step.op, step.left, step.right, step.result));
   });
 }
 
-Outcome of_components(ComponentsResult result) {
+StepOutcome of_components(ComponentsResult result) {
   return {std::move(result.value), {}, std::move(result.conflicts)};
 }
 
@@ -209,13 +210,14 @@ struct ComponentOperands {
 };
 
 /// sum, product and subtract from left to right. A product is made in steps always: these cost no more.
-Outcome overlay_of(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate) {
+StepOutcome overlay_of(const Complex& complex, const Node& node, std::span<const Operand> operands,
+                       bool validate) {
   if (!validate && operands.size() > 2 && node.op != Operator::product) {
     const ComponentOperands all(complex, operands);
     return of_components(node.op == Operator::sum ? sum(complex, all.pointers, stated_dominance(node))
                                                   : subtract(complex, all.pointers));
   }
-  Outcome outcome;
+  StepOutcome outcome;
   Components value = components_of(complex, *operands[0].value);
   for (const Operand& operand : operands.subspan(1)) {
     const Components right = components_of(complex, *operand.value);
@@ -240,7 +242,7 @@ Outcome overlay_of(const Complex& complex, const Node& node, std::span<const Ope
   return outcome;
 }
 
-Outcome aggregate_all(const Complex& complex, std::span<const Operand> operands) {
+StepOutcome aggregate_all(const Complex& complex, std::span<const Operand> operands) {
   const ComponentOperands all(complex, operands);
   std::vector<std::string> names;
   for (const Operand& operand : operands) names.push_back(operand.name);
@@ -248,14 +250,14 @@ Outcome aggregate_all(const Complex& complex, std::span<const Operand> operands)
 }
 
 /// A component with a single name keeps it; without one, or with several joined, it is called after the node.
-void name_after(const Node& node, Outcome& outcome) {
+void name_after(const Node& node, StepOutcome& outcome) {
   for (ComponentAttributes& a : outcome.value.components().attributes) {
     if (a.name.empty() || a.name == kEntitiesName || a.name.find(" & ") != std::string::npos) a.name = node.name;
   }
 }
 
-Outcome complement_of(const Complex& complex, const Node& node, const NodeValue& operand, bool validate) {
-  Outcome outcome = of_components(complement(complex, components_of(complex, operand)));
+StepOutcome complement_of(const Complex& complex, const Node& node, const NodeValue& operand, bool validate) {
+  StepOutcome outcome = of_components(complement(complex, components_of(complex, operand)));
   name_after(node, outcome);
   if (!operand.is_group()) return outcome;
   Group closed = complement(complex, operand.group());
@@ -272,7 +274,7 @@ PartedGroup regularized(const Complex& complex, const PartedGroup& value) {
   return changed(complex, value, [&](Group& group) { group = regularize(complex, group); });
 }
 
-Outcome topology_of(const Complex& complex, const Node& node, const Operand& of, bool validate) {
+StepOutcome topology_of(const Complex& complex, const Node& node, const Operand& of, bool validate) {
   const Topological op = topological(node.op);
   const NodeValue& operand = *of.value;
   if (operand.is_group() && !node.each) {
@@ -359,13 +361,13 @@ Topological topological(Operator op) {
   }
 }
 
-Outcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands) {
+StepOutcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands) {
   return boolean_of(complex, node, {}, operands);
 }
 
-Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
-                std::span<const Operand> operands, bool validate, const Transform& placement) {
-  Outcome outcome;
+StepOutcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
+                    std::span<const Operand> operands, bool validate, const Transform& placement) {
+  StepOutcome outcome;
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:

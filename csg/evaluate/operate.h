@@ -18,7 +18,7 @@
 namespace cnrg {
 
 /// What came of one operator.
-struct Outcome {
+struct StepOutcome {
   NodeValue value;
   Removals removals;
   std::vector<AttributeConflict> conflicts;  ///< materials that met under equal dominance
@@ -40,11 +40,11 @@ std::optional<std::span<const NodeId>> leaves_wanted(const Node& node, bool firs
 /// the identities of csg/SEMANTICS.md#identities; InvariantError names the node and the first violation.
 /// InputError when the operands do not suit the operator: the message names the operator to insert. Mixtures that
 /// the node makes itself (`blend`) are placed by `placement`, as its material is.
-Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
-                std::span<const Operand> operands, bool validate, const Transform& placement = {});
+StepOutcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
+                    std::span<const Operand> operands, bool validate, const Transform& placement = {});
 
 /// The first operands of an intersection as one: the fold of these alone, without the node's attributes.
-Outcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands);
+StepOutcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands);
 
 BooleanOp boolean_op(Operator op);
 /// The dominance that the node states for a step; if it states none, the operand with the greater number

@@ -30,9 +30,9 @@ std::vector<Location> locations(const Locator& locator, std::span<const Rational
 }
 
 /// Numbers of cells without bounds, of a result that was evaluated with a larger frame, in this one.
-class Numbers {
+class CellNumbers {
  public:
-  Numbers(const Result& here, const Locator& locator, const Result& there)
+  CellNumbers(const Result& here, const Locator& locator, const Result& there)
       : here_(here), locator_(locator), there_(there), there_locator_(there.complex()) {}
 
   Place of(const Place& place) {
@@ -132,7 +132,7 @@ std::vector<Place> Places::of(std::span<const RationalPoint> points, const Watch
   options.reach = far;
   options.watch = watch;
   const Result larger = evaluate(*data_->tree, options).result(data_->node);
-  Numbers numbers(data_->result, data_->locator, larger);
+  CellNumbers numbers(data_->result, data_->locator, larger);
   const Locator locator(larger.complex());
   const std::vector<Location> there = locations(locator, far, watch);
   for (std::size_t k = 0; k < far.size(); ++k) {

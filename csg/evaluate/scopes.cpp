@@ -28,10 +28,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void append(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-}
-
 void add(RefineReport& sum, const RefineReport& more) {
   sum.candidates += more.candidates;
   for (std::size_t k = 0; k < sum.contacts.size(); ++k) sum.contacts[k] += more.contacts[k];
@@ -255,7 +251,7 @@ class Scopes {
   }
 
   /// The operator of an inner instance on its operands' values; faults of the input come at the operator's place.
-  Outcome run_operator(Scope& scope, InstanceId id) {
+  StepOutcome run_operator(Scope& scope, InstanceId id) {
     const Instance& instance = instances_[id];
     const Node& node = tree_.nodes[instance.node];
     try {
@@ -289,7 +285,7 @@ class Scopes {
     std::vector<AttributeConflict> conflicts;
     if (!scope.values.has(id)) {
       const Stopwatch stopwatch;
-      Outcome outcome = run_operator(scope, id);
+      StepOutcome outcome = run_operator(scope, id);
       row.seconds = stopwatch.seconds();
       row.removals = std::move(removed_in_steps_[id]);
       row.removals.add(outcome.removals);
@@ -405,7 +401,7 @@ class Scopes {
       if (k > 2) operands.push_back({&scope.first.at(id), node.name, &scope.first.at(id), nullptr});
       for (const InstanceId operand : roots)
         operands.push_back({&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, nullptr});
-      Outcome outcome = [&] {
+      StepOutcome outcome = [&] {
         try {
           return first_steps(*scope.complex, node, operands);
         } catch (const InputError& e) {

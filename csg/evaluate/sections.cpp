@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/refine/box_tree.h"
 
@@ -21,8 +21,6 @@ namespace {
 constexpr std::size_t kWorth = 256;
 /// An intersection of fewer faces is formed at once.
 constexpr std::size_t kWorthSteps = 4000;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool empty(const Box& box) {
   return !(box.lo[0] <= box.hi[0] && box.lo[1] <= box.hi[1] && box.lo[2] <= box.hi[2]);

@@ -50,7 +50,7 @@ class Surfaces {
 /// A facet as far as it is asked about.
 struct Facet {
   const PlacedSurface* surface = nullptr;
-  Vector<Interval> point{}, normal{};  ///< of a flat one
+  Vector3<Interval> point{}, normal{};  ///< of a flat one
   std::vector<std::array<Interval, 2>> boxes;
 };
 
@@ -389,7 +389,7 @@ class Examination {
   /// The least k for which facets 2^k times finer prove a contact transversal; kMostFiner + 1 if none does. Cells
   /// are quartered, and pairs of them that are apart or nowhere parallel are done with; `at` is where the last
   /// ones are.
-  int needed(const Contact& contact, Vector<double>& at) const {
+  int needed(const Contact& contact, Vector3<double>& at) const {
     std::vector<Pair> pairs = pairs_of(contact);
     for (int k = 1; k <= kMostFiner && pairs.size() < kMostPairs; ++k) {
       std::vector<Pair> open = uncertain_quarters(pairs);
@@ -411,7 +411,7 @@ class Examination {
           !std::binary_search(place.edges.begin(), place.edges.end(), contact.edge)) {
         continue;
       }
-      Vector<double> at;
+      Vector3<double> at;
       const int k = needed(contact, at);
       if (k > most) most = k, place.at = at;
       if (k > kMostFiner) break;

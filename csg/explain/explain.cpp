@@ -43,8 +43,8 @@ Place parse_cell(const std::string& text, const std::string& node, const Simplif
   return {static_cast<int>(dimension), index};
 }
 
-std::vector<Piece> pieces_of(const SimplifiedComplex& s, const Place& place) {
-  std::vector<Piece> out;
+std::vector<CellSide> pieces_of(const SimplifiedComplex& s, const Place& place) {
+  std::vector<CellSide> out;
   switch (place.dimension) {
     case 0: out.push_back({{0, s.vertices[place.index].cell, {}, {}, {}}, 0}); break;
     case 1:
@@ -61,15 +61,15 @@ std::vector<Piece> pieces_of(const SimplifiedComplex& s, const Place& place) {
 
 /// A cell that is asked about.
 struct Question {
-  std::vector<Piece> pieces;
+  std::vector<CellSide> pieces;
   Explanation* answer = nullptr;
   const RationalPoint* asked = nullptr;  ///< the point to tell, of the one piece
 };
 
 /// Makes classes of pieces, and tells those that are shown in full.
-class Classes {
+class LifeClasses {
  public:
-  Classes(const Tree& tree, const Evaluation& evaluation, NodeId node, const Locator& locator)
+  LifeClasses(const Tree& tree, const Evaluation& evaluation, NodeId node, const Locator& locator)
       : evaluation_(evaluation),
         value_(*evaluation.value(node).value),
         made_(value_.is_group() ? components_of(*evaluation.complex, value_.group()) : Components()),
@@ -79,10 +79,10 @@ class Classes {
 
   /// All questions at once, for every life runs the node's Booleans again.
   void explain(const std::vector<Question>& questions, std::size_t most) {
-    std::vector<Piece> pieces;
+    std::vector<CellSide> pieces;
     std::vector<std::uint32_t> cells;
     for (std::size_t q = 0; q < questions.size(); ++q) {
-      for (const Piece& piece : questions[q].pieces) {
+      for (const CellSide& piece : questions[q].pieces) {
         pieces.push_back(piece);
         cells.push_back(static_cast<std::uint32_t>(q));
       }
@@ -101,7 +101,7 @@ class Classes {
       }
       ++mine[classes[p] + mine.size() - known].count;
     }
-    std::vector<Piece> examples;
+    std::vector<CellSide> examples;
     for (const auto& mine : of_cell) {
       for (std::size_t c = 0; c < std::min(most, mine.size()); ++c) examples.push_back(pieces[mine[c].first]);
     }
@@ -123,7 +123,7 @@ class Classes {
   }
 
  private:
-  LifeClass make(const Piece& piece, Life life, std::size_t count, const RationalPoint* asked) const {
+  LifeClass make(const CellSide& piece, Life life, std::size_t count, const RationalPoint* asked) const {
     const Complex& complex = *evaluation_.complex;
     LifeClass out;
     out.life = std::move(life);
@@ -180,7 +180,7 @@ Question ask(const Tree& tree, const Evaluation& evaluation, NodeId node, const 
   const Place place = kept.simplified->place(complex, at);
   out = head(tree, evaluation, node, place);
   out.state = state_in(complex, *kept.value, at);
-  Piece piece{at, 0};
+  CellSide piece{at, 0};
   if (at.dimension == 2 && place.dimension == 2) {
     for (const HalfFace h : kept.simplified->faces[place.index].cells) {
       if (h.face() == at.face) piece.side = h.side();
@@ -201,7 +201,7 @@ std::vector<Explanation> explain(const Tree& tree, const Evaluation& evaluation,
                                  const std::vector<Place>& cells, std::size_t most) {
   const KeptValue& kept = evaluation.value(node);
   const Locator locator(*evaluation.complex);
-  Classes classes(tree, evaluation, node, locator);
+  LifeClasses classes(tree, evaluation, node, locator);
   std::vector<Explanation> out(cells.size());
   // No more pieces at once than memory holds lives of with ease.
   constexpr std::size_t kPieces = 4096;
@@ -232,7 +232,7 @@ Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
   Explanation out;
   const Question question = ask(tree, evaluation, node, at, out);
   out.asked = point;
-  Classes(tree, evaluation, node, locator).explain({{question.pieces, &out, &point}}, 1);
+  LifeClasses(tree, evaluation, node, locator).explain({{question.pieces, &out, &point}}, 1);
   return out;
 }
 
@@ -244,7 +244,7 @@ std::vector<Explanation> explain(const Tree& tree, const Evaluation& evaluation,
   for (std::size_t i = 0; i < cells.size(); ++i) {
     questions.push_back(ask(tree, evaluation, node, cells[i], out[i]));
   }
-  Classes(tree, evaluation, node, locator).explain(questions, 1);
+  LifeClasses(tree, evaluation, node, locator).explain(questions, 1);
   for (Explanation& e : out) e.asked = e.classes.front().point;
   return out;
 }

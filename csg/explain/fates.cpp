@@ -12,12 +12,12 @@ namespace {
 constexpr Component kNoTable = 1 + kRelations * 4;
 
 /// A component per cell, 0 where nothing is known yet.
-struct Marks {
+struct FateMarks {
   IdVector<VertexId, Component> vertices;
   IdVector<EdgeId, Component> edges;
   IdVector<FaceId, Component> faces;
 
-  explicit Marks(const Complex& complex)
+  explicit FateMarks(const Complex& complex)
       : vertices(complex.points.size(), 0), edges(complex.edge_count(), 0), faces(complex.face_count(), 0) {}
   Component& operator[](VertexId v) { return vertices[v]; }
   Component& operator[](EdgeId e) { return edges[e]; }
@@ -25,7 +25,7 @@ struct Marks {
 };
 
 template <class IdT>
-std::vector<std::pair<IdT, Component>> listed(const IdVector<IdT, Component>& marks) {
+std::vector<std::pair<IdT, Component>> marked_cells(const IdVector<IdT, Component>& marks) {
   std::vector<std::pair<IdT, Component>> out;
   for (const IdT id : IdRange<IdT>(marks.size())) {
     if (marks[id] != 0) out.emplace_back(id, marks[id]);
@@ -45,7 +45,7 @@ void note(const Verdict& verdict, Component& mark) {
   if (fate.removed || mark == 0 || Fate::of(mark).removed || !outside) mark = fate.component();
 }
 
-void ask_tables(const Complex& complex, const Node& node, const std::vector<Operand>& operands, Marks& marks) {
+void ask_tables(const Complex& complex, const Node& node, const std::vector<Operand>& operands, FateMarks& marks) {
   for_each_step(complex, node, operands, [&](const BooleanStep& step) {
     for (const Group* group : {&step.left, &step.right}) {
       for_each_list(*group, [&](const auto& cells) {
@@ -75,7 +75,7 @@ std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, I
   const Instance& instance = evaluation.instances[id];
   const Node& node = tree.nodes[instance.node];
   if (instance.operands.empty()) return std::nullopt;
-  Marks marks(complex);
+  FateMarks marks(complex);
   std::vector<Operand> operands;
   for (const InstanceId operand : instance.operands) {
     operands.push_back({evaluation.values[operand].get(), evaluation.rows[operand.index()].name, nullptr, {}});
@@ -99,7 +99,7 @@ std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, I
     lose(before.edges, kept.edges, marks.edges);
     lose(before.faces, kept.faces, marks.faces);
   }
-  Selection out{listed(marks.vertices), listed(marks.edges), listed(marks.faces), {}};
+  Selection out{marked_cells(marks.vertices), marked_cells(marks.edges), marked_cells(marks.faces), {}};
   if (out.vertices.empty() && out.edges.empty() && out.faces.empty()) return std::nullopt;
   return out;
 }

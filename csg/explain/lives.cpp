@@ -82,7 +82,7 @@ int number_of_regions(const Group& group, const std::array<RegionId, 2>& sides) 
   return a == b ? 0 : a == 0 || b == 0 ? 1 : 2;
 }
 
-void add_face_facts(const Complex& complex, const Group& group, const Piece& piece, OperandFacts& out) {
+void add_face_facts(const Complex& complex, const Group& group, const CellSide& piece, OperandFacts& out) {
   const std::array<RegionId, 2>& regions = complex.face_regions[piece.cell.face];
   for (unsigned s : {0u, 1u}) out.sides[s] = region_state(group, group.region_of(regions[s ^ piece.side]));
   out.regions = number_of_regions(group, regions);
@@ -127,7 +127,7 @@ void add_star_facts(const Complex& complex, const Group& group, const Location& 
   out.free = out.free && out.bounds == 0;
 }
 
-OperandFacts facts_of(const Complex& complex, const Group& group, const Piece& piece, const std::string& name,
+OperandFacts facts_of(const Complex& complex, const Group& group, const CellSide& piece, const std::string& name,
                       bool closed_complement) {
   OperandFacts out;
   out.name = name;
@@ -242,7 +242,7 @@ Lives::Lives(const Tree& tree, const Evaluation& evaluation, NodeId node)
   below_ = instances_below(evaluation.instances, root);
 }
 
-std::vector<Life> Lives::of(const std::vector<Piece>& pieces, bool named) {
+std::vector<Life> Lives::of(const std::vector<CellSide>& pieces, bool named) {
   std::vector<Life> out(pieces.size());
   for (const InstanceId id : below_) {
     std::vector<LifeStep> steps(pieces.size());
@@ -252,7 +252,7 @@ std::vector<Life> Lives::of(const std::vector<Piece>& pieces, bool named) {
   return out;
 }
 
-std::vector<std::uint32_t> Lives::classes(const std::vector<Piece>& pieces, std::vector<std::uint32_t> of) {
+std::vector<std::uint32_t> Lives::classes(const std::vector<CellSide>& pieces, std::vector<std::uint32_t> of) {
   std::size_t count = of.empty() ? 0 : of.back() + 1;
   for (const InstanceId id : below_) {
     std::vector<LifeStep> steps(pieces.size());
@@ -272,7 +272,8 @@ std::vector<std::uint32_t> Lives::classes(const std::vector<Piece>& pieces, std:
   return of;
 }
 
-void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool named, std::vector<LifeStep>& steps) {
+void Lives::add_steps(InstanceId id, const std::vector<CellSide>& pieces, bool named,
+                      std::vector<LifeStep>& steps) {
   const Instance& instance = evaluation_.instances[id];
   const Node& node = tree_.nodes[instance.node];
   for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -305,7 +306,7 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
   if (named) add_words(id, pieces, steps);
 }
 
-void Lives::add_words(InstanceId id, const std::vector<Piece>& pieces, std::vector<LifeStep>& steps) {
+void Lives::add_words(InstanceId id, const std::vector<CellSide>& pieces, std::vector<LifeStep>& steps) {
   const Instance& instance = evaluation_.instances[id];
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     LifeStep& step = steps[p];
@@ -344,7 +345,7 @@ std::vector<Operand> Lives::operands_of(InstanceId id) const {
   return out;
 }
 
-void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Piece>& pieces,
+void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<CellSide>& pieces,
                          std::vector<LifeStep>& steps) {
   const std::vector<Operand> operands = operands_of(id);
   for_each_step(complex_, node, operands, [&](const BooleanStep& s) {
@@ -382,7 +383,7 @@ void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Piec
   });
 }
 
-void Lives::add_topology(Topological op, bool each, const NodeValue& x, const std::vector<Piece>& pieces,
+void Lives::add_topology(Topological op, bool each, const NodeValue& x, const std::vector<CellSide>& pieces,
                          bool named, std::vector<LifeStep>& steps) {
   if (x.is_group() && !each && op == Topological::closure) return;  // a group is closed
   if (x.is_group() && !each && op == Topological::regularize) {
@@ -436,7 +437,7 @@ StarFacts Lives::star_of(const Components& x, Component only, const CellSet& sta
   return out;
 }
 
-void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Piece>& pieces, bool named,
+void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<CellSide>& pieces, bool named,
                           std::vector<LifeStep>& steps) {
   Node without = node;
   without.regularize = false;

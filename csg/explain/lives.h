@@ -14,7 +14,7 @@
 namespace cnrg {
 
 /// A cell of the complex; of a face also the side to which the normal of its explanation points.
-struct Piece {
+struct CellSide {
   Location cell;
   unsigned side = 0;
 };
@@ -37,26 +37,26 @@ class Lives {
   Lives(const Tree& tree, const Evaluation& evaluation, NodeId node);
 
   /// The lives of the pieces, in their order. `named`: fill what StarFacts fills for lives that are shown.
-  std::vector<Life> of(const std::vector<Piece>& pieces, bool named);
+  std::vector<Life> of(const std::vector<CellSide>& pieces, bool named);
 
   /// Which pieces of one cell live alike: a class for each piece, numbered from 0 in the order of their first
   /// pieces. `cells`: of which cell each piece is, ascending from 0 without gaps. No life is held for longer than
   /// its node.
-  std::vector<std::uint32_t> classes(const std::vector<Piece>& pieces, std::vector<std::uint32_t> cells);
+  std::vector<std::uint32_t> classes(const std::vector<CellSide>& pieces, std::vector<std::uint32_t> cells);
 
  private:
-  void add_steps(InstanceId id, const std::vector<Piece>& pieces, bool named, std::vector<LifeStep>& steps);
-  void add_booleans(const Node& node, InstanceId id, const std::vector<Piece>& pieces,
+  void add_steps(InstanceId id, const std::vector<CellSide>& pieces, bool named, std::vector<LifeStep>& steps);
+  void add_booleans(const Node& node, InstanceId id, const std::vector<CellSide>& pieces,
                     std::vector<LifeStep>& steps);
-  void add_topology(Topological op, bool each, const NodeValue& x, const std::vector<Piece>& pieces, bool named,
+  void add_topology(Topological op, bool each, const NodeValue& x, const std::vector<CellSide>& pieces, bool named,
                     std::vector<LifeStep>& steps);
-  void add_attribute(const Node& node, InstanceId id, const std::vector<Piece>& pieces, bool named,
+  void add_attribute(const Node& node, InstanceId id, const std::vector<CellSide>& pieces, bool named,
                      std::vector<LifeStep>& steps);
   StarFacts star_of(const Components& x, Component only, const CellSet& star, const Location& cell,
                     const NodeValue& value, bool named);
   const SimplifiedComplex& simplified(const NodeValue& value);
   const std::string& name_of(InstanceId id) const { return evaluation_.rows[id.index()].name; }
-  void add_words(InstanceId id, const std::vector<Piece>& pieces, std::vector<LifeStep>& steps);
+  void add_words(InstanceId id, const std::vector<CellSide>& pieces, std::vector<LifeStep>& steps);
   std::vector<Operand> operands_of(InstanceId id) const;
 
   const Tree& tree_;

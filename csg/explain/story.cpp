@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* const kKinds[] = {"point", "wire", "face", "region"};
+const char* const kCellKinds[] = {"point", "wire", "face", "region"};
 
 Json json_of(const RationalPoint& p) { return {to_string(p[0]), to_string(p[1]), to_string(p[2])}; }
 
@@ -103,7 +103,7 @@ class Teller {
   const std::string& leaf_name(LeafId leaf) const { return evaluation_.leaf_names[leaf.index()]; }
 
   Json of(const LeafCell& cell) const {
-    Json out{{"leaf", leaf_name(cell.leaf)}, {"kind", kKinds[cell.dimension]}};
+    Json out{{"leaf", leaf_name(cell.leaf)}, {"kind", kCellKinds[cell.dimension]}};
     if (cell.dimension != 0) out["number"] = cell.number;
     return out;
   }

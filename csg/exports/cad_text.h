@@ -21,7 +21,7 @@ struct CadText {
 /// where the system gives no memory or process.
 CadText cad_text(const CadParts& parts, CadFormat format);
 
-/// Throws InputError in a program that has no OpenCASCADE; `path` begins the message.
-void require_cad_writer(const std::string& path);
-
 }  // namespace cnrg
+
+// Of the plug-in `cad`; to be called in a child.
+extern "C" void cnrg_cad_text(const cnrg::CadParts& parts, cnrg::CadFormat format, cnrg::CadText& text);

@@ -1,4 +1,4 @@
-// The child's part, and what becomes of its answer; see the header.
+// The plug-in's part.
 //
 // A face that fails is taken as its facets, and all is made once more: its neighbours then meet flat faces, and
 // may fail in their turn.
@@ -12,8 +12,7 @@
 #include "csg/exports/cad_text.h"
 #include "csg/exports/occt_model.h"
 #include "csg/exports/occt_write.h"
-#include "csg/text/child.h"
-#include "csg/text/input_file.h"
+#include "csg/text/plugin.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 
@@ -22,8 +21,6 @@ namespace {
 
 /// Of splines, by the size of the model.
 constexpr double kTolerance = 1e-7;
-
-enum class Answer : std::uint8_t { text, input_error, broken_invariant };
 
 /// To two digits, upward.
 double rounded_up(double x) {
@@ -101,74 +98,17 @@ class Maker {
   }
 };
 
-CadText make(const CadParts& parts, CadFormat format) {
+}  // namespace
+}  // namespace cnrg
+
+CNRG_PLUGIN_EXPORT void cnrg_cad_text(const cnrg::CadParts& parts, cnrg::CadFormat format, cnrg::CadText& text) {
   try {
-    return Maker(parts, format).run();
+    text = cnrg::Maker(parts, format).run();
   } catch (const Standard_OutOfMemory&) {
     throw std::bad_alloc();
   } catch (const Standard_Failure& failure) {
     const std::string words = failure.GetMessageString() != nullptr ? failure.GetMessageString() : "";
-    throw InputError(std::string("OpenCASCADE fails with ") + failure.DynamicType()->Name() +
-                     (words.empty() ? "" : ", " + words));
+    throw cnrg::InputError(std::string("OpenCASCADE fails with ") + failure.DynamicType()->Name() +
+                           (words.empty() ? "" : ", " + words));
   }
 }
-
-int make_in_child(const CadParts& parts, CadFormat format, const MemoryFile& file) {
-  const auto answer = [&](Answer kind, const std::string& text) {
-    file.write_value(kind);
-    file.write_list(text);
-  };
-  try {
-    const CadText made = make(parts, format);
-    answer(Answer::text, made.text);
-    file.write_value(std::uint64_t(made.notices.size()));
-    for (const std::string& notice : made.notices) file.write_list(notice);
-  } catch (const InputError& error) {
-    answer(Answer::input_error, error.what());
-  } catch (const InvariantError& error) {
-    answer(Answer::broken_invariant, error.what());
-  }
-  return 0;
-}
-
-const char* const kInstead = "write .json, which holds any result, or .msh, which holds its facets";
-
-[[noreturn]] void fail(const ChildEnd& end) {
-  using Kind = ChildEnd::Kind;
-  switch (end.kind) {
-    case Kind::time:
-      throw InputError("OpenCASCADE did not end within " + std::to_string(end.seconds) +
-                       " s of processor time: " + kInstead);
-    case Kind::memory:
-      throw FileError(
-          std::string("OpenCASCADE ran out of memory, or of room for the file (ulimit -f): free some, or ") +
-          kInstead);
-    case Kind::signal:
-      throw InputError("OpenCASCADE crashed (signal " + std::to_string(end.number) + "): " + kInstead);
-    default: throw InputError("OpenCASCADE ended its process (" + std::to_string(end.number) + "): " + kInstead);
-  }
-}
-
-}  // namespace
-
-CadText cad_text(const CadParts& parts, CadFormat format) {
-  constexpr std::size_t kSeconds = 600, kFacesPerSecond = 100;
-  const ChildLimits limits{.seconds = kSeconds + parts.faces.size() / kFacesPerSecond,
-                           .bytes = memory_of_machine()};
-  const MemoryFile file("OpenCASCADE");
-  const ChildEnd end = run_in_child("OpenCASCADE", limits, [&] { return make_in_child(parts, format, file); });
-  if (end.kind != ChildEnd::Kind::done || end.number != 0) fail(end);
-  file.rewind();
-  CadText result;
-  const auto kind = file.read_value<Answer>();
-  file.read_list(result.text);
-  if (kind == Answer::broken_invariant) throw InvariantError(result.text);
-  if (kind != Answer::text) throw InputError(result.text + ": " + kInstead);
-  const auto n = file.read_value<std::uint64_t>();
-  for (std::uint64_t i = 0; i < n; ++i) file.read_list(result.notices.emplace_back());
-  return result;
-}
-
-void require_cad_writer(const std::string&) {}
-
-}  // namespace cnrg

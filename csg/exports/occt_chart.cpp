@@ -34,9 +34,7 @@
 namespace cnrg::occt {
 namespace {
 
-gp_Pnt pnt(const CadPoint& p) { return {p[0], p[1], p[2]}; }
 gp_Dir dir(const CadPoint& d) { return {d[0], d[1], d[2]}; }
-CadPoint numbers(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 gp_Ax3 axes_of(const CadAxes& axes) {
   gp_Ax3 result(pnt(axes.origin), dir(axes.z), dir(axes.x));
@@ -145,7 +143,7 @@ class GeomSurface final : public Surface {
   explicit GeomSurface(Handle(Geom_Surface) surface) : surface_(std::move(surface)) {}
   SurfaceJet<double> at(double u, double v) const override {
     SurfaceJet<double> jet = jet_at(u, v);
-    const auto length = [](const Vector<double>& n) { return std::hypot(n[0], n[1], n[2]); };
+    const auto length = [](const Vector3<double>& n) { return std::hypot(n[0], n[1], n[2]); };
     // At a pole: the normal beside it.
     double step = 1e-7;
     for (int i = 0; i < 6 && !(length(jet.normal) > 1e-9 * length(jet.along_u) * length(jet.along_v) &&
@@ -177,9 +175,9 @@ class NormalStrip final : public Surface {
   SurfaceJet<double> at(double along, double out) const override {
     const GeomSurface surface(surface_);
     const SurfaceJet<double> jet = d_ == 0 ? surface.at(value_, along) : surface.at(along, value_);
-    const Vector<double> way = d_ == 0 ? jet.along_v : jet.along_u;
+    const Vector3<double> way = d_ == 0 ? jet.along_v : jet.along_u;
     const double size = std::hypot(jet.normal[0], jet.normal[1], jet.normal[2]);
-    const Vector<double> normal = surface_math::scaled(1 / size, jet.normal);
+    const Vector3<double> normal = surface_math::scaled(1 / size, jet.normal);
     return {surface_math::sum(jet.point, surface_math::scaled(out, normal)), way, normal,
             surface_math::cross(way, normal)};
   }

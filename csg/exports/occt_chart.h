@@ -4,6 +4,7 @@
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <array>
+#include <gp_Pnt.hxx>
 #include <memory>
 #include <optional>
 
@@ -11,6 +12,9 @@
 #include "csg/exports/cad_parts.h"
 
 namespace cnrg::occt {
+
+inline gp_Pnt pnt(const CadPoint& p) { return {p[0], p[1], p[2]}; }
+inline CadPoint numbers(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 /// Throws Standard_Failure or InputError for what OpenCASCADE cannot hold.
 Handle(Geom_Surface) surface_of(const SurfaceForm& form);

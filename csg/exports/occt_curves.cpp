@@ -31,8 +31,6 @@ constexpr std::size_t kFewest = 16, kMost = 2048;
 double length(const CadPoint& v) { return std::hypot(v[0], v[1], v[2]); }
 double distance(const CadPoint& a, const CadPoint& b) { return length(difference(a, b)); }
 CadPoint unit(const CadPoint& v) { return scaled(1 / length(v), v); }
-gp_Pnt pnt(const CadPoint& p) { return {p[0], p[1], p[2]}; }
-CadPoint numbers(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 /// A polyline by the fraction of its length.
 class Path {
@@ -342,7 +340,7 @@ std::optional<EdgeCurve> CadCurves::circle(const Piece& piece, const std::vector
   for (const Chart* chart : piece.charts) {
     if (chart->has_axis()) axes.emplace_back(chart->axis_point(), chart->axis());
     if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(chart->surface()); !sphere.IsNull())
-      spheres.push_back(numbers(sphere->Location()));
+      spheres.push_back(numbers(sphere->Location().XYZ()));
   }
   for (const CadPoint& center : spheres) {
     for (const Chart* chart : piece.charts) {
@@ -438,7 +436,7 @@ PlaneCurve CadCurves::in_plane(const LaidFace& face, const PieceUse& use) const 
     std::vector<CadParameters> at(n + 1);
     for (std::size_t i = 0; i <= n; ++i) {
       t[i] = edge.first + (edge.last - edge.first) * static_cast<double>(i) / static_cast<double>(n);
-      points[i] = numbers(edge.curve->Value(t[i]));
+      points[i] = numbers(edge.curve->Value(t[i]).XYZ());
     }
     std::size_t start = n / 2;
     CadParameters near = use.corners[m].at;
@@ -505,7 +503,7 @@ PlaneCurve CadCurves::in_plane(const LaidFace& face, const PieceUse& use) const 
     for (std::size_t i = 0; i <= 4 * n; ++i) {
       const double s = edge.first + range * static_cast<double>(i) / static_cast<double>(4 * n);
       const gp_Pnt2d uv = made.curve->Value(s);
-      made.off = std::max(made.off, distance(chart.point({uv.X(), uv.Y()}), numbers(edge.curve->Value(s))));
+      made.off = std::max(made.off, distance(chart.point({uv.X(), uv.Y()}), numbers(edge.curve->Value(s).XYZ())));
     }
     if (best.curve.IsNull() || made.off < best.off) best = made;
     if (made.off <= tolerance_ || (straight && n > kFewest)) break;

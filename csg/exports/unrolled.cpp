@@ -6,22 +6,23 @@
 #include <map>
 #include <numeric>
 
+#include "kernel/base/limits.h"
+
 namespace cnrg {
 namespace {
 
 using Index = std::uint32_t;
-using Turns = std::array<long, 2>;
-using Side = std::array<Index, 2>;
-constexpr Index kNone = 0xffffffffu;
+using FacetTurns = std::array<long, 2>;
+using DirectedEdge = std::array<Index, 2>;
 
 /// Facets that were put together, each with its turns against the first one of them.
 class Layout {
  public:
-  explicit Layout(std::size_t n) : parent_(n), turns_(n, Turns{0, 0}) {
+  explicit Layout(std::size_t n) : parent_(n), turns_(n, FacetTurns{0, 0}) {
     std::iota(parent_.begin(), parent_.end(), Index(0));
   }
-  std::pair<Index, Turns> find(Index f) const {
-    Turns sum{0, 0};
+  std::pair<Index, FacetTurns> find(Index f) const {
+    FacetTurns sum{0, 0};
     while (parent_[f] != f) {
       for (std::size_t d = 0; d < 2; ++d) sum[d] += turns_[f][d];
       f = parent_[f];
@@ -30,11 +31,11 @@ class Layout {
   }
   /// g is to be laid `by` turns from where its parameters say, if f is where its own say.
   enum class Answer { united, fits, contradicts };
-  Answer unite(Index f, Index g, const Turns& by, Turns& gap) {
+  Answer unite(Index f, Index g, const FacetTurns& by, FacetTurns& gap) {
     const auto [root_f, of_f] = find(f);
     const auto [root_g, of_g] = find(g);
     for (std::size_t d = 0; d < 2; ++d) gap[d] = of_f[d] + by[d] - of_g[d];
-    if (root_f == root_g) return gap == Turns{0, 0} ? Answer::fits : Answer::contradicts;
+    if (root_f == root_g) return gap == FacetTurns{0, 0} ? Answer::fits : Answer::contradicts;
     parent_[root_g] = root_f;
     turns_[root_g] = gap;
     return Answer::united;
@@ -42,13 +43,13 @@ class Layout {
   void flatten() {
     for (Index f = 0; f < parent_.size(); ++f) {
       const auto [root, turns] = find(f);
-      parent_[f] = root, turns_[f] = root == f ? Turns{0, 0} : turns;
+      parent_[f] = root, turns_[f] = root == f ? FacetTurns{0, 0} : turns;
     }
   }
 
  private:
   std::vector<Index> parent_;
-  std::vector<Turns> turns_;
+  std::vector<FacetTurns> turns_;
 };
 
 class Unroller {
@@ -93,7 +94,7 @@ class Unroller {
     UnrollCorner from, to;
     Index next, facet;
     Index twin = kNone;
-    Turns turns{0, 0};  // of the twin's facet against this one
+    FacetTurns turns{0, 0};  // of the twin's facet against this one
     std::array<long, 2> line{-1, -1};
     bool open = false;
   };
@@ -106,7 +107,7 @@ class Unroller {
   const std::vector<UnrollFacet>& facets_;
   const std::array<double, 2> period_, slack_;
   std::vector<Half> halves_;
-  std::map<Side, Index> half_of_;
+  std::map<DirectedEdge, Index> half_of_;
   std::optional<Layout> layout_;
 
   /// Corners of a facet are less than half a period from one another.
@@ -187,7 +188,7 @@ class Unroller {
       for (Half& half : halves_) {
         if (half.twin == kNone || half.twin < Index(&half - halves_.data()) || is_cut(half, cut) != cut_ones)
           continue;
-        Turns gap;
+        FacetTurns gap;
         const auto answer = layout_->unite(half.facet, halves_[half.twin].facet, half.turns, gap);
         half.open = halves_[half.twin].open = answer == Layout::Answer::contradicts;
         if (!half.open || cut_ones) continue;
@@ -206,7 +207,7 @@ class Unroller {
   }
 
   UnrollCorner placed(UnrollCorner corner, Index facet) const {
-    const Turns turns = layout_->find(facet).second;
+    const FacetTurns turns = layout_->find(facet).second;
     for (std::size_t d = 0; d < 2; ++d) corner.at[d] += static_cast<double>(turns[d]) * period_[d];
     return corner;
   }

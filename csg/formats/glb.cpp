@@ -38,7 +38,7 @@ using Floats = std::array<float, 3>;
 
 // Numbers of glTF.
 enum Mode { kPoints = 0, kLines = 1, kTriangles = 4 };
-enum Number { kFloat = 5126, kUnsigned = 5125 };
+enum ComponentType { kFloat = 5126, kUnsigned = 5125 };
 enum Target { kVertices = 34962, kIndices = 34963 };
 
 Floats floats(const DoubleVector& a) { return {float(a[0]), float(a[1]), float(a[2])}; }
@@ -74,7 +74,7 @@ struct Frame {
 };
 
 /// A mesh as it is collected: corners of triangles, ends of segments, points, by points of the flattened result.
-struct Shape {
+struct GlbShape {
   Mode mode = kTriangles;
   std::vector<Index> points;    ///< by vertex
   std::vector<Floats> normals;  ///< by vertex, of triangles
@@ -92,10 +92,10 @@ class ShapeMaker {
     for (std::size_t k = 0; k < 3; ++k) add(points[k], normals[k]);
   }
   void add_point(Index point) { add(point, {}); }
-  Shape& shape() { return shape_; }
+  GlbShape& shape() { return shape_; }
 
  private:
-  Shape shape_;
+  GlbShape shape_;
   std::map<std::pair<Index, Floats>, Index> known_;
 
   void add(Index point, const Floats& normal) {
@@ -122,7 +122,7 @@ class GlbWriter {
     collect_faces();
     collect_wires();
     collect_points();
-    for (const Shape& shape : shapes_) add_node(shape);
+    for (const GlbShape& shape : shapes_) add_node(shape);
     return {file(), {.notices = notices()}};
   }
 
@@ -133,14 +133,14 @@ class GlbWriter {
   CellColors colors_;
   Frame frame_;
   std::vector<DoubleVector> positions_;  // of the points, in the frame
-  std::vector<Shape> shapes_;
+  std::vector<GlbShape> shapes_;
   std::vector<Json> materials_, meshes_, nodes_, accessors_;
   std::map<std::tuple<std::string, std::string, bool, bool>, std::size_t> material_;
   enum View { kPositions, kCorners, kNormals };
   std::array<std::string, 3> binary_;  // by view of the buffer; kCorners are indices
   /// The numbers of a shape in the file, and its meshes by material.
   struct Written {
-    const Shape* shape;
+    const GlbShape* shape;
     Json attributes;
     std::size_t indices;
     std::map<std::size_t, std::size_t> meshes;
@@ -172,13 +172,13 @@ class GlbWriter {
     ShapeMaker& of(const std::string& name, Mode mode, std::size_t material) {
       const auto [entry, fresh] = number_.try_emplace({name, material}, all_.size());
       if (fresh) {
-        Shape& shape = all_.emplace_back(mode).shape();
+        GlbShape& shape = all_.emplace_back(mode).shape();
         shape.name = name;
         shape.material = material;
       }
       return all_[entry->second];
     }
-    void give(std::vector<Shape>& shapes) {
+    void give(std::vector<GlbShape>& shapes) {
       for (ShapeMaker& maker : all_) shapes.push_back(std::move(maker.shape()));
     }
 
@@ -208,7 +208,7 @@ class GlbWriter {
       for (const auto& shell : flat_.regions[r].shells) {
         for (const Index side : shell) add_side(maker, side, normals[side >> 1]);
       }
-      Shape& shape = shapes_.emplace_back(std::move(maker.shape()));
+      GlbShape& shape = shapes_.emplace_back(std::move(maker.shape()));
       shape.name = names[r];
       shape.material = material(colors_.of(by, 3, r), false, true);
       const Component component = Component(flat_.regions[r].component);
@@ -273,7 +273,7 @@ class GlbWriter {
   }
 
   /// The exact vector from the points of one shape to those of another; none if there is no one such.
-  std::optional<RationalPoint> shift(const Shape& from, const Shape& to) const {
+  std::optional<RationalPoint> shift(const GlbShape& from, const GlbShape& to) const {
     const auto at = [&](Index p) { return view_.complex->points.rational(flat_.points[p]); };
     const RationalPoint by = at(to.points[0]) - at(from.points[0]);
     for (std::size_t i = 1; i < from.points.size(); ++i) {
@@ -282,7 +282,7 @@ class GlbWriter {
     return by;
   }
 
-  void add_node(const Shape& shape) {
+  void add_node(const GlbShape& shape) {
     Json node;
     node["name"] = shape.name;
     auto& candidates = written_[{shape.mode, shape.indices, shape.normals}];
@@ -311,7 +311,7 @@ class GlbWriter {
   }
 
   /// For numbers that come next in the view.
-  std::size_t add_accessor(View view, Number number, std::size_t count, const char* type) {
+  std::size_t add_accessor(View view, ComponentType number, std::size_t count, const char* type) {
     Json& made = accessors_.emplace_back();
     made["bufferView"] = int(view);
     made["byteOffset"] = binary_[view].size();
@@ -328,7 +328,7 @@ class GlbWriter {
     for (const float x : numbers) append_bits(bytes, std::bit_cast<std::uint32_t>(x));
   }
 
-  Written add_numbers(const Shape& shape) {
+  Written add_numbers(const GlbShape& shape) {
     Json attributes;
     Floats low, high;
     low.fill(std::numeric_limits<float>::max());
@@ -352,7 +352,7 @@ class GlbWriter {
 
   std::vector<std::string> notices() const {
     double most = 0;
-    for (const Shape& shape : shapes_) {
+    for (const GlbShape& shape : shapes_) {
       for (const Index p : shape.points) {
         const Floats at = floats(positions_[p]);
         for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(at[k] - positions_[p][k]));
@@ -375,7 +375,7 @@ class GlbWriter {
     nodes_.insert(nodes_.begin(), std::move(root));
     Json all;
     all["asset"] = {{"version", "2.0"}, {"generator", "cnrg"}};
-    for (const Shape& shape : shapes_) {
+    for (const GlbShape& shape : shapes_) {
       if (shape.mode != kTriangles) all["extensionsUsed"] = {"KHR_materials_unlit"};
     }
     all["scene"] = 0;

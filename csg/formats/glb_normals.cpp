@@ -10,7 +10,7 @@ namespace cnrg {
 namespace {
 
 /// Of length 1; zero for what has no direction in doubles.
-DoubleVector unit(DoubleVector a) {
+DoubleVector unit_or_zero(DoubleVector a) {
   double most = 0;
   for (const double x : a) most = std::max(most, std::abs(x));
   if (!(most > 0) || !std::isfinite(most)) return {0, 0, 0};
@@ -26,7 +26,7 @@ bool is_zero(const DoubleVector& a) { return a == DoubleVector{0, 0, 0}; }
 DoubleVector direction(const RationalPoint& a) {
   Rational most;
   for (const Rational& x : a) most = std::max<Rational>(most, abs(x));
-  return unit({to_double(a[0] / most), to_double(a[1] / most), to_double(a[2] / most)});
+  return unit_or_zero({to_double(a[0] / most), to_double(a[1] / most), to_double(a[2] / most)});
 }
 
 /// Where p is on the patch of a cell; nothing if that does not hold it. A corner that is there once, as nearly all
@@ -49,7 +49,7 @@ DoubleVector CornerNormals::facet_normal(const FlatComplex::Face& face, std::siz
     const DoubleVector n = cross(minus(points_[b], points_[a]), minus(points_[c], points_[a]));
     if (dot(n, n) > dot(best, best)) best = n;
   }
-  if (const DoubleVector n = unit(best); !is_zero(n)) return n;
+  if (const DoubleVector n = unit_or_zero(best); !is_zero(n)) return n;
   std::array<RationalPoint, 3> p;
   for (std::size_t k = 0; k < 3; ++k) {
     p[k] = view_.complex->points.rational(flat_.points[face.triangles[begin][k]]);
@@ -90,7 +90,7 @@ DoubleVector CornerNormals::nearest_normal(const std::vector<Site>& sites, const
   for (const auto& [patch, uv] : sites) {
     const PlacedSurface* s = surface(patch);
     if (s == nullptr) continue;
-    const DoubleVector n = unit(s->at(to_double(uv[0]), to_double(uv[1])).normal);
+    const DoubleVector n = unit_or_zero(s->at(to_double(uv[0]), to_double(uv[1])).normal);
     const double cosine = dot(n, flat);
     if (!(std::abs(cosine) > nearest)) continue;
     nearest = std::abs(cosine);

@@ -25,7 +25,7 @@ namespace cnrg {
 namespace {
 
 using Index = Mesh::Index;
-using Id = std::uint64_t;
+using EntityHandle = std::uint64_t;
 
 constexpr std::size_t kNameSize = 32;
 
@@ -54,20 +54,20 @@ class H5mWriter {
     find_groups();
     add_elements();
     add_sets();
-    return file_.bytes();
+    return file_->bytes();
   }
 
  private:
   struct Surface {
-    Index first = 0, end = 0;    ///< of its triangles
-    std::array<Id, 2> senses{};  ///< the volume behind, and the one in front; 0: none
+    Index first = 0, end = 0;              ///< of its triangles
+    std::array<EntityHandle, 2> senses{};  ///< the volume behind, and the one in front; 0: none
     const Mesh::Entity* face = nullptr;
   };
   const Mesh& mesh_;
-  Hdf5File file_;
-  Id first_edge_ = 0, first_triangle_ = 0, first_tetrahedron_ = 0, first_set_ = 0, end_ = 0;
+  const std::unique_ptr<Hdf5File> file_ = new_hdf5_file();
+  EntityHandle first_edge_ = 0, first_triangle_ = 0, first_tetrahedron_ = 0, first_set_ = 0, end_ = 0;
   std::vector<Surface> surfaces_;
-  std::vector<std::pair<std::string, std::vector<Id>>> groups_;
+  std::vector<std::pair<std::string, std::vector<EntityHandle>>> groups_;
   std::map<std::string, std::size_t> group_at_;
 
   void number_all() {
@@ -77,7 +77,7 @@ class H5mWriter {
     first_set_ = first_tetrahedron_ + mesh_.tetrahedra.size();
   }
   /// Surfaces come first among sets, then volumes.
-  Id volume(Index region) const { return first_set_ + surfaces_.size() + region; }
+  EntityHandle volume(Index region) const { return first_set_ + surfaces_.size() + region; }
 
   /// The facets of one face are one surface. A face without a region on just one of its sides, or with two
   /// different ones, parts nothing.
@@ -108,12 +108,12 @@ class H5mWriter {
     }
   }
 
-  void add_to_group(const std::string& name, Id member) {
+  void add_to_group(const std::string& name, EntityHandle member) {
     const auto [entry, fresh] = group_at_.try_emplace(name, groups_.size());
     if (fresh) groups_.push_back({name, {}});
     groups_[entry->second].second.push_back(member);
   }
-  void add_what_is_said(const Mesh::Entity& entity, Id set) {
+  void add_what_is_said(const Mesh::Entity& entity, EntityHandle set) {
     if (entity.tags.said == nullptr) return;
     if (!entity.tags.said->material.empty())
       add_to_group(group_name("mat", entity.tags.said->material.name()), set);
@@ -127,9 +127,9 @@ class H5mWriter {
     for (Index r = 0; r < mesh_.entities[3].size(); ++r) add_what_is_said(mesh_.entities[3][r], volume(r));
     for (std::size_t s = 0; s < surfaces_.size(); ++s) add_what_is_said(*surfaces_[s].face, first_set_ + s);
     const auto names = distinct_names(mesh_, without_words_of_dagmc, kNameSize - 1);
-    std::array<std::vector<std::vector<Id>>, 4> members;
+    std::array<std::vector<std::vector<EntityHandle>>, 4> members;
     for (std::size_t d = 0; d < 4; ++d) members[d].resize(names[d].size());
-    const auto add = [&](std::size_t d, const Mesh::Entity& entity, Id member) {
+    const auto add = [&](std::size_t d, const Mesh::Entity& entity, EntityHandle member) {
       for (const Index group : entity.groups) members[d][group - 1].push_back(member);
     };
     for (Index r = 0; r < mesh_.entities[3].size(); ++r) add(3, mesh_.entities[3][r], volume(r));
@@ -150,34 +150,34 @@ class H5mWriter {
   }
 
   template <class Simplices>
-  void add_simplices(const std::string& kind, int type, Id first, const Simplices& simplices) {
+  void add_simplices(const std::string& kind, int type, EntityHandle first, const Simplices& simplices) {
     if (simplices.empty()) return;
-    std::vector<Id> points;
+    std::vector<EntityHandle> points;
     for (const auto& s : simplices) {
       for (const Index p : s.points) points.push_back(p + 1);
     }
     const std::string path = "tstt/elements/" + kind;
-    file_.add(path + "/connectivity", points, {simplices.size(), points.size() / simplices.size()});
-    file_.set(path + "/connectivity", "start_id", Hdf5File::Kind::i64, static_cast<std::int64_t>(first));
-    file_.set_of_type(path, "element_type", "tstt/elemtypes", type);
+    file_->add(path + "/connectivity", points, {simplices.size(), points.size() / simplices.size()});
+    file_->set(path + "/connectivity", "start_id", Hdf5File::Kind::i64, static_cast<std::int64_t>(first));
+    file_->set_of_type(path, "element_type", "tstt/elemtypes", type);
   }
 
   void add_elements() {
-    file_.add_group("tstt/elements");
-    file_.set("tstt", "max_id", Hdf5File::Kind::u64, static_cast<std::int64_t>(end_ - 1));
-    file_.add_enumeration("tstt/elemtypes", {"Edge", "Tri", "Quad", "Polygon", "Tet", "Pyramid", "Prism", "Knife",
-                                             "Hex", "Polyhedron"});
+    file_->add_group("tstt/elements");
+    file_->set("tstt", "max_id", Hdf5File::Kind::u64, static_cast<std::int64_t>(end_ - 1));
+    file_->add_enumeration("tstt/elemtypes", {"Edge", "Tri", "Quad", "Polygon", "Tet", "Pyramid", "Prism", "Knife",
+                                              "Hex", "Polyhedron"});
     std::vector<double> coordinates;
     for (const auto& p : mesh_.points) coordinates.insert(coordinates.end(), p.begin(), p.end());
-    file_.add("tstt/nodes/coordinates", coordinates, {mesh_.points.size(), 3});
-    file_.set("tstt/nodes/coordinates", "start_id", Hdf5File::Kind::i64, 1);
+    file_->add("tstt/nodes/coordinates", coordinates, {mesh_.points.size(), 3});
+    file_->set("tstt/nodes/coordinates", "start_id", Hdf5File::Kind::i64, 1);
     add_simplices("Edge2", 1, first_edge_, mesh_.segments);
     add_simplices("Tri3", 2, first_triangle_, mesh_.triangles);
     add_simplices("Tet4", 5, first_tetrahedron_, mesh_.tetrahedra);
   }
 
   // Lists of all sets one after the other; a row of a set says where its parts end, inclusive.
-  std::vector<Id> contents_, children_, parents_;
+  std::vector<EntityHandle> contents_, children_, parents_;
   std::vector<std::int64_t> rows_;
   void end_set() {
     constexpr std::int64_t kUnordered = 2;
@@ -187,10 +187,10 @@ class H5mWriter {
   }
 
   void add_sets() {
-    std::vector<std::vector<Id>> children(mesh_.entities[3].size());
+    std::vector<std::vector<EntityHandle>> children(mesh_.entities[3].size());
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
       const Surface& surface = surfaces_[s];
-      std::vector<Id> points;
+      std::vector<EntityHandle> points;
       for (Index t = surface.first; t < surface.end; ++t) {
         for (const Index p : mesh_.triangles[t].points) points.push_back(p + 1);
       }
@@ -198,7 +198,7 @@ class H5mWriter {
       points.erase(std::unique(points.begin(), points.end()), points.end());
       contents_.insert(contents_.end(), points.begin(), points.end());
       for (Index t = surface.first; t < surface.end; ++t) contents_.push_back(first_triangle_ + t);
-      for (const Id sense : surface.senses) {
+      for (const EntityHandle sense : surface.senses) {
         if (sense == 0) continue;
         parents_.push_back(sense);
         children[sense - volume(0)].push_back(first_set_ + s);
@@ -218,21 +218,21 @@ class H5mWriter {
     }
     const std::size_t count = rows_.size() / 4;
     if (count == 0) return;
-    file_.add("tstt/sets/list", rows_, {count, 4});
-    file_.set("tstt/sets/list", "start_id", Hdf5File::Kind::i64, static_cast<std::int64_t>(first_set_));
-    file_.add("tstt/sets/contents", contents_);
+    file_->add("tstt/sets/list", rows_, {count, 4});
+    file_->set("tstt/sets/list", "start_id", Hdf5File::Kind::i64, static_cast<std::int64_t>(first_set_));
+    file_->add("tstt/sets/contents", contents_);
     if (!children_.empty()) {
-      file_.add("tstt/sets/children", children_);
-      file_.add("tstt/sets/parents", parents_);
+      file_->add("tstt/sets/children", children_);
+      file_->add("tstt/sets/parents", parents_);
     }
     add_tags(count);
   }
 
   /// A tag of some sets is stored with their numbers (class 1, sparse), one of all with these (2, dense).
-  void begin_tag(const std::string& path, int kind) { file_.set(path, "class", Hdf5File::Kind::i32, kind); }
+  void begin_tag(const std::string& path, int kind) { file_->set(path, "class", Hdf5File::Kind::i32, kind); }
 
   void add_tags(std::size_t count) {
-    std::vector<Id> ids;
+    std::vector<EntityHandle> ids;
     std::vector<std::string> categories, names;
     std::vector<std::int32_t> dimensions, numbers;
     const std::array<std::size_t, 3> counts{surfaces_.size(), mesh_.entities[3].size(), groups_.size()};
@@ -245,38 +245,38 @@ class H5mWriter {
         numbers.push_back(static_cast<std::int32_t>(i) + 1);
       }
     }
-    file_.add("tstt/tags/CATEGORY/id_list", ids);
-    file_.add("tstt/tags/CATEGORY/values", categories, kNameSize, true);
-    file_.add_opaque_type("tstt/tags/CATEGORY/type", kNameSize);
+    file_->add("tstt/tags/CATEGORY/id_list", ids);
+    file_->add("tstt/tags/CATEGORY/values", categories, kNameSize, true);
+    file_->add_opaque_type("tstt/tags/CATEGORY/type", kNameSize);
     begin_tag("tstt/tags/CATEGORY", 1);
-    file_.add("tstt/tags/GEOM_DIMENSION/id_list", ids);
-    file_.add("tstt/tags/GEOM_DIMENSION/values", dimensions);
-    file_.add_type("tstt/tags/GEOM_DIMENSION/type", Hdf5File::Kind::i32);
+    file_->add("tstt/tags/GEOM_DIMENSION/id_list", ids);
+    file_->add("tstt/tags/GEOM_DIMENSION/values", dimensions);
+    file_->add_type("tstt/tags/GEOM_DIMENSION/type", Hdf5File::Kind::i32);
     begin_tag("tstt/tags/GEOM_DIMENSION", 1);
-    file_.set("tstt/tags/GEOM_DIMENSION", "default", Hdf5File::Kind::i32, -1);
-    file_.set("tstt/tags/GEOM_DIMENSION", "global", Hdf5File::Kind::i32, -1);
-    file_.add_type("tstt/tags/GLOBAL_ID/type", Hdf5File::Kind::i32);
+    file_->set("tstt/tags/GEOM_DIMENSION", "default", Hdf5File::Kind::i32, -1);
+    file_->set("tstt/tags/GEOM_DIMENSION", "global", Hdf5File::Kind::i32, -1);
+    file_->add_type("tstt/tags/GLOBAL_ID/type", Hdf5File::Kind::i32);
     begin_tag("tstt/tags/GLOBAL_ID", 2);
-    file_.set("tstt/tags/GLOBAL_ID", "default", Hdf5File::Kind::i32, 0);
-    file_.set("tstt/tags/GLOBAL_ID", "global", Hdf5File::Kind::i32, 0);
-    file_.add("tstt/sets/tags/GLOBAL_ID", numbers);
+    file_->set("tstt/tags/GLOBAL_ID", "default", Hdf5File::Kind::i32, 0);
+    file_->set("tstt/tags/GLOBAL_ID", "global", Hdf5File::Kind::i32, 0);
+    file_->add("tstt/sets/tags/GLOBAL_ID", numbers);
     if (!surfaces_.empty()) {
-      std::vector<Id> senses;
+      std::vector<EntityHandle> senses;
       for (const Surface& s : surfaces_) senses.insert(senses.end(), s.senses.begin(), s.senses.end());
       const auto end = ids.begin() + static_cast<std::ptrdiff_t>(surfaces_.size());
-      file_.add("tstt/tags/GEOM_SENSE_2/id_list", std::vector<Id>(ids.begin(), end));
-      file_.add("tstt/tags/GEOM_SENSE_2/values", senses, {}, 2);
-      file_.add_type("tstt/tags/GEOM_SENSE_2/type", Hdf5File::Kind::u64, 2);
+      file_->add("tstt/tags/GEOM_SENSE_2/id_list", std::vector<EntityHandle>(ids.begin(), end));
+      file_->add("tstt/tags/GEOM_SENSE_2/values", senses, {}, 2);
+      file_->add_type("tstt/tags/GEOM_SENSE_2/type", Hdf5File::Kind::u64, 2);
       begin_tag("tstt/tags/GEOM_SENSE_2", 1);
-      file_.set("tstt/tags/GEOM_SENSE_2", "is_handle", Hdf5File::Kind::i32, 1);
-      file_.set_pair("tstt/tags/GEOM_SENSE_2", "default", {0, 0});
+      file_->set("tstt/tags/GEOM_SENSE_2", "is_handle", Hdf5File::Kind::i32, 1);
+      file_->set_pair("tstt/tags/GEOM_SENSE_2", "default", {0, 0});
     }
     if (!groups_.empty()) {
       for (const auto& [name, members] : groups_) names.push_back(name);
       const auto begin = ids.begin() + static_cast<std::ptrdiff_t>(count - groups_.size());
-      file_.add("tstt/tags/NAME/id_list", std::vector<Id>(begin, ids.end()));
-      file_.add("tstt/tags/NAME/values", names, kNameSize, true);
-      file_.add_opaque_type("tstt/tags/NAME/type", kNameSize);
+      file_->add("tstt/tags/NAME/id_list", std::vector<EntityHandle>(begin, ids.end()));
+      file_->add("tstt/tags/NAME/values", names, kNameSize, true);
+      file_->add_opaque_type("tstt/tags/NAME/type", kNameSize);
       begin_tag("tstt/tags/NAME", 1);
     }
   }

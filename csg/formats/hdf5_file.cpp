@@ -1,3 +1,4 @@
+// The plug-in's part: the library itself.
 #include "csg/formats/hdf5_file.h"
 
 #include <hdf5.h>
@@ -7,8 +8,7 @@
 #include <new>
 #include <utility>
 
-#include "csg/text/child.h"
-#include "kernel/base/error.h"
+#include "csg/text/plugin.h"
 
 namespace cnrg {
 namespace {
@@ -61,158 +61,150 @@ Handle with_groups() {
   return list;
 }
 
-}  // namespace
-
-Hdf5File::Hdf5File() {
-  check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr));  // the library prints nothing
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  check(H5Pset_fapl_core(access, std::size_t{1} << 20, false));
-  file_ = H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access);
-  if (file_ < 0) throw std::bad_alloc();
-}
-
-Hdf5File::~Hdf5File() { H5Fclose(file_); }
-
-void Hdf5File::add_group(const std::string& path) {
-  const Handle links = with_groups();
-  const Handle group(H5Gcreate2(file_, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-}
-
-void Hdf5File::write(const std::string& path, std::int64_t type, const Sizes& sizes, const void* data) {
-  const std::vector<hsize_t> size(sizes.begin(), sizes.end());
-  const Handle links = with_groups();
-  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  check(H5Pset_obj_track_times(creation, false));
-  const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
-  const Handle set(H5Dcreate2(file_, path.c_str(), type, space, links, creation, H5P_DEFAULT), H5Dclose);
-  std::uint64_t count = 1;
-  for (const std::uint64_t n : sizes) count *= n;
-  if (count > 0) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
-}
-
-void Hdf5File::add(const std::string& path, std::span<const std::int32_t> numbers) {
-  write(path, stored(Kind::i32), {numbers.size()}, numbers.data());
-}
-void Hdf5File::add(const std::string& path, std::span<const std::int64_t> numbers, const Sizes& sizes) {
-  write(path, stored(Kind::i64), sizes.empty() ? Sizes{numbers.size()} : sizes, numbers.data());
-}
-void Hdf5File::add(const std::string& path, std::span<const double> numbers, const Sizes& sizes) {
-  write(path, stored(Kind::f64), sizes.empty() ? Sizes{numbers.size()} : sizes, numbers.data());
-}
-void Hdf5File::add(const std::string& path, std::span<const std::uint64_t> numbers, const Sizes& sizes,
-                   std::uint64_t each) {
-  if (each == 0) {
-    write(path, stored(Kind::u64), sizes.empty() ? Sizes{numbers.size()} : sizes, numbers.data());
-  } else {
-    const Handle type = array_of(stored(Kind::u64), each);
-    write(path, type, {numbers.size() / each}, numbers.data());
+/// A file of the library in memory.
+class MemoryHdf5File : public Hdf5File {
+ public:
+  MemoryHdf5File() {
+    check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr));  // the library prints nothing
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    check(H5Pset_fapl_core(access, std::size_t{1} << 20, false));
+    file_ = H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    if (file_ < 0) throw std::bad_alloc();
   }
-}
-void Hdf5File::add(const std::string& path, const std::vector<std::string>& texts, std::size_t width,
-                   bool opaque) {
-  std::string bytes;
-  for (const std::string& text : texts) {
-    bytes += text.substr(0, width);
-    bytes.resize(bytes.size() + width - std::min(width, text.size()), '\0');
+  ~MemoryHdf5File() override { H5Fclose(file_); }
+  MemoryHdf5File(const MemoryHdf5File&) = delete;
+  MemoryHdf5File& operator=(const MemoryHdf5File&) = delete;
+
+  void add_group(const std::string& path) override {
+    const Handle links = with_groups();
+    const Handle group(H5Gcreate2(file_, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   }
-  if (opaque) {
-    const Handle type(H5Tcreate(H5T_OPAQUE, width), H5Tclose);
-    write(path, type, {texts.size()}, bytes.data());
-  } else {
-    const Handle type = array_of(stored(Kind::i8), width);
-    write(path, type, {texts.size()}, bytes.data());
+
+  void write(const std::string& path, std::int64_t type, const Sizes& sizes, const void* data) {
+    const std::vector<hsize_t> size(sizes.begin(), sizes.end());
+    const Handle links = with_groups();
+    const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    check(H5Pset_obj_track_times(creation, false));
+    const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
+    const Handle set(H5Dcreate2(file_, path.c_str(), type, space, links, creation, H5P_DEFAULT), H5Dclose);
+    std::uint64_t count = 1;
+    for (const std::uint64_t n : sizes) count *= n;
+    if (count > 0) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
   }
-}
 
-void Hdf5File::add_type(const std::string& path, Kind kind, std::uint64_t each) {
-  const Handle links = with_groups();
-  const Handle type = each == 0 ? Handle(H5Tcopy(stored(kind)), H5Tclose) : array_of(stored(kind), each);
-  check(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
-}
-void Hdf5File::add_opaque_type(const std::string& path, std::size_t width) {
-  const Handle links = with_groups();
-  const Handle type(H5Tcreate(H5T_OPAQUE, width), H5Tclose);
-  check(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
-}
-void Hdf5File::add_enumeration(const std::string& path, const std::vector<std::string>& names) {
-  const Handle links = with_groups();
-  const Handle type(H5Tenum_create(stored(Kind::u8)), H5Tclose);
-  std::uint8_t number = 0;
-  for (const std::string& name : names) {
-    ++number;
-    check(H5Tenum_insert(type, name.c_str(), &number));
+  void add(const std::string& path, std::span<const std::int32_t> numbers) override {
+    write(path, stored(Kind::i32), {numbers.size()}, numbers.data());
   }
-  check(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
-}
-
-void Hdf5File::set(const std::string& path, const std::string& attribute, std::int64_t type, const void* data) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle made(H5Acreate_by_name(file_, path.c_str(), attribute.c_str(), type, space, H5P_DEFAULT,
-                                      H5P_DEFAULT, H5P_DEFAULT),
-                    H5Aclose);
-  check(H5Awrite(made, type, data));
-}
-void Hdf5File::set(const std::string& path, const std::string& attribute, Kind kind, std::int64_t value) {
-  // Converted by the library from eight bytes to those of the kind.
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle made(H5Acreate_by_name(file_, path.c_str(), attribute.c_str(), stored(kind), space, H5P_DEFAULT,
-                                      H5P_DEFAULT, H5P_DEFAULT),
-                    H5Aclose);
-  check(H5Awrite(made, H5T_NATIVE_INT64, &value));
-}
-void Hdf5File::set(const std::string& path, const std::string& attribute, double value) {
-  set(path, attribute, stored(Kind::f64), &value);
-}
-void Hdf5File::set(const std::string& path, const std::string& attribute, const std::string& value) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  check(H5Tset_size(type, value.size() + 1));
-  set(path, attribute, type, value.c_str());
-}
-void Hdf5File::set_pair(const std::string& path, const std::string& attribute,
-                        std::array<std::uint64_t, 2> values) {
-  const Handle type = array_of(stored(Kind::u64), 2);
-  set(path, attribute, type, values.data());
-}
-void Hdf5File::set_of_type(const std::string& path, const std::string& attribute, const std::string& type,
-                           int value) {
-  const Handle named(H5Topen2(file_, type.c_str(), H5P_DEFAULT), H5Tclose);
-  const auto byte = static_cast<std::uint8_t>(value);
-  set(path, attribute, named, &byte);
-}
-
-std::string Hdf5File::bytes() {
-  check(H5Fflush(file_, H5F_SCOPE_LOCAL));
-  const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
-  if (size < 0) throw std::bad_alloc();
-  std::string image(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(file_, image.data(), image.size()) < 0) throw std::bad_alloc();
-  return image;
-}
-
-std::string hdf5_bytes(const std::string& format, const std::function<std::string()>& make) {
-  const MemoryFile made("HDF5");
-  constexpr int kWhole = 0, kRefused = 1;
-  const ChildEnd end = run_in_child("HDF5", {}, [&] {
-    try {
-      made.write_list(make());
-      return kWhole;
-    } catch (const InputError& error) {
-      made.write_list(std::string(error.what()));
-      return kRefused;
+  void add(const std::string& path, std::span<const std::int64_t> numbers, const Sizes& sizes) override {
+    write(path, stored(Kind::i64), sizes.empty() ? Sizes{numbers.size()} : sizes, numbers.data());
+  }
+  void add(const std::string& path, std::span<const double> numbers, const Sizes& sizes) override {
+    write(path, stored(Kind::f64), sizes.empty() ? Sizes{numbers.size()} : sizes, numbers.data());
+  }
+  void add(const std::string& path, std::span<const std::uint64_t> numbers, const Sizes& sizes,
+           std::uint64_t each) override {
+    if (each == 0) {
+      write(path, stored(Kind::u64), sizes.empty() ? Sizes{numbers.size()} : sizes, numbers.data());
+    } else {
+      const Handle type = array_of(stored(Kind::u64), each);
+      write(path, type, {numbers.size() / each}, numbers.data());
     }
-  });
-  using Kind = ChildEnd::Kind;
-  if (end.kind == Kind::memory) throw std::bad_alloc();
-  if (end.kind != Kind::done) {
-    const std::string how = end.kind == Kind::signal ? "crashed (signal " : "ended its process (";
-    throw FileError("HDF5, which writes " + format + ", " + how + std::to_string(end.number) +
-                    "), as it does where memory runs out: free some, or choose another format");
   }
-  made.rewind();
-  std::string text;
-  made.read_list(text);
-  if (end.number == kRefused) throw InputError(text);
-  return text;
-}
+  void add(const std::string& path, const std::vector<std::string>& texts, std::size_t width,
+           bool opaque) override {
+    std::string bytes;
+    for (const std::string& text : texts) {
+      bytes += text.substr(0, width);
+      bytes.resize(bytes.size() + width - std::min(width, text.size()), '\0');
+    }
+    if (opaque) {
+      const Handle type(H5Tcreate(H5T_OPAQUE, width), H5Tclose);
+      write(path, type, {texts.size()}, bytes.data());
+    } else {
+      const Handle type = array_of(stored(Kind::i8), width);
+      write(path, type, {texts.size()}, bytes.data());
+    }
+  }
 
+  void add_type(const std::string& path, Kind kind, std::uint64_t each) override {
+    const Handle links = with_groups();
+    const Handle type = each == 0 ? Handle(H5Tcopy(stored(kind)), H5Tclose) : array_of(stored(kind), each);
+    check(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
+  }
+  void add_opaque_type(const std::string& path, std::size_t width) override {
+    const Handle links = with_groups();
+    const Handle type(H5Tcreate(H5T_OPAQUE, width), H5Tclose);
+    check(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
+  }
+  void add_enumeration(const std::string& path, const std::vector<std::string>& names) override {
+    const Handle links = with_groups();
+    const Handle type(H5Tenum_create(stored(Kind::u8)), H5Tclose);
+    std::uint8_t number = 0;
+    for (const std::string& name : names) {
+      ++number;
+      check(H5Tenum_insert(type, name.c_str(), &number));
+    }
+    check(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
+  }
+
+  void set(const std::string& path, const std::string& attribute, std::int64_t type, const void* data) {
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle made(H5Acreate_by_name(file_, path.c_str(), attribute.c_str(), type, space, H5P_DEFAULT,
+                                        H5P_DEFAULT, H5P_DEFAULT),
+                      H5Aclose);
+    check(H5Awrite(made, type, data));
+  }
+  void set(const std::string& path, const std::string& attribute, Kind kind, std::int64_t value) override {
+    // Converted by the library from eight bytes to those of the kind.
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle made(H5Acreate_by_name(file_, path.c_str(), attribute.c_str(), stored(kind), space, H5P_DEFAULT,
+                                        H5P_DEFAULT, H5P_DEFAULT),
+                      H5Aclose);
+    check(H5Awrite(made, H5T_NATIVE_INT64, &value));
+  }
+  void set(const std::string& path, const std::string& attribute, double value) override {
+    set(path, attribute, stored(Kind::f64), &value);
+  }
+  void set(const std::string& path, const std::string& attribute, const std::string& value) override {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    check(H5Tset_size(type, value.size() + 1));
+    set(path, attribute, type, value.c_str());
+  }
+  void set_pair(const std::string& path, const std::string& attribute,
+                std::array<std::uint64_t, 2> values) override {
+    const Handle type = array_of(stored(Kind::u64), 2);
+    set(path, attribute, type, values.data());
+  }
+  void set_of_type(const std::string& path, const std::string& attribute, const std::string& type,
+                   int value) override {
+    const Handle named(H5Topen2(file_, type.c_str(), H5P_DEFAULT), H5Tclose);
+    const auto byte = static_cast<std::uint8_t>(value);
+    set(path, attribute, named, &byte);
+  }
+
+  std::string bytes() override {
+    check(H5Fflush(file_, H5F_SCOPE_LOCAL));
+    const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
+    if (size < 0) throw std::bad_alloc();
+    std::string image(static_cast<std::size_t>(size), '\0');
+    if (H5Fget_file_image(file_, image.data(), image.size()) < 0) throw std::bad_alloc();
+    return image;
+  }
+
+ private:
+  hid_t file_ = -1;
+};
+
+}  // namespace
 }  // namespace cnrg
+
+CNRG_PLUGIN_EXPORT cnrg::Hdf5File* cnrg_hdf5_file() { return new cnrg::MemoryHdf5File; }
+
+CNRG_PLUGIN_EXPORT const char* cnrg_hdf5_version() {
+  static const std::string text = [] {
+    unsigned major = 0, minor = 0, release = 0;
+    H5get_libversion(&major, &minor, &release);
+    return "HDF5 " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(release);
+  }();
+  return text.c_str();
+}

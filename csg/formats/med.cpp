@@ -46,8 +46,8 @@ class MedWriter {
   std::string run() {
     add_head();
     add_points();
-    file_.add_group(kStep + "/MAI");
-    file_.set(kStep + "/MAI", "CGT", Kind::i32, 1);
+    file_->add_group(kStep + "/MAI");
+    file_->set(kStep + "/MAI", "CGT", Kind::i32, 1);
     const bool straight = mesh_.middles.empty();
     std::vector<Mesh::Simplex<2>> edges;  // of the result
     for (const auto& s : mesh_.segments) {
@@ -60,13 +60,13 @@ class MedWriter {
     for (auto& t : tetrahedra) std::swap(t.points[1], t.points[2]);
     add_elements(3, straight ? "TE4" : "T10", straight ? 304 : 310, tetrahedra, kSecondOrderEdges);
     add_families();
-    return file_.bytes();
+    return file_->bytes();
   }
 
  private:
   const Mesh& mesh_;
   const std::array<std::vector<std::string>, 4> names_;
-  Hdf5File file_;
+  const std::unique_ptr<Hdf5File> file_ = new_hdf5_file();
   /// By dimension and groups: the number.
   std::map<std::pair<std::size_t, std::vector<Index>>, std::int32_t> families_;
   std::int32_t of_elements_ = 0, of_points_ = 0;
@@ -79,41 +79,41 @@ class MedWriter {
   }
 
   void add_head() {
-    file_.add_group("INFOS_GENERALES");
-    file_.set("INFOS_GENERALES", "MAJ", Kind::i32, 3);
-    file_.set("INFOS_GENERALES", "MIN", Kind::i32, 0);
-    file_.set("INFOS_GENERALES", "REL", Kind::i32, 0);
-    file_.add_group(kStep);
+    file_->add_group("INFOS_GENERALES");
+    file_->set("INFOS_GENERALES", "MAJ", Kind::i32, 3);
+    file_->set("INFOS_GENERALES", "MIN", Kind::i32, 0);
+    file_->set("INFOS_GENERALES", "REL", Kind::i32, 0);
+    file_->add_group(kStep);
     const std::string mesh = "ENS_MAA/" + kMesh;
-    file_.set(mesh, "DIM", Kind::i32, 3);
-    file_.set(mesh, "ESP", Kind::i32, 3);
-    file_.set(mesh, "REP", Kind::i32, 0);  // Cartesian
-    file_.set(mesh, "SRT", Kind::i32, 1);
-    file_.set(mesh, "TYP", Kind::i32, 0);  // unstructured
-    file_.set(mesh, "UNT", std::string(16, ' '));
-    file_.set(mesh, "UNI", std::string(48, ' '));
-    file_.set(mesh, "NOM", "x" + std::string(15, ' ') + "y" + std::string(15, ' ') + "z" + std::string(15, ' '));
-    file_.set(mesh, "DES", "node " + cut(shown(mesh_.node), 150) + ", written by cnrg");
-    file_.set(mesh, "NXT", Kind::i32, -1);
-    file_.set(mesh, "NXI", Kind::i32, -1);
-    file_.set(kStep, "CGT", Kind::i32, 1);
-    file_.set(kStep, "NDT", Kind::i32, -1);
-    file_.set(kStep, "NOR", Kind::i32, -1);
-    file_.set(kStep, "NXT", Kind::i32, -1);
-    file_.set(kStep, "NXI", Kind::i32, -1);
-    file_.set(kStep, "PVT", Kind::i32, -1);
-    file_.set(kStep, "PVI", Kind::i32, -1);
-    file_.set(kStep, "PDT", -1.0);
+    file_->set(mesh, "DIM", Kind::i32, 3);
+    file_->set(mesh, "ESP", Kind::i32, 3);
+    file_->set(mesh, "REP", Kind::i32, 0);  // Cartesian
+    file_->set(mesh, "SRT", Kind::i32, 1);
+    file_->set(mesh, "TYP", Kind::i32, 0);  // unstructured
+    file_->set(mesh, "UNT", std::string(16, ' '));
+    file_->set(mesh, "UNI", std::string(48, ' '));
+    file_->set(mesh, "NOM", "x" + std::string(15, ' ') + "y" + std::string(15, ' ') + "z" + std::string(15, ' '));
+    file_->set(mesh, "DES", "node " + cut(shown(mesh_.node), 150) + ", written by cnrg");
+    file_->set(mesh, "NXT", Kind::i32, -1);
+    file_->set(mesh, "NXI", Kind::i32, -1);
+    file_->set(kStep, "CGT", Kind::i32, 1);
+    file_->set(kStep, "NDT", Kind::i32, -1);
+    file_->set(kStep, "NOR", Kind::i32, -1);
+    file_->set(kStep, "NXT", Kind::i32, -1);
+    file_->set(kStep, "NXI", Kind::i32, -1);
+    file_->set(kStep, "PVT", Kind::i32, -1);
+    file_->set(kStep, "PVI", Kind::i32, -1);
+    file_->set(kStep, "PDT", -1.0);
   }
 
   void set_counts(const std::string& path, std::size_t count) {
-    file_.set(path, "CGT", Kind::i32, 1);
-    file_.set(path, "NBR", Kind::i32, static_cast<std::int64_t>(count));
+    file_->set(path, "CGT", Kind::i32, 1);
+    file_->set(path, "NBR", Kind::i32, static_cast<std::int64_t>(count));
   }
   void set_support(const std::string& path) {
-    file_.set(path, "CGT", Kind::i32, 1);
-    file_.set(path, "CGS", Kind::i32, 1);
-    file_.set(path, "PFL", kAll);
+    file_->set(path, "CGT", Kind::i32, 1);
+    file_->set(path, "CGS", Kind::i32, 1);
+    file_->set(path, "PFL", kAll);
   }
 
   void add_points() {
@@ -122,12 +122,12 @@ class MedWriter {
     for (std::size_t k = 0; k < 3; ++k) {
       for (const auto& p : mesh_.points) columns.push_back(p[k]);
     }
-    file_.add(path + "/COO", columns);
+    file_->add(path + "/COO", columns);
     set_support(path);
     set_counts(path + "/COO", mesh_.points.size());
     std::vector<std::int32_t> families(mesh_.points.size(), 0);
     for (const auto& v : mesh_.vertices) families[v.points[0]] = family(0, mesh_.entities[0][v.entity].groups);
-    file_.add(path + "/FAM", families);
+    file_->add(path + "/FAM", families);
     set_counts(path + "/FAM", families.size());
   }
 
@@ -144,26 +144,26 @@ class MedWriter {
       families.push_back(family(dimension, mesh_.entities[dimension][simplices[i].entity].groups));
     }
     const std::string path = kStep + "/MAI/" + type;
-    file_.add(path + "/NOD", nodes);
+    file_->add(path + "/NOD", nodes);
     set_support(path);
-    file_.set(path, "GEO", Kind::i32, number);
+    file_->set(path, "GEO", Kind::i32, number);
     set_counts(path + "/NOD", n);
-    file_.add(path + "/FAM", families);
+    file_->add(path + "/FAM", families);
     set_counts(path + "/FAM", n);
   }
 
   void add_families() {
     const std::string path = "FAS/" + kMesh;
-    file_.add_group(path + "/FAMILLE_ZERO");
-    file_.set(path + "/FAMILLE_ZERO", "NUM", Kind::i32, 0);
+    file_->add_group(path + "/FAMILLE_ZERO");
+    file_->set(path + "/FAMILLE_ZERO", "NUM", Kind::i32, 0);
     for (const auto& [key, number] : families_) {
       const auto& [dimension, groups] = key;
       const std::string family = path + (dimension == 0 ? "/NOEUD/" : "/ELEME/") + "FAM_" + std::to_string(number);
       std::vector<std::string> names;
       for (const Index group : groups) names.push_back(names_[dimension][group - 1]);
-      file_.add(family + "/GRO/NOM", names, kGroupSize, false);
-      file_.set(family + "/GRO", "NBR", Kind::i32, static_cast<std::int64_t>(groups.size()));
-      file_.set(family, "NUM", Kind::i32, number);
+      file_->add(family + "/GRO/NOM", names, kGroupSize, false);
+      file_->set(family + "/GRO", "NBR", Kind::i32, static_cast<std::int64_t>(groups.size()));
+      file_->set(family, "NUM", Kind::i32, number);
     }
   }
 };

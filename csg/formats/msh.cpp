@@ -15,6 +15,7 @@
 #include <set>
 
 #include "csg/formats/formats.h"
+#include "csg/formats/gmsh_order.h"
 #include "csg/mesh/mesh.h"
 #include "csg/text/escape.h"
 #include "kernel/base/vectors.h"
@@ -24,18 +25,6 @@ namespace {
 
 using Index = Mesh::Index;
 using Vector = DoubleVector;
-
-// The edges whose middles follow the corners of an element of second order.
-using Ends = std::array<std::size_t, 2>;
-constexpr std::array<Ends, 0> kEdges0{};
-constexpr std::array<Ends, 1> kEdges1{{{0, 1}}};
-constexpr std::array<Ends, 3> kEdges2{{{0, 1}, {1, 2}, {0, 2}}};
-constexpr std::array<Ends, 6> kEdges3{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
-
-Vector unit(const Vector& a) {
-  const double length = std::sqrt(dot(a, a));
-  return {a[0] / length, a[1] / length, a[2] / length};
-}
 
 class MshWriter {
  public:

@@ -25,7 +25,7 @@ std::string word_of(const ResultView& view, const FlatComplex& flat, FlatComplex
 }  // namespace
 
 FileText obj_text(const ResultView& view) {
-  const FlatComplex flat = flatten(view, Flat::shapes);
+  const FlatComplex flat = flatten(view, Flattening::shapes);
   require_closed_and_bounded(flat, "OBJ");
   const RoundedPoints points = round_points(view, flat);
   Drawing drawing;

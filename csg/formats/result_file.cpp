@@ -186,7 +186,7 @@ auto snapped_if_broken(Result& result, SnapReport& report, const Watch& watch, c
 /// The longest side of the box around a result.
 Rational extent_of(const Result& result) {
   const ResultView view = result.data().view();
-  const FlatComplex flat = flatten(view, Flat::shapes);
+  const FlatComplex flat = flatten(view, Flattening::shapes);
   const RoundedPoints points = round_points(view, flat);
   double longest = 0;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -48,7 +48,7 @@ void round_to_floats(const ResultView& view, const FlatComplex& flat, RoundedPoi
 
 /// `floats`: numbers of 24 bits, which must not break the result.
 RoundedSolid rounded_solid(const ResultView& view, const std::string& format, bool floats = false) {
-  FlatComplex flat = flatten(view, Flat::shapes);
+  FlatComplex flat = flatten(view, Flattening::shapes);
   SolidBoundary boundary = solid_boundary(flat, format);
   std::vector<VertexId> used;
   for (const auto p : boundary.points) used.push_back(flat.points[p]);

@@ -1,5 +1,6 @@
 #include "csg/formats/tetrahedra_arrays.h"
 
+#include "csg/formats/gmsh_order.h"
 #include "csg/formats/mesh_file.h"
 #include "csg/result/result_data.h"
 #include "csg/result/said_table.h"
@@ -8,13 +9,6 @@ namespace cnrg {
 namespace {
 
 using Number = std::int32_t;
-using Ends = std::array<std::size_t, 2>;
-
-/// The edges whose middles follow the corners of an element of second order.
-constexpr std::array<Ends, 0> kNoEdges{};
-constexpr std::array<Ends, 1> kEdges1{{{0, 1}}};
-constexpr std::array<Ends, 3> kEdges2{{{0, 1}, {1, 2}, {0, 2}}};
-constexpr std::array<Ends, 6> kEdges3{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
 
 template <class List, class Edges>
 void add(const Mesh& mesh, const List& simplices, std::size_t dimension, const Edges& edges, SaidTableMaker& said,
@@ -37,7 +31,7 @@ void add(const Mesh& mesh, const List& simplices, std::size_t dimension, const E
 /// All but what is said, which goes to `said`.
 void fill(const Result& result, const Mesh& mesh, SaidTableMaker& said, MeshArrays& out) {
   for (const auto& p : mesh.points) out.points.insert(out.points.end(), p.begin(), p.end());
-  add(mesh, mesh.vertices, 0, kNoEdges, said, out.of[0]);
+  add(mesh, mesh.vertices, 0, kEdges0, said, out.of[0]);
   add(mesh, mesh.segments, 1, kEdges1, said, out.of[1]);
   add(mesh, mesh.triangles, 2, kEdges2, said, out.of[2]);
   add(mesh, mesh.tetrahedra, 3, kEdges3, said, out.of[3]);
@@ -101,7 +95,7 @@ SurfaceArrays SurfaceMeshResult::arrays() const {
   SurfaceArrays out;
   SaidTableMaker said;
   fill(data_->result, made.mesh, said, out);
-  add(made.mesh, made.mesh.quads, 2, kNoEdges, said, out.quads);
+  add(made.mesh, made.mesh.quads, 2, kEdges0, said, out.quads);
   out.said = said.table(data_->result.data().view());
   out.faces = made.groups;
   out.rounding = made.rounding;

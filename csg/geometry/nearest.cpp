@@ -4,21 +4,21 @@
 namespace cnrg {
 namespace {
 
-NearestPoints between(const RationalPoint& a, RationalPoint b) {
+NearestPoints nearest_pair(const RationalPoint& a, RationalPoint b) {
   const RationalPoint d = b - a;
   return {a, std::move(b), dot(d, d)};
 }
 
 }  // namespace
 
-NearestPoints nearest_of_points(const RationalPoint& a, const RationalPoint& b) { return between(a, b); }
+NearestPoints nearest_of_points(const RationalPoint& a, const RationalPoint& b) { return nearest_pair(a, b); }
 
 std::optional<NearestPoints> nearest_in_segment(const RationalPoint& p, const RationalPoint& a,
                                                 const RationalPoint& b) {
   const RationalPoint along = b - a;
   const Rational length = dot(along, along), foot = dot(p - a, along);
   if (foot <= 0 || foot >= length) return {};
-  return between(p, a + Rational(foot / length) * along);
+  return nearest_pair(p, a + Rational(foot / length) * along);
 }
 
 std::optional<NearestPoints> nearest_in_triangle(const RationalPoint& p, const RationalPoint& a,
@@ -29,7 +29,7 @@ std::optional<NearestPoints> nearest_in_triangle(const RationalPoint& p, const R
   };
   if (beside(a, b) || beside(b, c) || beside(c, a)) return {};
   const Rational height = dot(p - a, normal) / dot(normal, normal);
-  return between(p, p - height * normal);
+  return nearest_pair(p, p - height * normal);
 }
 
 std::optional<NearestPoints> nearest_in_segments(const RationalPoint& a, const RationalPoint& b,
@@ -39,7 +39,7 @@ std::optional<NearestPoints> nearest_in_segments(const RationalPoint& a, const R
   if (square == 0) return {};
   const Rational s = dot(cross(w, v), normal), t = dot(cross(w, u), normal);  // places, times `square`
   if (s <= 0 || s >= square || t <= 0 || t >= square) return {};
-  return between(a + Rational(s / square) * u, c + Rational(t / square) * v);
+  return nearest_pair(a + Rational(s / square) * u, c + Rational(t / square) * v);
 }
 
 }  // namespace cnrg

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 
 #include "csg/carriers/axes.h"
 #include "csg/geometry/circle.h"
 #include "kernel/base/union_find.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 
@@ -22,17 +22,6 @@ using Kind = CadSurface::Kind;
 using Side = BandBorder::Side;
 using Point3 = std::array<double, 3>;
 
-constexpr double kTurn = 2 * std::numbers::pi;
-/// What doubles round, and what files do to their decimals, relative to the size of the face.
-constexpr double kRounding = 1e-9;
-
-Point3 minus(const Point3& a, const Point3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Point3& a) { return std::sqrt(dot(a, a)); }
-RationalPoint exact(const Point3& p) { return {from_double(p[0]), from_double(p[1]), from_double(p[2])}; }
 bool is_round(Kind kind) {
   return kind == Kind::cylinder || kind == Kind::cone || kind == Kind::sphere || kind == Kind::torus;
 }
@@ -306,7 +295,7 @@ class Finder {
 
   // --- where it is, exactly
 
-  RationalPoint at(Index p) const { return welded_.empty() ? exact(model_.points[p]) : welded_[p]; }
+  RationalPoint at(Index p) const { return welded_.empty() ? from_doubles(model_.points[p]) : welded_[p]; }
   static RationalPoint away(const AxisLine& line, const RationalPoint& p) {
     return p - (line.foot + line.place_of(p) * line.direction);
   }
@@ -393,9 +382,9 @@ class Finder {
     if (!welded_.empty()) return std::nullopt;  // planes may have been moved, to where the corners are now
     if (const auto plane = plane_at_.find(e); plane != plane_at_.end()) {
       const CadAxes& axes = model_.faces[plane->second].surface.axes;
-      if (is_zero(cnrg::cross(exact(axes.z), line.direction))) return line.place_of(exact(axes.origin));
+      if (is_zero(cross(from_doubles(axes.z), line.direction))) return line.place_of(from_doubles(axes.origin));
     }
-    const RationalPoint center = exact(edge(e).curve.axes.origin);
+    const RationalPoint center = from_doubles(edge(e).curve.axes.origin);
     return line.holds(center) ? std::optional(line.place_of(center)) : std::nullopt;
   }
   /// Of the parallel of a sphere or torus at a place along the axis; nothing where that says little, since the
@@ -406,7 +395,7 @@ class Finder {
     const Rational radius = ball ? of.radius : of.minor_radius;
     const Rational middle = ball ? Rational(0) : of.radius;
     const Rational up = near.t - face.line.place_of(of.origin);
-    const Rational out = radius * radius - up * up * cnrg::dot(face.line.direction, face.line.direction);
+    const Rational out = radius * radius - up * up * dot(face.line.direction, face.line.direction);
     if (out * 4 < radius * radius) return std::nullopt;
     const Rational root = round_cosine(0, out, exponent_of_root(out) - 60);
     return near.r < middle ? Rational(middle - root) : Rational(middle + root);
@@ -435,17 +424,17 @@ class Finder {
     for (const Index p : {edge(e).points.front(), edge(e).points.back()}) {
       if (!is_pole(face.line, p)) return direction(face, p);
     }
-    return unit(away(face.line, exact(middle_of(e))));
+    return unit(away(face.line, from_doubles(middle_of(e))));
   }
   static RationalPoint unit(const RationalPoint& v) {
-    const Rational square = cnrg::dot(v, v);
+    const Rational square = dot(v, v);
     return Rational(1 / round_cosine(0, square, exponent_of_root(square) - 60)) * v;
   }
 
   std::size_t mark(Band& band, const RationalPoint& direction) const {
     const auto it = std::find(band.marks.begin(), band.marks.end(), direction);
     if (it != band.marks.end()) return static_cast<std::size_t>(it - band.marks.begin());
-    const double off = to_double(cnrg::dot(direction, direction)) - 1;
+    const double off = to_double(dot(direction, direction)) - 1;
     if (!(std::abs(off) < 4 * kRounding))
       refuse("a corner of " + face_name(band.face) + " is not on its surface, by more than doubles round");
     band.marks.push_back(direction);
@@ -511,7 +500,7 @@ class Finder {
   /// `rows` is null for a pole, and for both ends of a whole ring.
   void fill_piece(const Face& face, const MeridianPoint* const* rows, MeridianPiece& piece) {
     const CadSurface& of = surface(face);
-    const Rational square = cnrg::dot(face.line.direction, face.line.direction);
+    const Rational square = dot(face.line.direction, face.line.direction);
     const RoundFace& round = exactly(face.face);
     const Rational middle = face.line.place_of(round.origin);
     if (!has_arcs(of.kind)) {

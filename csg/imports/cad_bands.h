@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@
 #include "csg/imports/cad_round.h"
 
 namespace cnrg {
+
+inline constexpr double kTurn = 2 * std::numbers::pi;
+/// What doubles round, and what files do to their decimals, relative to the size of a face.
+inline constexpr double kRounding = 1e-9;
 
 /// Why a model cannot be drawn by bands: what its making throws.
 struct NotDrawn {

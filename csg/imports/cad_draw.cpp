@@ -7,11 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numbers>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/triangulate.h"
 
@@ -21,10 +20,6 @@ namespace {
 using Index = std::uint32_t;
 using Side = BandBorder::Side;
 using Point3 = std::array<double, 3>;
-
-constexpr Index kNone = std::numeric_limits<Index>::max();
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kRounding = 1e-9;  // as of cad_bands.cpp
 
 /// The angle of a point of a circle, or the parameter of one of a line.
 double parameter_on(const CadCurve& curve, const Point3& p) {

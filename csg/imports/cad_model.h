@@ -60,7 +60,14 @@ struct CadModel {
 /// says how to get it.
 CadModel read_cad(const CadShape& shape);
 
-/// `OpenCASCADE 7.6.3`, or empty without it.
-std::string cad_library();
+/// `step: 'part.step': `, before what is wrong with it.
+std::string cad_subject(const CadShape& shape);
 
 }  // namespace cnrg
+
+// Of the plug-in `cad`. From the content of a file to its facets, to be called in a child: OpenCASCADE prints, may
+// crash or not end, and leaves its settings changed. Errors as at read_cad.
+extern "C" {
+void cnrg_cad_read(const cnrg::CadShape& shape, const std::string& content, cnrg::CadModel& model);
+const char* cnrg_cad_version();
+}

@@ -22,10 +22,8 @@ constexpr double kNear = 1e-9;
 
 bool is_compared(const CadSurface& surface) { return surface.kind <= Kind::torus; }
 
-RationalPoint exact(const Point& p) { return {from_double(p[0]), from_double(p[1]), from_double(p[2])}; }
-
 /// How far a point is from a surface.
-double distance(const CadSurface& surface, const Point& p) {
+double distance_from(const CadSurface& surface, const Point& p) {
   Point to;
   double along = 0, square = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -51,9 +49,9 @@ double distance(const CadSurface& surface, const Point& p) {
 /// Exactly the same set of points. Cones with different origins on one axis count as the same: their radii there
 /// hang together by a tangent, which no file can hold.
 bool same(const CadSurface& a, const CadSurface& b) {
-  const RationalPoint z = exact(a.axes.z), by = exact(b.axes.origin) - exact(a.axes.origin);
+  const RationalPoint z = from_doubles(a.axes.z), by = from_doubles(b.axes.origin) - from_doubles(a.axes.origin);
   if (a.kind == Kind::sphere) return is_zero(by) && a.radius == b.radius;
-  if (!is_zero(cross(z, exact(b.axes.z)))) return false;
+  if (!is_zero(cross(z, from_doubles(b.axes.z)))) return false;
   switch (a.kind) {
     case Kind::plane: return dot(by, z) == 0;
     case Kind::cylinder: return a.radius == b.radius && is_zero(cross(by, z));
@@ -64,7 +62,7 @@ bool same(const CadSurface& a, const CadSurface& b) {
   }
 }
 
-const char* name_of(Kind kind) {
+const char* plural_of(Kind kind) {
   constexpr const char* kNames[] = {"planes", "cylinders", "cones", "spheres", "tori"};
   return kNames[static_cast<std::size_t>(kind)];
 }
@@ -99,7 +97,7 @@ std::string notice_of_near_surfaces(const CadModel& model) {
   const auto farthest = [&](const CadModel::Face& face, const CadSurface& surface) {
     double far = 0;
     for (const auto& triangle : face.triangles) {
-      for (const std::uint32_t p : triangle) far = std::max(far, distance(surface, model.points[p]));
+      for (const std::uint32_t p : triangle) far = std::max(far, distance_from(surface, model.points[p]));
     }
     return far;
   };
@@ -125,7 +123,7 @@ std::string notice_of_near_surfaces(const CadModel& model) {
       char text[32];
       std::snprintf(text, sizeof text, "%.1e", apart);
       example = "face " + std::to_string(a) + " and face " + std::to_string(b) + " on " +
-                name_of(one.surface.kind) + " that are " + text + " apart";
+                plural_of(one.surface.kind) + " that are " + text + " apart";
     }
   }
   if (count == 0) return {};

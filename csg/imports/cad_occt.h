@@ -19,9 +19,6 @@ struct CadFile {
   std::vector<std::string> notices;
 };
 
-/// `step: 'part.step': `, before what is wrong with it.
-std::string subject(const CadShape& shape);
-
 /// Errors as at read_cad.
 CadFile read_step(const CadShape& shape, const std::string& content);
 CadFile read_brep(const CadShape& shape, const std::string& content);
@@ -32,9 +29,5 @@ CadModel tessellate(const CadShape& shape, const CadFile& file);
 /// What carries a face, an edge: with its location. `turned` is the face's own orientation.
 CadSurface surface_of(const TopoDS_Face& face);
 CadCurve curve_of(const TopoDS_Edge& edge);
-
-/// All of it: from the content of a file to its facets. To be called in a child: OpenCASCADE prints, may crash or
-/// not end, and leaves its settings changed.
-CadModel read(const CadShape& shape, const std::string& content);
 
 }  // namespace cnrg::occt

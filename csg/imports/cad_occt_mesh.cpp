@@ -30,19 +30,18 @@
 #include <TopoDS_Vertex.hxx>
 #include <cmath>
 #include <gp_Pnt.hxx>
-#include <limits>
 #include <numbers>
 #include <set>
 
 #include "csg/curves/boundary_curves.h"
 #include "csg/imports/cad_occt.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 
 namespace cnrg::occt {
 namespace {
 
 using Index = std::uint32_t;
-constexpr Index kNone = std::numeric_limits<Index>::max();
 constexpr int kAttempts = 6;
 
 class Tessellator {
@@ -84,10 +83,10 @@ class Tessellator {
     BRepBndLib::Add(file_.shape, box, false);
     const double extent = box.IsVoid() ? 1 : std::sqrt(box.SquareExtent());
     if (!std::isfinite(extent) || box.IsOpen()) {
-      throw InputError(subject(shape_) + "it is unbounded: cut it where it was made");
+      throw InputError(cad_subject(shape_) + "it is unbounded: cut it where it was made");
     }
     if (fineness_.by_chord() && fineness_.chord() < Precision::Confusion()) {
-      throw InputError(subject(shape_) +
+      throw InputError(cad_subject(shape_) +
                        "the chord is below 1e-7, where OpenCASCADE's mesher ends: give a larger one");
     }
     IMeshTools_Parameters parameters;
@@ -104,7 +103,7 @@ class Tessellator {
       for (int e = 1; e <= edges_.Extent(); ++e) measure_edge(e);
       if (worst_ <= fineness_.chord()) return;
       if (attempt == kAttempts) {
-        throw InputError(subject(shape_) + "facets of " + worst_at_ + " stay up to " + std::to_string(worst_) +
+        throw InputError(cad_subject(shape_) + "facets of " + worst_at_ + " stay up to " + std::to_string(worst_) +
                          " away from it, more than the chord: give a larger chord, or repair the part where it "
                          "was made");
       }
@@ -218,7 +217,8 @@ class Tessellator {
     const TopoDS_Vertex vertex = last ? TopExp::LastVertex(edge) : TopExp::FirstVertex(edge);
     const int v = vertex.IsNull() ? 0 : vertices_.FindIndex(vertex);
     if (v == 0) {
-      throw InputError(subject(shape_) + edge_name(e) + " has no vertex at its end: repair it where it was made");
+      throw InputError(cad_subject(shape_) + edge_name(e) +
+                       " has no vertex at its end: repair it where it was made");
     }
     return model_.vertices[static_cast<std::size_t>(v) - 1].point;
   }
@@ -239,7 +239,7 @@ class Tessellator {
     TopLoc_Location location;
     const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face(f), location);
     if (mesh.IsNull() || mesh->NbTriangles() == 0 || !mesh->HasUVNodes()) {
-      throw InputError(subject(shape_) + "OpenCASCADE cannot mesh " + face_name(f) +
+      throw InputError(cad_subject(shape_) + "OpenCASCADE cannot mesh " + face_name(f) +
                        ": give another `chord` or "
                        "`segments`, or repair the face where it was made");
     }
@@ -287,7 +287,7 @@ class Tessellator {
     const int e = edges_.FindIndex(part);
     const Handle(Poly_PolygonOnTriangulation) polygon = BRep_Tool::PolygonOnTriangulation(part, mesh, location);
     if (polygon.IsNull()) {
-      throw InputError(subject(shape_) + "OpenCASCADE cannot mesh " + face_name(f) + " along " + edge_name(e) +
+      throw InputError(cad_subject(shape_) + "OpenCASCADE cannot mesh " + face_name(f) + " along " + edge_name(e) +
                        ": give another `chord` or `segments`, or repair the face where it was made");
     }
     const int count = polygon->NbNodes();
@@ -304,9 +304,9 @@ class Tessellator {
           [&](int i) { return polygon->HasParameters() ? polygon->Parameter(i) : i - 1.0; });
     }
     if (edge.points.size() != static_cast<std::size_t>(count)) {
-      throw InputError(subject(shape_) + edge_name(e) + " is cut into " + std::to_string(edge.points.size() - 1) +
-                       " segments and, for " + face_name(f) + ", into " + std::to_string(count - 1) +
-                       ": repair the edge where it was made");
+      throw InputError(cad_subject(shape_) + edge_name(e) + " is cut into " +
+                       std::to_string(edge.points.size() - 1) + " segments and, for " + face_name(f) + ", into " +
+                       std::to_string(count - 1) + ": repair the edge where it was made");
     }
     for (int i = 1; i <= count; ++i) {
       number[static_cast<std::size_t>(polygon->Node(i))] = edge.points[static_cast<std::size_t>(i) - 1];
@@ -327,7 +327,7 @@ class Tessellator {
     TopLoc_Location location;
     const Handle(Poly_Polygon3D) polygon = BRep_Tool::Polygon3D(TopoDS::Edge(edges_(e)), location);
     if (polygon.IsNull()) {
-      throw InputError(subject(shape_) + "OpenCASCADE cannot cut " + edge_name(e) +
+      throw InputError(cad_subject(shape_) + "OpenCASCADE cannot cut " + edge_name(e) +
                        " into segments: repair it where it was made");
     }
     take_edge(

@@ -37,6 +37,7 @@
 
 #include "csg/imports/cad_occt.h"
 #include "csg/leaves/leaf.h"
+#include "csg/text/plugin.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -77,8 +78,9 @@ std::string unit_of(const CadShape& shape, STEPControl_Reader& reader) {
   }
   std::string list;
   for (const std::string& name : named) list += (list.empty() ? "" : ", ") + name;
-  throw InputError(subject(shape) + "its " + (named.size() == 1 ? "unit of length is " : "units of length are ") +
-                   list + ": say which one the model has, for example `unit: mm`");
+  throw InputError(cad_subject(shape) + "its " +
+                   (named.size() == 1 ? "unit of length is " : "units of length are ") + list +
+                   ": say which one the model has, for example `unit: mm`");
 }
 
 /// The names of the solids of a file that was transferred. A shape is the same in all places of an assembly.
@@ -173,8 +175,6 @@ bool is_whole(const std::string& brep) {
 
 }  // namespace
 
-std::string subject(const CadShape& shape) { return std::string(shape.name()) + ": '" + shape.file + "': "; }
-
 CadFile read_step(const CadShape& shape, const std::string& content) {
   const std::size_t start = content.find_first_not_of(" \t\r\n");
   if (start == std::string::npos || content.compare(start, 12, "ISO-10303-21") != 0) {
@@ -195,7 +195,7 @@ CadFile read_step(const CadShape& shape, const std::string& content) {
   file.shape = reader.OneShape();
   note_failures(reader, file);
   if (is_empty(file.shape)) {
-    throw InputError(subject(shape) + "there are no shapes in it that OpenCASCADE can transfer" +
+    throw InputError(cad_subject(shape) + "there are no shapes in it that OpenCASCADE can transfer" +
                      (file.notices.empty() ? "" : "; " + file.notices[0]) +
                      ": write the part as a boundary representation (AP203, AP214 or AP242)");
   }
@@ -220,27 +220,29 @@ CadFile read_brep(const CadShape& shape, const std::string& content) {
                         ": error: OpenCASCADE cannot read this BREP file: it may be cut short; write it "
                         "again");
   }
-  if (is_empty(file.shape)) throw InputError(subject(shape) + "there are no shapes in it: write the part again");
+  if (is_empty(file.shape))
+    throw InputError(cad_subject(shape) + "there are no shapes in it: write the part again");
   return file;
 }
 
-CadModel read(const CadShape& shape, const std::string& content) {
+}  // namespace occt
+}  // namespace cnrg
+
+CNRG_PLUGIN_EXPORT void cnrg_cad_read(const cnrg::CadShape& shape, const std::string& content,
+                                      cnrg::CadModel& model) {
+  using namespace cnrg;
   try {
     const bool step = shape.format == CadShape::Format::step;
-    return tessellate(shape, step ? read_step(shape, content) : read_brep(shape, content));
+    model = occt::tessellate(shape, step ? occt::read_step(shape, content) : occt::read_brep(shape, content));
   } catch (const Standard_OutOfMemory&) {
     throw std::bad_alloc();
   } catch (const Standard_Failure& failure) {
     const std::string words = failure.GetMessageString() != nullptr ? failure.GetMessageString() : "";
-    throw InputError(subject(shape) + "OpenCASCADE fails with " + failure.DynamicType()->Name() +
+    throw InputError(cad_subject(shape) + "OpenCASCADE fails with " + failure.DynamicType()->Name() +
                      (words.empty() ? "" : ", " + words) +
                      ": write the file again, or repair the part where it was "
                      "made");
   }
 }
 
-}  // namespace occt
-
-std::string cad_library() { return std::string("OpenCASCADE ") + OCC_VERSION_COMPLETE; }
-
-}  // namespace cnrg
+CNRG_PLUGIN_EXPORT const char* cnrg_cad_version() { return "OpenCASCADE " OCC_VERSION_COMPLETE; }

@@ -14,10 +14,6 @@ namespace {
 using Index = std::uint32_t;
 using Kind = CadSurface::Kind;
 
-RationalPoint exact(const std::array<double, 3>& p) {
-  return {from_double(p[0]), from_double(p[1]), from_double(p[2])};
-}
-
 welding::RoundPart part_of(const CadModel& model, const CadModel::Face& face, const RoundFace& round) {
   welding::RoundPart part;
   part.axis = round.axis;
@@ -67,8 +63,9 @@ CadRound round_faces(const CadModel& model) {
     const bool is_round =
         of.kind == Kind::cylinder || of.kind == Kind::cone || of.kind == Kind::sphere || of.kind == Kind::torus;
     if (!is_round || face.triangles.empty()) continue;
-    const RationalPoint origin = exact(of.axes.origin);
-    round = {axis_line(origin, exact(of.axes.z)), origin, from_double(of.radius), from_double(of.minor_radius)};
+    const RationalPoint origin = from_doubles(of.axes.origin);
+    round = {axis_line(origin, from_doubles(of.axes.z)), origin, from_double(of.radius),
+             from_double(of.minor_radius)};
   }
   return result;
 }

@@ -1,13 +1,14 @@
 #include "csg/imports/cad_weld.h"
 
+#include "kernel/exact/exact_vectors.h"
+
 namespace cnrg {
 
 Weld weld_cad(const CadModel& model, const Rational& d, const std::string& subject,
               const std::function<std::string(std::uint32_t)>& face_name,
               const std::function<std::string(std::uint32_t)>& solid_name) {
   WeldModel all;
-  for (const auto& p : model.points)
-    all.points.push_back({from_double(p[0]), from_double(p[1]), from_double(p[2])});
+  for (const auto& p : model.points) all.points.push_back(from_doubles(p));
   for (std::uint32_t s = 0; s < model.solids.size(); ++s) all.solids.push_back({solid_name(s), {}});
   for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
     const CadModel::Face& face = model.faces[f];

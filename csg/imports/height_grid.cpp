@@ -74,7 +74,7 @@ HeightGrid read_height_grid(const std::string& path, const std::string& inside) 
   const std::optional<Rational> missing = take("nodata_value");
   const double no_data = missing ? to_double(*missing) : 0;
   if (!header.empty())
-    cursor.fail("the header has the unknown word " + quoted(header.begin()->first) + ": leave it out");
+    cursor.fail("the header has the unknown word " + in_quotes(header.begin()->first) + ": leave it out");
 
   grid.heights.assign(std::min(grid.columns * grid.rows, text.size()), 0);
   for (std::size_t row = grid.rows; row-- > 0;) {

@@ -40,7 +40,7 @@ const Cursor& Cursor::only(std::initializer_list<const char*> keys) const {
     std::string list;
     for (const char* known : keys) (list += list.empty() ? "" : ", ") += known;
     Cursor(*file_, key)
-        .fail("no member of results is called " + quoted(json().written(key)) + " here; remove it (there are " +
+        .fail("no member of results is called " + in_quotes(json().written(key)) + " here; remove it (there are " +
               list + ")");
   }
   return *this;
@@ -101,7 +101,7 @@ Rational Cursor::rational() const {
   value.get_den().set_str(std::string(below), 10);
   if (below == "1" || gcd(value.get_num(), value.get_den()) != 1) {
     value.canonicalize();
-    refuse("fractions are in lowest terms; this one is " + quoted(to_string(value)));
+    refuse("fractions are in lowest terms; this one is " + in_quotes(to_string(value)));
   }
   return value;
 }

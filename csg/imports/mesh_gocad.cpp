@@ -37,7 +37,7 @@ class GocadReader {
     const std::string_view word = cursor_.token_in_line();
     object_line_ = cursor_.line();
     if (word != "GOCAD")
-      cursor_.fail(quoted(word) + " where an object begins: `GOCAD TSurf 1`, for instance, is expected");
+      cursor_.fail(in_quotes(word) + " where an object begins: `GOCAD TSurf 1`, for instance, is expected");
     const std::string_view type = cursor_.token_in_line();
     kind_ = type == "TSurf"   ? Kind::surface
             : type == "PLine" ? Kind::line
@@ -130,7 +130,7 @@ class GocadReader {
     need("ZPOSITIVE", 1, "Elevation or Depth");
     const std::string_view value = cursor_.token_in_line();
     if (value != "Depth" && value != "Elevation")
-      cursor_.fail("ZPOSITIVE is " + quoted(value) + ": it must be Elevation or Depth");
+      cursor_.fail("ZPOSITIVE is " + in_quotes(value) + ": it must be Elevation or Depth");
     depth_ = value == "Depth";
   }
 

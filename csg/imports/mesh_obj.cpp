@@ -88,7 +88,7 @@ class ObjReader {
       long long index = 0;
       const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
       if (error != std::errc() || (end != token.data() + token.size() && *end != '/')) {
-        cursor_.fail(quoted(token) + " is no vertex index, such as 7, 7/1 or 7/1/3: correct it");
+        cursor_.fail(in_quotes(token) + " is no vertex index, such as 7, 7/1 or 7/1/3: correct it");
       }
       const long long known = static_cast<long long>(mesh_.point_count());
       const long long absolute = index < 0 ? known + index : index - 1;

@@ -13,16 +13,16 @@ std::string_view after_header(TextCursor& cursor, std::string_view token) {
   const std::size_t at = token.find("OFF");
   if (at == std::string_view::npos) {
     if (!token.empty() && token[0] >= '0' && token[0] <= '9') return token;  // the word is optional
-    cursor.fail(quoted(token) + " is no OFF header: the file must start with OFF");
+    cursor.fail(in_quotes(token) + " is no OFF header: the file must start with OFF");
   }
   std::string_view prefix = token.substr(0, at);
   for (std::string_view part : {"ST", "C", "N"}) {
     if (prefix.substr(0, part.size()) == part) prefix.remove_prefix(part.size());
   }
   if (prefix == "4" || prefix == "n" || prefix == "4n") {
-    cursor.fail(quoted(token) + " has points of another dimension than 3: convert it to OFF");
+    cursor.fail(in_quotes(token) + " has points of another dimension than 3: convert it to OFF");
   }
-  if (!prefix.empty()) cursor.fail(quoted(token) + " is no OFF header: the file must start with OFF");
+  if (!prefix.empty()) cursor.fail(in_quotes(token) + " is no OFF header: the file must start with OFF");
   return token.substr(at + 3);
 }
 
@@ -83,7 +83,7 @@ MeshData read_off(const std::string& path, const std::string& text, bool decimal
     cursor.next_line();
   }
   if (cursor.more()) {
-    cursor.fail("there is more data (" + quoted(cursor.token_in_line()) + ") after " + vertex_end + " and " +
+    cursor.fail("there is more data (" + in_quotes(cursor.token_in_line()) + ") after " + vertex_end + " and " +
                 std::to_string(faces) + " faces: correct the counts");
   }
   return mesh;

@@ -18,16 +18,16 @@ namespace {
 
 enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-struct Property {
+struct PlyProperty {
   std::string name;
   Type type = Type::float32;
   std::optional<Type> count;  ///< of a list
 };
 
-struct Element {
+struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
-  std::vector<Property> properties;
+  std::vector<PlyProperty> properties;
 };
 
 enum class Encoding { text, little, big };
@@ -45,7 +45,7 @@ class PlyReader {
   MeshData read() {
     read_header();
     at_ = cursor_.offset();
-    for (const Element& element : elements_) {
+    for (const PlyElement& element : elements_) {
       if (element.name == "vertex") read_vertices(element);
       else if (element.name == "face") read_faces(element);
       else if (element.name == "edge") read_edges(element);
@@ -74,7 +74,7 @@ class PlyReader {
         {"float64", Type::float64}};
     const auto found = kTypes.find(name);
     if (found == kTypes.end())
-      cursor_.fail(quoted(name) + " is no type of PLY, such as int, uchar or float: correct the header");
+      cursor_.fail(in_quotes(name) + " is no type of PLY, such as int, uchar or float: correct the header");
     return found->second;
   }
 
@@ -90,12 +90,12 @@ class PlyReader {
         if (name == "binary_little_endian") body_ = Encoding::little;
         else if (name == "binary_big_endian") body_ = Encoding::big;
         else if (name != "ascii") {
-          cursor_.fail(quoted(name) +
+          cursor_.fail(in_quotes(name) +
                        " is no format of PLY: give ascii, binary_little_endian or binary_big_endian");
         }
         format = true;
       } else if (word == "element") {
-        Element element;
+        PlyElement element;
         element.name = cursor_.token_in_line();
         const long long count = cursor_.integer("the number of elements");
         if (count < 0 || count > 4000000000)
@@ -104,7 +104,7 @@ class PlyReader {
         elements_.push_back(std::move(element));
       } else if (word == "property") {
         if (elements_.empty()) cursor_.fail("a property before any element: declare its element first");
-        Property property;
+        PlyProperty property;
         std::string_view name = cursor_.token_in_line();
         if (name == "list") {
           property.count = type(cursor_.token_in_line());
@@ -116,14 +116,14 @@ class PlyReader {
         property.name = cursor_.token_in_line();
         elements_.back().properties.push_back(std::move(property));
       } else if (word != "comment" && word != "obj_info") {
-        cursor_.fail(quoted(word) + " is unknown in the header of PLY: correct it");
+        cursor_.fail(in_quotes(word) + " is unknown in the header of PLY: correct it");
       }
       cursor_.next_line();
     }
     cursor_.next_line();
     if (!format) cursor_.fail("the header has no 'format': add one, such as 'format ascii 1.0'");
     encoding_ = body_;
-    for (const Element& element : elements_) {
+    for (const PlyElement& element : elements_) {
       if (element.name == "vertex") vertices_ = element.count;
     }
   }
@@ -152,7 +152,7 @@ class PlyReader {
     return 0;
   }
 
-  std::uint64_t list_length(const Property& property) {
+  std::uint64_t list_length(const PlyProperty& property) {
     const double length = encoding_ == Encoding::text
                               ? static_cast<double>(cursor_.integer("the length of a list"))
                               : value(*property.count);
@@ -163,7 +163,7 @@ class PlyReader {
     return static_cast<std::uint64_t>(length);
   }
 
-  void skip(const Property& property) {
+  void skip(const PlyProperty& property) {
     if (encoding_ == Encoding::text) {
       for (std::uint64_t n = property.count ? list_length(property) : 1; n > 0; --n) cursor_.token("a value");
       return;
@@ -175,10 +175,10 @@ class PlyReader {
     at_ += n * size_of(property.type);
   }
 
-  void skip(const Element& element) {
+  void skip(const PlyElement& element) {
     if (element.properties.empty()) return;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      for (const Property& property : element.properties) skip(property);
+      for (const PlyProperty& property : element.properties) skip(property);
     }
   }
 
@@ -196,9 +196,9 @@ class PlyReader {
     return static_cast<std::size_t>(std::min<std::uint64_t>(count, text_.size()));
   }
 
-  void read_vertices(const Element& element) {
+  void read_vertices(const PlyElement& element) {
     int seen = 0;
-    for (const Property& p : element.properties)
+    for (const PlyProperty& p : element.properties)
       seen += !p.count && (p.name == "x" || p.name == "y" || p.name == "z");
     if (seen != 3) fail("the element 'vertex' has no properties x, y and z: add them");
     mesh_.xyz.reserve(3 * reserve_count(element.count));
@@ -206,7 +206,7 @@ class PlyReader {
       double xyz[3];
       RationalPoint exact;
       bool doubles = true;
-      for (const Property& property : element.properties) {
+      for (const PlyProperty& property : element.properties) {
         const std::size_t axis = property.name == "x"   ? 0
                                  : property.name == "y" ? 1
                                  : property.name == "z" ? 2
@@ -228,10 +228,10 @@ class PlyReader {
     }
   }
 
-  void read_faces(const Element& element) {
-    const Property* corners = nullptr;
-    const Property* label = nullptr;
-    for (const Property& p : element.properties) {
+  void read_faces(const PlyElement& element) {
+    const PlyProperty* corners = nullptr;
+    const PlyProperty* label = nullptr;
+    for (const PlyProperty& p : element.properties) {
       if (p.count && (p.name == "vertex_index" || p.name == "vertex_indices")) corners = &p;
       if (!p.count && !label && MeshLabels::is_label(p.name)) label = &p;
     }
@@ -240,7 +240,7 @@ class PlyReader {
     mesh_.corners.reserve(3 * reserve_count(element.count));
     for (std::uint64_t i = 0; i < element.count; ++i) {
       double group = 0;
-      for (const Property& property : element.properties) {
+      for (const PlyProperty& property : element.properties) {
         if (&property == corners) {
           const std::uint64_t n = list_length(property);
           for (std::uint64_t k = 0; k < n; ++k) mesh_.corners.push_back(index(property.type, "face", i));
@@ -255,12 +255,12 @@ class PlyReader {
     }
   }
 
-  void read_edges(const Element& element) {
+  void read_edges(const PlyElement& element) {
     if (element.properties.empty()) return;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       std::array<std::uint32_t, 2> ends{0, 0};
       int seen = 0;
-      for (const Property& property : element.properties) {
+      for (const PlyProperty& property : element.properties) {
         if (!property.count && (property.name == "vertex1" || property.name == "vertex2")) {
           ends[property.name == "vertex1" ? 0 : 1] = index(property.type, "edge", i);
           ++seen;
@@ -279,7 +279,7 @@ class PlyReader {
   std::size_t at_ = 0;  ///< byte, for binary data
   Encoding body_ = Encoding::text, encoding_ = Encoding::text;
   std::uint64_t vertices_ = 0;
-  std::vector<Element> elements_;
+  std::vector<PlyElement> elements_;
   MeshLabels labels_;
   MeshData mesh_;
 };

@@ -75,7 +75,7 @@ MeshData read_text(const std::string& path, const std::string& text, bool decima
   const auto expect = [&](const char* word) {
     const std::string_view token = cursor.token(word);
     if (!same_word(token, word))
-      cursor.fail(quoted(token) + " is found where '" + std::string(word) + "' is expected: correct the file");
+      cursor.fail(in_quotes(token) + " is found where '" + std::string(word) + "' is expected: correct the file");
   };
   std::uint32_t solid = 0;
   while (cursor.more()) {
@@ -85,7 +85,7 @@ MeshData read_text(const std::string& path, const std::string& text, bool decima
       const std::string_view token = cursor.token("'facet' or 'endsolid'");
       if (same_word(token, "endsolid")) break;
       if (!same_word(token, "facet"))
-        cursor.fail(quoted(token) + " is found where 'facet' or 'endsolid' is expected: correct the file");
+        cursor.fail(in_quotes(token) + " is found where 'facet' or 'endsolid' is expected: correct the file");
       cursor.next_line();  // with the normal, which the corners say better
       expect("outer");
       expect("loop");

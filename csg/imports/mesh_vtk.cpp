@@ -44,7 +44,7 @@ class VtkReader {
       else if (key == "metadata") skip_metadata();
       else if (key == "point_data" || key == "cell_data") read_attributes(key == "cell_data");
       else if (!(grid_ ? read_grid(key) : read_surface(key)))
-        fail(quoted(key) + " is no part of a legacy VTK file that is known here: correct the file");
+        fail(in_quotes(key) + " is no part of a legacy VTK file that is known here: correct the file");
     }
     return collect();
   }
@@ -71,19 +71,19 @@ class VtkReader {
     double version = 0;
     const auto end = std::from_chars(number.data(), number.data() + number.size(), version);
     if (end.ec != std::errc() || !(version > 0 && version < 5.2)) {
-      cursor_.fail("the version " + quoted(number) + " is not known: write the file as 5.1 or 4.2");
+      cursor_.fail("the version " + in_quotes(number) + " is not known: write the file as 5.1 or 4.2");
     }
     arrays_of_cells_ = version >= 5;
     cursor_.next_line();
     cursor_.next_line();  // the title
     const std::string form = lower(cursor_.token("ASCII or BINARY"));
     if (form != "ascii" && form != "binary")
-      cursor_.fail(quoted(form) + " is found where ASCII or BINARY is expected: correct the file");
+      cursor_.fail(in_quotes(form) + " is found where ASCII or BINARY is expected: correct the file");
     if (lower(cursor_.token("DATASET")) != "dataset")
       cursor_.fail("the key DATASET is expected here: correct the file");
     const std::string set = lower(cursor_.token("the kind of the data set"));
     if (set != "polydata" && set != "unstructured_grid") {
-      cursor_.fail("a data set " + quoted(set) + " is no surface: write its surface as POLYDATA");
+      cursor_.fail("a data set " + in_quotes(set) + " is no surface: write its surface as POLYDATA");
     }
     grid_ = set == "unstructured_grid";
     binary_ = form == "binary";
@@ -119,7 +119,7 @@ class VtkReader {
     }
     if (name == "bit") return {ArrayType::bits, VtkType::uint8};
     if (name == "string" || name == "utf8_string") return {ArrayType::text, VtkType::uint8};
-    fail(quoted(name) + " is no type of arrays that is read, such as float or int: leave that array out");
+    fail(in_quotes(name) + " is no type of arrays that is read, such as float or int: leave that array out");
   }
 
   /// The bytes of so many items of a binary block, which begins in the next line.
@@ -256,7 +256,7 @@ class VtkReader {
     const auto kind = std::find(std::begin(kKeys), std::end(kKeys), key) - std::begin(kKeys);
     if (kind == std::ssize(kKeys)) return false;
     auto& cells = cells_[std::size_t(kind)];
-    if (cells.list.size() > 0) fail("the file has " + quoted(key) + " twice: leave out one list");
+    if (cells.list.size() > 0) fail("the file has " + in_quotes(key) + " twice: leave out one list");
     cells = read_cells();
     return true;
   }
@@ -317,7 +317,7 @@ class VtkReader {
         components_ = vector->second;
         take(name, n, type(), of_cells);
       } else {
-        fail(quoted(key) + " is no attribute of a legacy VTK file: correct the file");
+        fail(in_quotes(key) + " is no attribute of a legacy VTK file: correct the file");
       }
     }
   }

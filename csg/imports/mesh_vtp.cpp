@@ -24,10 +24,10 @@
 namespace cnrg {
 namespace {
 
-struct Element {
+struct XmlElement {
   std::string name;
   std::map<std::string, std::string> attributes;
-  std::vector<std::unique_ptr<Element>> children;
+  std::vector<std::unique_ptr<XmlElement>> children;
   std::string text;  ///< of its own, not of its children
   int line = 0, text_line = 0;
 
@@ -35,7 +35,7 @@ struct Element {
     const auto found = attributes.find(key);
     return found == attributes.end() ? otherwise : found->second;
   }
-  const Element* child(const char* wanted) const {
+  const XmlElement* child(const char* wanted) const {
     for (const auto& c : children) {
       if (c->name == wanted) return c.get();
     }
@@ -82,7 +82,7 @@ class XmlTree {
     if (!root_) fail_at(path_, 1, "the file has no element: it is no XML of VTK");
   }
 
-  const Element& root() const { return *root_; }
+  const XmlElement& root() const { return *root_; }
   /// Where the data behind the tag `AppendedData` begin; no number if there is none.
   std::optional<std::size_t> appended() const { return appended_; }
 
@@ -91,8 +91,8 @@ class XmlTree {
 
   const std::string& path_;
   std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser_;
-  std::unique_ptr<Element> root_;
-  std::vector<Element*> open_;
+  std::unique_ptr<XmlElement> root_;
+  std::vector<XmlElement*> open_;
   std::optional<std::size_t> appended_;
   std::exception_ptr fault_;
 
@@ -123,7 +123,7 @@ class XmlTree {
   }
   static void characters(void* user, const char* text, int length) {
     guarded(user, [&](XmlTree& tree) {
-      Element& element = *tree.open_.back();
+      XmlElement& element = *tree.open_.back();
       if (element.text.empty()) element.text_line = tree.line();
       element.text.append(text, static_cast<std::size_t>(length));
     });
@@ -136,11 +136,11 @@ class XmlTree {
 
   void begin(const char* name, const char** attributes) {
     if (open_.size() == kDeepest) fail_at(path_, line(), "elements are nested too deep for a file of VTK");
-    auto element = std::make_unique<Element>();
+    auto element = std::make_unique<XmlElement>();
     element->name = name;
     element->line = line();
     for (; *attributes != nullptr; attributes += 2) element->attributes[attributes[0]] = attributes[1];
-    Element* const made = element.get();
+    XmlElement* const made = element.get();
     if (open_.empty()) root_ = std::move(element);
     else open_.back()->children.push_back(std::move(element));
     open_.push_back(made);
@@ -156,9 +156,9 @@ class VtpReader {
       : path_(path), text_(text), decimal_(decimal), tree_(path, text) {}
 
   MeshData read() {
-    const Element& root = tree_.root();
+    const XmlElement& root = tree_.root();
     read_head(root);
-    const Element* data = root.child("PolyData");
+    const XmlElement* data = root.child("PolyData");
     if (data == nullptr) fail(root, "the file has no element PolyData: write the surface again");
     for (const auto& piece : data->children) {
       if (piece->name == "Piece") read_piece(*piece);
@@ -176,40 +176,41 @@ class VtpReader {
   bool appended_raw_ = false;
   VtkCollector collector_;
 
-  [[noreturn]] void fail(const Element& element, const std::string& text) const {
+  [[noreturn]] void fail(const XmlElement& element, const std::string& text) const {
     fail_at(path_, element.line, text);
   }
 
-  void read_head(const Element& root) {
+  void read_head(const XmlElement& root) {
     if (root.name != "VTKFile")
-      fail(root, "the element " + quoted(root.name) + " is no VTKFile: it is no file of VTK");
+      fail(root, "the element " + in_quotes(root.name) + " is no VTKFile: it is no file of VTK");
     if (const std::string type = root.attribute("type"); type != "PolyData") {
-      fail(root, "a VTKFile of type " + quoted(type) + " is no surface: write its surface as PolyData");
+      fail(root, "a VTKFile of type " + in_quotes(type) + " is no surface: write its surface as PolyData");
     }
     const std::string order = root.attribute("byte_order", "LittleEndian");
     if (order != "LittleEndian" && order != "BigEndian") {
-      fail(root, "the byte_order " + quoted(order) + " is neither LittleEndian nor BigEndian: correct it");
+      fail(root, "the byte_order " + in_quotes(order) + " is neither LittleEndian nor BigEndian: correct it");
     }
     coding_.big_endian = order == "BigEndian";
     const std::string header = root.attribute("header_type", "UInt32");
     if (header != "UInt32" && header != "UInt64") {
-      fail(root, "the header_type " + quoted(header) + " is neither UInt32 nor UInt64: correct it");
+      fail(root, "the header_type " + in_quotes(header) + " is neither UInt32 nor UInt64: correct it");
     }
     coding_.header = header == "UInt64" ? 8 : 4;
     const std::string compressor = root.attribute("compressor");
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
-      fail(root, "the compressor " + quoted(compressor) +
+      fail(root, "the compressor " + in_quotes(compressor) +
                      " is not read: write the file with vtkZLibDataCompressor, or "
                      "without compression");
     }
     coding_.compressed = !compressor.empty();
     if (!tree_.appended()) return;
-    const Element* const found = root.child("AppendedData");
+    const XmlElement* const found = root.child("AppendedData");
     if (found == nullptr) fail(root, "AppendedData stands inside of another element: it comes last in VTKFile");
-    const Element& block = *found;
+    const XmlElement& block = *found;
     const std::string encoding = block.attribute("encoding");
     if (encoding != "raw" && encoding != "base64") {
-      fail(block, "the encoding " + quoted(encoding) + " of AppendedData is neither raw nor base64: correct it");
+      fail(block,
+           "the encoding " + in_quotes(encoding) + " of AppendedData is neither raw nor base64: correct it");
     }
     appended_raw_ = encoding == "raw";
     const std::size_t mark = text_.find_first_not_of(" \t\r\n", *tree_.appended());
@@ -220,17 +221,17 @@ class VtpReader {
     if (!appended_raw_) appended_ = appended_.substr(0, appended_.find('<'));
   }
 
-  std::size_t count(const Element& element, const char* key) const {
+  std::size_t count(const XmlElement& element, const char* key) const {
     const std::string word = element.attribute(key, "0");
     std::size_t n = 0;
     const auto end = std::from_chars(word.data(), word.data() + word.size(), n);
     if (end.ec != std::errc() || end.ptr != word.data() + word.size() || n > 0xffffffff) {
-      fail(element, std::string(key) + " is " + quoted(word) + ", which is no number of them: correct it");
+      fail(element, std::string(key) + " is " + in_quotes(word) + ", which is no number of them: correct it");
     }
     return n;
   }
 
-  void read_piece(const Element& piece) {
+  void read_piece(const XmlElement& piece) {
     const std::size_t first = collector_.mesh.point_count(), n = count(piece, "NumberOfPoints");
     if (n > 0) read_points(piece, n);
     constexpr std::pair<const char*, const char*> kLists[] = {{"NumberOfVerts", "Verts"},
@@ -244,7 +245,7 @@ class VtpReader {
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t of_kind = count(piece, kLists[k].first);
       if (of_kind == 0) continue;
-      const Element* list = piece.child(kLists[k].second);
+      const XmlElement* list = piece.child(kLists[k].second);
       if (list == nullptr)
         fail(piece, std::string("the piece has no element ") + kLists[k].second + ": write it again");
       collector_.add(kKinds[k], read_cells(*list, of_kind), first,
@@ -252,9 +253,9 @@ class VtpReader {
     }
   }
 
-  void read_points(const Element& piece, std::size_t n) {
-    const Element* points = piece.child("Points");
-    const Element* array = points == nullptr ? nullptr : points->child("DataArray");
+  void read_points(const XmlElement& piece, std::size_t n) {
+    const XmlElement* points = piece.child("Points");
+    const XmlElement* array = points == nullptr ? nullptr : points->child("DataArray");
     if (array == nullptr) fail(piece, "the piece has no DataArray of Points: write it again");
     if (array->attribute("NumberOfComponents") != "3")
       fail(*array, "points have three coordinates: correct the array");
@@ -277,7 +278,7 @@ class VtpReader {
     }
   }
 
-  VtkCells read_cells(const Element& list, std::size_t n) {
+  VtkCells read_cells(const XmlElement& list, std::size_t n) {
     VtkCells cells;
     const auto array = [&](const char* name) {
       for (const auto& child : list.children) {
@@ -304,8 +305,8 @@ class VtpReader {
   }
 
   /// The first array of one number for each cell that is called a label.
-  std::optional<VtkNumbers> labels(const Element& piece, std::size_t cells) const {
-    const Element* data = piece.child("CellData");
+  std::optional<VtkNumbers> labels(const XmlElement& piece, std::size_t cells) const {
+    const XmlElement* data = piece.child("CellData");
     if (data == nullptr) return {};
     for (const auto& array : data->children) {
       if (array->name != "DataArray" || !MeshLabels::is_label(array->attribute("Name")) ||
@@ -320,7 +321,7 @@ class VtpReader {
     return {};
   }
 
-  VtkNumbers numbers(const Element& array) const {
+  VtkNumbers numbers(const XmlElement& array) const {
     constexpr std::pair<std::string_view, VtkType> kTypes[] = {
         {"Int8", VtkType::int8},      {"UInt8", VtkType::uint8},   {"Int16", VtkType::int16},
         {"UInt16", VtkType::uint16},  {"Int32", VtkType::int32},   {"UInt32", VtkType::uint32},
@@ -330,11 +331,11 @@ class VtpReader {
     const auto type =
         std::find_if(std::begin(kTypes), std::end(kTypes), [&](const auto& t) { return t.first == name; });
     if (type == std::end(kTypes))
-      fail(array, quoted(name) + " is no type of numbers, such as Int32 or Float64: correct it");
+      fail(array, in_quotes(name) + " is no type of numbers, such as Int32 or Float64: correct it");
     if (format == "ascii") return numbers_of_text(array, is_whole(type->second));
     if (format != "binary" && format != "appended") {
       fail(array,
-           "the format " + quoted(format) + " of an array is none of ascii, binary and appended: correct it");
+           "the format " + in_quotes(format) + " of an array is none of ascii, binary and appended: correct it");
     }
     const std::string bytes = bytes_of(array, format == "appended");
     if (bytes.size() % size_of(type->second) != 0) {
@@ -344,7 +345,7 @@ class VtpReader {
     return numbers_of(bytes, type->second, coding_.big_endian);
   }
 
-  VtkNumbers numbers_of_text(const Element& array, bool whole) const {
+  VtkNumbers numbers_of_text(const XmlElement& array, bool whole) const {
     VtkNumbers found;
     found.whole = whole;
     TextCursor cursor(path_, array.text, 0, array.text_line);
@@ -355,7 +356,7 @@ class VtpReader {
     return found;
   }
 
-  std::string bytes_of(const Element& array, bool appended) const {
+  std::string bytes_of(const XmlElement& array, bool appended) const {
     try {
       if (!appended) return decoded(array.text, true, coding_);
       const std::size_t offset = count(array, "offset");
@@ -366,7 +367,7 @@ class VtpReader {
       }
       return decoded(appended_.substr(offset), !appended_raw_, coding_);
     } catch (const VtkBytesFault& fault) {
-      fail(array, std::string("the array ") + quoted(array.attribute("Name")) + " " + fault.what());
+      fail(array, std::string("the array ") + in_quotes(array.attribute("Name")) + " " + fault.what());
     }
   }
 };

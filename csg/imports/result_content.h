@@ -11,11 +11,11 @@
 #include "csg/leaves/cell_table.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/parameters.h"
+#include "kernel/base/limits.h"
 
 namespace cnrg::result {
 
 using Loop = std::vector<Index>;  ///< points
-inline constexpr Index kNone = 0xffffffffu;
 
 /// A planar piece of a face; of a flat face all of it.
 struct Facet {

@@ -87,7 +87,7 @@ long long TextCursor::integer(std::string_view taken, const char* wanted, std::s
   const char* const last = taken.data() + taken.size();
   const auto [end, error] = std::from_chars(taken.data() + from, last, value);
   if (error != std::errc() || end != last) {
-    fail(quoted(taken) + " is no whole number, " + wanted + " is expected: correct it");
+    fail(in_quotes(taken) + " is no whole number, " + wanted + " is expected: correct it");
   }
   return value;
 }
@@ -103,16 +103,16 @@ double TextCursor::parse(std::string_view text, const char* wanted, Rational* ex
   const auto [end, error] = std::from_chars(first, last, value);
   const bool whole = end == last;
   if (whole && error == std::errc() && !std::isfinite(value)) {
-    fail(quoted(text) + " is no finite number, " + wanted + " is expected: correct the file");
+    fail(in_quotes(text) + " is no finite number, " + wanted + " is expected: correct the file");
   }
   if (whole && error == std::errc() && !exact) return value;
-  if (!whole && !exact) fail(quoted(text) + " is no number, " + wanted + " is expected: correct it");
+  if (!whole && !exact) fail(in_quotes(text) + " is no number, " + wanted + " is expected: correct it");
   // Exact decimals, and numbers beyond the range of double (tiny ones are 0).
   NumberText number = read_number(text);
-  if (!number.value) fail(quoted(text) + number.fault + ", " + wanted + " is expected: correct it");
+  if (!number.value) fail(in_quotes(text) + number.fault + ", " + wanted + " is expected: correct it");
   value = to_double(*number.value);
   if (!std::isfinite(value))
-    fail(quoted(text) + " is beyond the largest double (1.8e308): use a larger unit of length");
+    fail(in_quotes(text) + " is beyond the largest double (1.8e308): use a larger unit of length");
   if (exact) *exact = std::move(*number.value);
   return value;
 }
@@ -143,6 +143,6 @@ void TextCursor::fail_at(int line, const std::string& text) const {
   throw LeafFileError(path_ + ":" + std::to_string(line) + ": error: " + text);
 }
 
-std::string quoted(std::string_view token) { return "'" + excerpt(token) + "'"; }
+std::string in_quotes(std::string_view token) { return "'" + excerpt(token) + "'"; }
 
 }  // namespace cnrg

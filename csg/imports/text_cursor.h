@@ -58,6 +58,6 @@ class TextCursor {
 };
 
 /// The token in quotes for messages, cut to a readable length.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 
 }  // namespace cnrg

@@ -3,12 +3,13 @@
 #include <cstdlib>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Mesh::Index;
-constexpr Index kNone = FlatComplex::kNone;
 
 }  // namespace
 
@@ -17,13 +18,13 @@ EdgePieces::EdgePieces(const FlatComplex& flat) {
     const auto& points = flat.edges[i].points;
     for (std::size_t k = 0; k + (flat.edges[i].closed ? 0 : 1) < points.size(); ++k) {
       const Index a = points[k], b = points[(k + 1) % points.size()];
-      pieces_[key_of(a, b)] = {i, a < b};
+      pieces_[edge_key(a, b)] = {i, a < b};
     }
   }
 }
 
 std::int32_t EdgePieces::step(Index a, Index b) const {
-  const auto piece = pieces_.find(key_of(a, b));
+  const auto piece = pieces_.find(edge_key(a, b));
   require(piece != pieces_.end(), "mesh: a face is bounded by what is no edge");
   const std::int32_t e = std::int32_t(piece->second.edge + 1);
   return piece->second.forward == (a < b) ? e : -e;
@@ -130,7 +131,7 @@ void prove_faces(const Mesh& mesh, const FlatComplex& flat) {
         const Index a = loop[k], b = loop[(k + 1) % loop.size()];
         const Index e = Index(std::abs(pieces.step(a, b)) - 1);
         const auto& chain = flat.edges[e].points;
-        if (EdgePieces::key_of(a, b) != EdgePieces::key_of(chain[0], chain[1])) continue;
+        if (edge_key(a, b) != edge_key(chain[0], chain[1])) continue;
         for (std::size_t i = of_edge[e].first; i < of_edge[e].second; ++i) {
           add(f, segments[i].points[0], segments[i].points[1]);
         }

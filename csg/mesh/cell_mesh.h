@@ -16,7 +16,6 @@ class EdgePieces {
   explicit EdgePieces(const FlatComplex& flat);
   /// The edge that a step of a boundary walk follows: number + 1, negative against the chain.
   std::int32_t step(Index a, Index b) const;
-  static std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
 
  private:
   struct Piece {

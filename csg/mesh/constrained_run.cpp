@@ -14,7 +14,7 @@ namespace cnrg {
 namespace {
 
 using Index = Plc::Index;
-using Corners = std::array<VertexId, 3>;
+using FacetCorners = std::array<VertexId, 3>;
 
 class ConstrainedRun {
  public:
@@ -61,7 +61,7 @@ class ConstrainedRun {
     out.segments.push_back(ends);
     segment_.push_back(of);
   }
-  void add_triangle(Constraints& out, const Corners& corners, Index of) {
+  void add_triangle(Constraints& out, const FacetCorners& corners, Index of) {
     const bool same = !facet_.empty() && plc_.facets[facet_.back()].face == plc_.facets[of].face &&
                       continues(out.facets.back()[0], corners);
     if (!same) {
@@ -72,7 +72,7 @@ class ConstrainedRun {
   }
 
   /// Is a triangle in the plane of another one, and turned alike?
-  bool continues(const Corners& first, const Corners& t) const {
+  bool continues(const FacetCorners& first, const FacetCorners& t) const {
     for (const VertexId v : t) {
       if (orient3d(points_, first[0], first[1], first[2], v) != 0) return false;
     }
@@ -84,7 +84,7 @@ class ConstrainedRun {
   }
 
   struct Side {
-    Corners corners;  // sorted
+    FacetCorners corners;  // sorted
     Index tetrahedron;
     VertexId apex;
   };
@@ -94,15 +94,15 @@ class ConstrainedRun {
     for (Index i = 0; i < made_.tetrahedra.size(); ++i) {
       const auto& t = made_.tetrahedra[i];
       for (std::size_t k = 0; k < 4; ++k) {
-        Corners f{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]};
+        FacetCorners f{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]};
         std::sort(f.begin(), f.end());
         sides.push_back({f, i, t[k]});
       }
     }
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.corners < b.corners; });
-    std::vector<std::pair<Corners, Index>> walls;  // sorted corners, piece
+    std::vector<std::pair<FacetCorners, Index>> walls;  // sorted corners, piece
     for (Index i = 0; i < made_.triangles.size(); ++i) {
-      Corners f = made_.triangles[i].corners;
+      FacetCorners f = made_.triangles[i].corners;
       std::sort(f.begin(), f.end());
       walls.emplace_back(f, i);
     }

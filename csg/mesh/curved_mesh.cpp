@@ -22,7 +22,7 @@ namespace {
 
 using namespace surface_math;
 using Index = Mesh::Index;
-using Point = Vector<double>;
+using Point = Vector3<double>;
 
 double distance(const Point& a, const Point& b) {
   const Point d = difference(a, b);

@@ -9,15 +9,14 @@
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
 
 using Index = FacetMesh::Index;
 using Vector = FacetMesh::Vector;
-constexpr Index kNone = FacetMesh::kNone;
-
-std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
 
 }  // namespace
 
@@ -72,7 +71,7 @@ void FacetMesh::add_facets(const FlatComplex& flat) {
 void FacetMesh::link() {
   std::unordered_map<std::uint64_t, Index> segment;
   for (Index s = 0; s < segments_.size(); ++s)
-    segment.emplace(key_of(segments_[s].ends[0], segments_[s].ends[1]), s);
+    segment.emplace(edge_key(segments_[s].ends[0], segments_[s].ends[1]), s);
   struct Side {
     std::uint64_t key;
     Index facet, triangle, k;
@@ -82,7 +81,7 @@ void FacetMesh::link() {
   for (Index t = 0; t < triangles_.size(); ++t) {
     for (Index k = 0; k < 3; ++k) {
       const auto& p = triangles_[t].points;
-      sides.push_back({key_of(p[(k + 1) % 3], p[(k + 2) % 3]), triangles_[t].facet, t, k});
+      sides.push_back({edge_key(p[(k + 1) % 3], p[(k + 2) % 3]), triangles_[t].facet, t, k});
     }
   }
   std::sort(sides.begin(), sides.end());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernel/base/union_find.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg {
 namespace {
@@ -11,11 +12,6 @@ namespace {
 using Index = InputLines::Index;
 using Vector = InputLines::Vector;
 
-double length(const Vector& a) { return std::sqrt(dot(a, a)); }
-Vector unit(const Vector& a) {
-  const double l = length(a);
-  return {a[0] / l, a[1] / l, a[2] / l};
-}
 constexpr double kCosine60 = 0.5;
 constexpr double kCosineThin = 0.99619469809174553;  // of 5 degrees
 

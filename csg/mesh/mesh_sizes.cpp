@@ -5,6 +5,7 @@
 
 #include "csg/mesh/facets.h"
 #include "csg/result/sizes.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
 
 namespace cnrg {
@@ -13,7 +14,6 @@ namespace {
 using Index = FlatComplex::Index;
 using Vector = SizeField::Vector;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastShare = 1e-3;  // of the model's diagonal, that a piece or a facet asks for by itself
 constexpr double kNarrow = 64;        // so many times as long as wide is what is narrow
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "csg/mesh/facets.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/refine/box_tree.h"
@@ -17,19 +18,18 @@ using Index = FlatComplex::Index;
 using Vector = SizeField::Vector;
 using Segment = std::array<Index, 2>;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Facets ask for their widths, and edges between facets in a row are half of that apart.
 constexpr double kNear = 0.4;
 constexpr double kPiece = 2.7;                // so many times as long as the size at its ends
 constexpr std::size_t kMostPieces = 200'000;  // longer ones speak for the rest
-constexpr double kLeastShare = 1e-3;          // of the model
+constexpr double kLeastNearShare = 1e-3;      // of the model
 
 /// So many times the distance to a facet, an edge, a point are edges long there.
 constexpr double kToFacet = 1.25, kToEdge = 2, kToPoint = 1;
 
-class Near {
+class NearSizer {
  public:
-  Near(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes, const Watch& watch)
+  NearSizer(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes, const Watch& watch)
       : flat_(flat),
         xyz_(points.xyz),
         sizes_(sizes),
@@ -39,7 +39,7 @@ class Near {
     Box all;
     for (const Vector& p : xyz_) all.extend(p, p);
     for (std::size_t k = 0; k < 3 && !xyz_.empty(); ++k)
-      least_ = std::max(least_, kLeastShare * (all.hi[k] - all.lo[k]));
+      least_ = std::max(least_, kLeastNearShare * (all.hi[k] - all.lo[k]));
   }
 
   SizeField run() {
@@ -196,7 +196,7 @@ class Near {
 
 SizeField sizes_of_near(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
                         const Watch& watch) {
-  return Near(flat, points, sizes, watch).run();
+  return NearSizer(flat, points, sizes, watch).run();
 }
 
 }  // namespace cnrg

@@ -10,6 +10,7 @@
 
 #include "csg/geometry/canonical_loop.h"
 #include "csg/result/rounding.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
@@ -18,16 +19,15 @@ namespace cnrg {
 namespace {
 
 using Index = FlatComplex::Index;
-using Side = std::array<Index, 2>;
+using DirectedEdge = std::array<Index, 2>;
 using Vector = DoubleVector;
-constexpr Index kNone = FlatComplex::kNone;
 
-Side turned(const Side& side) { return {side[1], side[0]}; }
+DirectedEdge turned(const DirectedEdge& side) { return {side[1], side[0]}; }
 
 class FacetUniter {
  public:
   /// `kept`: sides that are on edges of the result, ascending, each in both directions.
-  FacetUniter(const std::vector<Vector>& xyz, const std::vector<Side>& kept, double slack)
+  FacetUniter(const std::vector<Vector>& xyz, const std::vector<DirectedEdge>& kept, double slack)
       : xyz_(xyz), kept_(kept), slack_(slack) {}
 
   void run(FlatComplex::Face& face) {
@@ -39,25 +39,25 @@ class FacetUniter {
 
  private:
   const std::vector<Vector>& xyz_;
-  const std::vector<Side>& kept_;
+  const std::vector<DirectedEdge>& kept_;
   const double slack_;
   const FlatComplex::Face* face_ = nullptr;
-  std::vector<std::pair<Side, Index>> facet_of_;  // of each side of a loop that is on no edge; ascending
-  std::vector<Vector> normal_;                    // of each facet, as long as twice its area
-  std::vector<Index> part_;                       // the new facet that each one is in
+  std::vector<std::pair<DirectedEdge, Index>> facet_of_;  // of each side of a loop that is on no edge; ascending
+  std::vector<Vector> normal_;                            // of each facet, as long as twice its area
+  std::vector<Index> part_;                               // the new facet that each one is in
 
   Index begin_of(std::size_t facet) const { return facet == 0 ? 0 : face_->facet_ends[facet - 1]; }
   Vector normal_of(const FlatComplex::Triangle& t) const {
     return cross(minus(xyz_[t[1]], xyz_[t[0]]), minus(xyz_[t[2]], xyz_[t[0]]));
   }
-  Index facet_of(const Side& side) const {
+  Index facet_of(const DirectedEdge& side) const {
     const auto found = std::lower_bound(facet_of_.begin(), facet_of_.end(), std::pair(side, Index(0)));
     return found != facet_of_.end() && found->first == side ? found->second : kNone;
   }
   template <class Visit>
   static void for_each_side(const FlatComplex::Facet& facet, const Visit& visit) {
     for (const auto& loop : facet.loops) {
-      for (std::size_t k = 0; k < loop.size(); ++k) visit(Side{loop[k], loop[(k + 1) % loop.size()]});
+      for (std::size_t k = 0; k < loop.size(); ++k) visit(DirectedEdge{loop[k], loop[(k + 1) % loop.size()]});
     }
   }
 
@@ -71,7 +71,7 @@ class FacetUniter {
         const Vector normal = normal_of(face.triangles[t]);
         for (std::size_t j = 0; j < 3; ++j) normal_[f][j] += normal[j];
       }
-      for_each_side(face.facets[f], [&](const Side& side) {
+      for_each_side(face.facets[f], [&](const DirectedEdge& side) {
         if (!std::binary_search(kept_.begin(), kept_.end(), side)) facet_of_.push_back({side, f});
       });
     }
@@ -88,7 +88,7 @@ class FacetUniter {
       part_[first] = parts;
       std::vector<Index> reached{first};
       for (std::size_t i = 0; area < 0 && i < reached.size(); ++i) {
-        for_each_side(face_->facets[reached[i]], [&](const Side& side) {
+        for_each_side(face_->facets[reached[i]], [&](const DirectedEdge& side) {
           const Index beyond = facet_of(side) == kNone ? kNone : facet_of(turned(side));
           if (beyond == kNone || part_[beyond] != kNone || !is_in_plane(beyond, first)) return;
           part_[beyond] = parts;
@@ -135,12 +135,12 @@ class FacetUniter {
 
   FlatComplex::Facet united(const std::vector<Index>& list) const {
     FlatComplex::Facet out;
-    std::vector<Side> around;
+    std::vector<DirectedEdge> around;
     std::vector<Index> seen;
     for (const Index f : list) {
       const FlatComplex::Facet& facet = face_->facets[f];
       out.isolated.append(facet.isolated.begin(), facet.isolated.end());
-      for_each_side(facet, [&](const Side& side) {
+      for_each_side(facet, [&](const DirectedEdge& side) {
         seen.push_back(side[0]);
         const Index beyond = facet_of(side) == kNone ? kNone : facet_of(turned(side));
         if (beyond == kNone || beyond == f || part_[beyond] != part_[f]) around.push_back(side);
@@ -155,7 +155,8 @@ class FacetUniter {
       for (std::size_t i = first; i < around.size() && !walked[i];) {
         walked[i] = 1;
         loop.push_back(around[i][0]), on_loops.push_back(around[i][0]);
-        i = std::size_t(std::lower_bound(around.begin(), around.end(), Side{around[i][1], 0}) - around.begin());
+        i = std::size_t(std::lower_bound(around.begin(), around.end(), DirectedEdge{around[i][1], 0}) -
+                        around.begin());
         while (i < around.size() && walked[i] && i + 1 < around.size() && around[i + 1][0] == around[i][0]) ++i;
       }
     }
@@ -169,8 +170,8 @@ class FacetUniter {
   }
 };
 
-std::vector<Side> sides_of_edges(const FlatComplex& flat) {
-  std::vector<Side> sides;
+std::vector<DirectedEdge> sides_of_edges(const FlatComplex& flat) {
+  std::vector<DirectedEdge> sides;
   for (const auto& edge : flat.edges) {
     const std::size_t n = edge.points.size();
     for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
@@ -197,7 +198,7 @@ FlatComplex flatten_for_mesh(const ResultView& view) {
     for (const double x : p) largest = std::max(largest, std::abs(x));
   }
   const double slack = kPlanarDigits * std::ldexp(1.0, std::ilogb(largest) - 52);
-  const std::vector<Side> kept = sides_of_edges(flat);
+  const std::vector<DirectedEdge> kept = sides_of_edges(flat);
   for_each_index(
       flat.faces.size(),
       [&](std::size_t i) {

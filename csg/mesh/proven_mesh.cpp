@@ -8,6 +8,7 @@
 #include "csg/mesh/exact_volume.h"
 #include "csg/mesh/improved.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/predicates.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 using Index = Mesh::Index;
 using Vector = std::array<double, 3>;
-constexpr Index kNone = FlatComplex::kNone;
 constexpr std::size_t kUnchecked = 1 << 16;  // tetrahedra that are proven between two looks at the watch
 
 class Proof {

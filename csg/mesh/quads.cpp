@@ -5,11 +5,12 @@
 #include <numbers>
 #include <numeric>
 
+#include "kernel/base/limits.h"
+
 namespace cnrg {
 namespace {
 
 using Index = FacetMesh::Index;
-constexpr Index kNone = FacetMesh::kNone;
 
 class Matching {
  public:

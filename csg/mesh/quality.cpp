@@ -25,8 +25,6 @@ namespace {
 using Index = Mesh::Index;
 using Vector = DoubleVector;
 
-double length(const Vector& a) { return std::sqrt(dot(a, a)); }
-
 /// Opposite to each edge, the other two.
 constexpr std::size_t kOthers[6][2] = {{2, 3}, {1, 3}, {1, 2}, {0, 3}, {0, 2}, {0, 1}};
 

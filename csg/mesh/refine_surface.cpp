@@ -11,6 +11,8 @@
 #include "csg/mesh/input_lines.h"
 #include "csg/result/rounding.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
+#include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/constrained.h"
 
 namespace cnrg {
@@ -18,13 +20,8 @@ namespace {
 
 using Index = FacetMesh::Index;
 using Vector = FacetMesh::Vector;
-constexpr Index kNone = FacetMesh::kNone;
 constexpr double kRadians = kLeastAngle * 3.14159265358979323846 / 180;
 
-double length(const Vector& a, const Vector& b) {
-  const Vector d = minus(a, b);
-  return std::sqrt(dot(d, d));
-}
 double cosine(const Vector& u, const Vector& v) {
   const double l = std::sqrt(dot(u, u)) * std::sqrt(dot(v, v));
   return l > 0 ? dot(u, v) / l : 1;
@@ -35,7 +32,7 @@ std::size_t sharpest(const std::array<Vector, 3>& p) {
   std::size_t best = 0;
   double least = HUGE_VAL;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double l = length(p[(k + 1) % 3], p[(k + 2) % 3]);
+    const double l = distance(p[(k + 1) % 3], p[(k + 2) % 3]);
     if (l < least) least = l, best = k;
   }
   return best;
@@ -127,7 +124,7 @@ class Refiner {
   }
   double segment_length(Index s) const {
     const auto& [a, b] = mesh_.segments()[s].ends;
-    return length(at(a), at(b));
+    return distance(at(a), at(b));
   }
   void treat_all() {
     for (std::size_t steps = 0;; ++steps) {
@@ -247,7 +244,7 @@ class Refiner {
     if (!size) return false;
     Vector middle;
     for (std::size_t k = 0; k < 3; ++k) middle[k] = at(a)[k] / 2 + at(b)[k] / 2;
-    return length(at(a), at(b)) > size(middle);
+    return distance(at(a), at(b)) > size(middle);
   }
   bool is_too_long(Index s) const {
     const auto& [a, b] = mesh_.segments()[s].ends;
@@ -277,7 +274,7 @@ class Refiner {
     const double width = height(corners(t), k);
     const auto& [a, b] = whole_[segment.input];
     // It is no longer than twice the segment.
-    if (width >= least_gap_ || 2 * length(at(a), at(b)) <= kShortGap * width) return false;
+    if (width >= least_gap_ || 2 * distance(at(a), at(b)) <= kShortGap * width) return false;
     return gap(t, k, true) > kShortGap && !lines_.is_beside(mesh_, points[k], segment);
   }
   bool is_in_long_gap(Index t) const {
@@ -291,7 +288,7 @@ class Refiner {
     const auto& ends = whole ? whole_[segment.input] : segment.ends;
     const Vector &a = at(ends[0]), &b = at(ends[1]), &p = at(points[k]);
     const Vector along = minus(b, a);
-    const double base = length(a, b), above = height(corners(t), k);
+    const double base = distance(a, b), above = height(corners(t), k);
     double sum = 0;
     for (const std::size_t side : {(k + 1) % 3, (k + 2) % 3}) {
       const Index beside = segment_round(t, side, points[k]);
@@ -460,7 +457,7 @@ class Refiner {
     const auto p = corners(t);
     const std::size_t k = sharpest(p);
     if (!may_be_better(t, p, k) && !has_long_side(t)) return;
-    triangles_.push({length(p[(k + 1) % 3], p[(k + 2) % 3]), numbered_++, t, triangle.points});
+    triangles_.push({distance(p[(k + 1) % 3], p[(k + 2) % 3]), numbered_++, t, triangle.points});
   }
 
   /// A place that makes a triangle go: its circumcentre, or nearer to its shortest side.
@@ -490,7 +487,7 @@ class Refiner {
     if (!std::isfinite(c[0] + c[1] + c[2])) return;
     const auto points = mesh_.triangles()[t].points;
     const Index facet = mesh_.triangles()[t].facet;
-    const double shortest = length(p[(k + 1) % 3], p[(k + 2) % 3]);
+    const double shortest = distance(p[(k + 1) % 3], p[(k + 2) % 3]);
     if (!may_add(least_height(p), long_side)) return;
     const int rank_here = small_angle ? std::max(rank(points[(k + 1) % 3]), rank(points[(k + 2) % 3])) : 0;
     const FacetMesh::Walk end = mesh_.walk(t, c);
@@ -508,7 +505,7 @@ class Refiner {
     // doubles keep a long side, which bars the way for ever, those that are in the way besides would be split to
     // the last digit.
     constexpr double kLeastOfLongest = 0.25;
-    const double longest = std::max({length(p[0], p[1]), length(p[1], p[2]), length(p[2], p[0])});
+    const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
     const double room = small_angle ? shortest : kLeastOfLongest * longest;
     if (!in_the_way.empty()) {
       bool any = false;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
 #include "kernel/refine/box_tree.h"
 
@@ -16,15 +16,15 @@ using Vector = RegionLocator::Vector;
 
 constexpr Vector kAlong{0.53119, 0.37943, 0.75751};
 
-struct Corners {
+struct LocatedTriangle {
   std::array<Vector, 3> at;
   Index face, facet;
 };
 
 /// How far along the ray it meets the triangle, and whether at its front; infinity if it does not.
-std::pair<double, bool> hit(const Vector& p, const Vector& along, const Corners& triangle) {
+std::pair<double, bool> ray_hit(const Vector& p, const Vector& along, const LocatedTriangle& triangle) {
   const Vector &a = triangle.at[0], ab = minus(triangle.at[1], a), ac = minus(triangle.at[2], a);
-  constexpr std::pair<double, bool> kMissed{std::numeric_limits<double>::infinity(), false};
+  constexpr std::pair<double, bool> kMissed{kInfinity, false};
   constexpr double kRim = -1e-12;  // triangles are a little larger: rather two hits at an edge than none
   const Vector n = cross(ab, ac), ap = minus(p, a);
   const double falling = -dot(along, n);
@@ -63,10 +63,10 @@ bool are_parallel(const Vector& n, const Vector& m, double cosine) {
   const double both = dot(n, m);
   return both * both >= cosine * cosine * dot(n, n) * dot(m, m);
 }
-Vector normal_of(const Corners& c) { return cross(minus(c.at[1], c.at[0]), minus(c.at[2], c.at[0])); }
+Vector normal_of(const LocatedTriangle& c) { return cross(minus(c.at[1], c.at[0]), minus(c.at[2], c.at[0])); }
 
 /// About parallel and not in one plane.
-bool are_across(const Corners& one, const Corners& other, double even) {
+bool are_across(const LocatedTriangle& one, const LocatedTriangle& other, double even) {
   const Vector n = normal_of(one), m = normal_of(other);
   if (!are_parallel(n, m, kAlike)) return false;
   const double most = even * std::sqrt(dot(n, n));
@@ -78,14 +78,14 @@ bool are_across(const Corners& one, const Corners& other, double even) {
 
 struct RegionLocator::Data {
   const FlatComplex& flat;
-  std::vector<Corners> triangles;
+  std::vector<LocatedTriangle> triangles;
   std::vector<std::vector<Index>> facets;  // the points that they have, ascending
   BoxTree boxes;
   Index outside = FlatComplex::kNone;
   double even = 0;  // what lies no further from a plane lies in it
 
   /// Two facets with an edge in common.
-  bool meet(const Corners& one, const Corners& other) const {
+  bool meet(const LocatedTriangle& one, const LocatedTriangle& other) const {
     if (one.facet == other.facet) return true;
     const std::vector<Index>&a = facets[one.facet], &b = facets[other.facet];
     std::size_t common = 0;
@@ -99,7 +99,7 @@ struct RegionLocator::Data {
 };
 
 RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& points) {
-  std::vector<Corners> triangles;
+  std::vector<LocatedTriangle> triangles;
   std::vector<std::vector<Index>> facets;
   std::vector<Box> boxes;
   Box all;
@@ -153,14 +153,14 @@ bool RegionLocator::meets_faces(const Vector& low, const Vector& high) const {
 
 bool RegionLocator::may_have_plates(const Vector& low, const Vector& high) const {
   constexpr std::size_t kMany = 16;  // of which some are parallel in nearly all cases
-  std::array<const Corners*, kMany> met;
+  std::array<const LocatedTriangle*, kMany> met;
   std::size_t count = 0;
   Box box;
   box.extend(low, high);
   bool may = false;
   data_->boxes.query([&](const Box& other) { return !may && other.meets(box); },
                      [&](std::uint32_t item) {
-                       const Corners& one = data_->triangles[item];
+                       const LocatedTriangle& one = data_->triangles[item];
                        for (std::size_t i = 0; i < count && !may; ++i) may = are_across(one, *met[i], data_->even);
                        if (count == kMany) may = true;
                        else met[count++] = &one;
@@ -169,13 +169,13 @@ bool RegionLocator::may_have_plates(const Vector& low, const Vector& high) const
 }
 
 Index RegionLocator::at(const Vector& p) const {
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = kInfinity;
   Index region = data_->outside;
   const Ray ray(p, kAlong);
   data_->boxes.query([&](const Box& box) { return ray.meets(box, nearest); },
                      [&](std::uint32_t item) {
-                       const Corners& triangle = data_->triangles[item];
-                       const auto [distance, front] = hit(p, kAlong, triangle);
+                       const LocatedTriangle& triangle = data_->triangles[item];
+                       const auto [distance, front] = ray_hit(p, kAlong, triangle);
                        if (!(distance < nearest)) return;
                        nearest = distance;
                        region = data_->flat.faces[triangle.face].regions[front ? 0 : 1];
@@ -186,7 +186,7 @@ Index RegionLocator::at(const Vector& p) const {
 /// The first face on the way from a point, and how far it is.
 struct RegionLocator::Wall {
   double distance;
-  const Corners* triangle = nullptr;  // nullptr: there is none so near
+  const LocatedTriangle* triangle = nullptr;  // nullptr: there is none so near
 };
 
 RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, double most, std::size_t but) const {
@@ -195,8 +195,8 @@ RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, do
   data_->boxes.query([&](const Box& box) { return ray.meets(box, nearest.distance); },
                      [&](std::uint32_t item) {
                        if (item == but) return;
-                       const Corners& triangle = data_->triangles[item];
-                       const double distance = hit(p, along, triangle).first;
+                       const LocatedTriangle& triangle = data_->triangles[item];
+                       const double distance = ray_hit(p, along, triangle).first;
                        if (distance < nearest.distance) nearest = {distance, &triangle};
                      });
   return nearest;

@@ -11,20 +11,19 @@
 
 #include "csg/mesh/mesh.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {
 
 using Index = FlatComplex::Index;
 using Vector = DoubleVector;
-constexpr Index kNone = FlatComplex::kNone;
-
-RationalPoint exactly(const Vector& p) { return {from_double(p[0]), from_double(p[1]), from_double(p[2])}; }
 
 /// Where the ray from p along d meets the triangle, as a multiple of d; infinite if it does not. It only proposes
 /// points, which are proven afterwards.
-double hit(const Vector& p, const Vector& d, const Vector& a, const Vector& b, const Vector& c) {
+double distance_along(const Vector& p, const Vector& d, const Vector& a, const Vector& b, const Vector& c) {
   const Vector u = minus(b, a), v = minus(c, a), n = cross(d, v), w = minus(p, a), q = cross(w, u);
   const double det = dot(u, n);
   if (det == 0) return HUGE_VAL;
@@ -113,8 +112,8 @@ void RoundedResult::match_wires_and_points() const {
     if (!edge.wire) continue;
     const std::size_t n = edge.points.size();
     for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
-      const RationalPoint a = exactly(points_.xyz[edge.points[k]]);
-      const RationalPoint b = exactly(points_.xyz[edge.points[(k + 1) % n]]);
+      const RationalPoint a = from_doubles(points_.xyz[edge.points[k]]);
+      const RationalPoint b = from_doubles(points_.xyz[edge.points[(k + 1) % n]]);
       const Location at = data_->locator.locate({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
       require(at.dimension == 1, "rounded result: the middle of a wire is not on it");
       check(complex.some_region(at.edge), edge.region);
@@ -122,7 +121,7 @@ void RoundedResult::match_wires_and_points() const {
   }
   for (const auto& vertex : flat_.vertices) {
     if (vertex.region == kNone) continue;
-    const Location at = data_->locator.locate(exactly(points_.xyz[vertex.point]));
+    const Location at = data_->locator.locate(from_doubles(points_.xyz[vertex.point]));
     require(at.dimension == 0, "rounded result: a point is not where it is");
     check(complex.some_region(at.vertex), vertex.region);
   }
@@ -156,7 +155,8 @@ Vector RoundedResult::seed(Index region) const {
     for (std::size_t k = 0; k < 3; ++k) middle[k] = (from.a[k] + from.b[k] + from.c[k]) / 3;
     double gap = HUGE_VAL;
     for (std::size_t j = 0; j < triangles.size(); ++j) {
-      if (j != i) gap = std::min(gap, hit(middle, from.inward, triangles[j].a, triangles[j].b, triangles[j].c));
+      if (j != i)
+        gap = std::min(gap, distance_along(middle, from.inward, triangles[j].a, triangles[j].b, triangles[j].c));
     }
     if (std::isfinite(gap)) {
       for (std::size_t k = 0; k < 3; ++k) middle[k] += from.inward[k] * gap / 2;
@@ -166,7 +166,7 @@ Vector RoundedResult::seed(Index region) const {
     std::stable_sort(proposals.begin(), proposals.end(),
                      [](const auto& s, const auto& t) { return s.first > t.first; });
     for (const auto& [distance, point] : proposals) {
-      const Location at = data_->locator.locate(exactly(point));
+      const Location at = data_->locator.locate(from_doubles(point));
       if (at.dimension == 3 && at.region == data_->region[region]) return point;
     }
     proposals.clear();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
 
 namespace cnrg {
@@ -109,7 +110,6 @@ class SizeField::Tree {
   }
 
   void build(std::size_t begin, std::size_t end) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const std::size_t number = nodes_.size();
     Node node{{kInfinity, kInfinity, kInfinity},
               {-kInfinity, -kInfinity, -kInfinity},

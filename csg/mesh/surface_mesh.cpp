@@ -8,14 +8,13 @@
 #include "csg/mesh/material_field.h"
 #include "csg/mesh/mesh.h"
 #include "csg/result/solid.h"
+#include "kernel/base/limits.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Mesh::Index;
-constexpr Index kNone = FlatComplex::kNone;
-
-std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
 
 class SurfaceMesher {
  public:
@@ -72,7 +71,7 @@ class SurfaceMesher {
 
   /// The piece between two points: one of an edge of the result, or a new one between two facets of a patch.
   Index segment(Index a, Index b) {
-    const auto [entry, fresh] = segment_.try_emplace(key_of(a, b), Index(mesh_.segments.size()));
+    const auto [entry, fresh] = segment_.try_emplace(edge_key(a, b), Index(mesh_.segments.size()));
     if (fresh) {
       a = point_[a], b = point_[b];
       mesh_.segments.push_back({{std::min(a, b), std::max(a, b)}, entry->second});
@@ -122,7 +121,7 @@ class SurfaceMesher {
     for (const auto& loop : loops) {
       for (std::size_t k = 0; k < loop.size(); ++k) {
         steps.push_back({loop[k], loop[(k + 1) % loop.size()]});
-        inside = !walked.insert(key_of(steps.back()[0], steps.back()[1])).second || inside;
+        inside = !walked.insert(edge_key(steps.back()[0], steps.back()[1])).second || inside;
       }
     }
     if (!inside) return add_entity(face, steps, begin, end);

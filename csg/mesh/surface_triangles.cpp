@@ -16,6 +16,8 @@
 #include "csg/mesh/rounded_result.h"
 #include "csg/result/solid.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
+#include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/bounds.h"
 
 namespace cnrg {
@@ -23,7 +25,6 @@ namespace {
 
 using Index = Mesh::Index;
 using Vector = DoubleVector;
-constexpr Index kNone = FlatComplex::kNone;
 
 /// As the result's drawing, with the triangles and segments of a mesh.
 Drawing drawing_of(const FlatComplex& flat, const FacetMesh& mesh) {
@@ -118,10 +119,6 @@ class CompensatedSum {
  private:
   double sum_ = 0, lost_ = 0;
 };
-double length(const Vector& a, const Vector& b) {
-  const Vector d = minus(a, b);
-  return std::sqrt(dot(d, d));
-}
 
 class SurfaceMaker {
  public:
@@ -218,7 +215,7 @@ class SurfaceMaker {
       const Vector &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
       const double part = area_of(a, b, c);
       area[face].add(sign * part);
-      bound[face] += 1e-12 * part + 1e-15 * largest * (length(a, b) + length(b, c) + length(c, a));
+      bound[face] += 1e-12 * part + 1e-15 * largest * (distance(a, b) + distance(b, c) + distance(c, a));
     };
     for (const auto& t : result_.mesh.triangles) add(t.entity, t.points, 1);
     for (Index f = 0; f < flat_.faces.size(); ++f) {

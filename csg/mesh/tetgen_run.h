@@ -11,6 +11,9 @@
 
 namespace cnrg {
 
+class MemoryFile;
+class SharedCount;
+
 /// The box around the complex: equally far away on all sides, or a little further on each than on the one before.
 /// A model and its even box may be so regular together (their corners on one sphere) that TetGen stops at an
 /// assertion of its own.
@@ -59,4 +62,20 @@ PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame f
                    const TooLarge& too_large = {}, const std::stop_token& stop = {},
                    const LookedAt& looked_at = {});
 
+/// What the child does.
+struct TetgenWork {
+  std::string switches;  ///< as TetGen's manual has them
+  TetgenFrame frame = TetgenFrame::even;
+  int step = 0;                ///< of TetgenTime
+  std::size_t most_looks = 0;  ///< 0: no bound
+  const TooLarge* too_large = nullptr;
+  const SharedCount* looked = nullptr;
+};
+
 }  // namespace cnrg
+
+// Of the plug-in `tetgen`, to be called in a child: 0, or the number that TetGen throws.
+extern "C" {
+int cnrg_tetgen_mesh(const cnrg::Plc& plc, const cnrg::TetgenWork& work, const cnrg::MemoryFile& result);
+const char* cnrg_tetgen_version();
+}

@@ -44,10 +44,6 @@ class AtOdds {
     CellSet cells;
   };
   Found* find(const SaidPointer& left, const SaidPointer& right, int dimension);
-  static int dimension_of(VertexId) { return 0; }
-  static int dimension_of(EdgeId) { return 1; }
-  static int dimension_of(FaceId) { return 2; }
-  static int dimension_of(RegionId) { return 3; }
   static std::vector<VertexId>& list_of(CellSet& cells, VertexId) { return cells.vertices; }
   static std::vector<EdgeId>& list_of(CellSet& cells, EdgeId) { return cells.edges; }
   static std::vector<FaceId>& list_of(CellSet& cells, FaceId) { return cells.faces; }

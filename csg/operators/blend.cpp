@@ -17,9 +17,9 @@ FoldResult fold(const Complex& complex, BooleanOp op, Dominance dominance, Parte
 }
 
 /// An operand, asked for the boundaries of its regions.
-class Side {
+class BlendSide {
  public:
-  Side(const Complex& complex, const Group& group, const Transform& back)
+  BlendSide(const Complex& complex, const Group& group, const Transform& back)
       : complex_(complex), group_(group), back_(back) {}
 
   std::uint32_t region_of(RegionId cell) const { return group_.region_of(cell); }
@@ -101,7 +101,7 @@ class Blend {
   }
 
   const Transform placement_;
-  Side left_, right_;
+  BlendSide left_, right_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, RegionMaterial> mixtures_;
 };
 

@@ -74,7 +74,7 @@ struct PairKey {
   Pair pair;
   friend auto operator<=>(const PairKey&, const PairKey&) = default;
 };
-PairKey key_of(Pair pair) { return {pair.second == 0 ? 0 : pair.first != 0 ? 1 : 2, pair}; }
+PairKey pair_key(Pair pair) { return {pair.second == 0 ? 0 : pair.first != 0 ? 1 : 2, pair}; }
 
 class Overlay {
  public:
@@ -120,7 +120,7 @@ class Overlay {
       const bool in_y = j < y.size() && (i == x.size() || !(x[i].first < y[j].first));
       const IdT id = in_x ? x[i].first : y[j].first;
       const Pair pair(in_x ? x[i].second : 0, in_y ? y[j].second : 0);
-      const PairKey key = key_of(pair);
+      const PairKey key = pair_key(pair);
       if (wanted_[key.kind]) {
         LeafSetId origin(0);
         if (in_x) origin = from_x_(x_origins[i]);
@@ -146,7 +146,7 @@ class Overlay {
   template <class IdT>
   void assign(const Pairs<IdT>& pairs, std::vector<std::pair<IdT, Component>>& list) {
     list.reserve(pairs.size());
-    for (const auto& [id, pair] : pairs) list.emplace_back(id, numbering_[key_of(pair)]);
+    for (const auto& [id, pair] : pairs) list.emplace_back(id, numbering_[pair_key(pair)]);
   }
 
   // Two materials meet where the common part is as large as one of the components: a wall where two solids touch

@@ -16,9 +16,9 @@ namespace {
 
 // The origins of a group's entities, and those of the cells inside of its regions.
 template <class IdT>
-void origins_of(const std::vector<std::pair<IdT, Component>>& list, Component entities,
-                const std::vector<LeafSetId>& of_entities, const std::vector<LeafSetId>& of_regions,
-                std::vector<LeafSetId>& out) {
+void add_origins(const std::vector<std::pair<IdT, Component>>& list, Component entities,
+                 const std::vector<LeafSetId>& of_entities, const std::vector<LeafSetId>& of_regions,
+                 std::vector<LeafSetId>& out) {
   out.reserve(list.size());
   std::size_t k = 0;
   for (const auto& entry : list) {
@@ -111,10 +111,10 @@ Components components_of(const Complex& complex, const Group& group) {
     of_regions.push_back(out.origins.sets.intern(region.leaves));
   }
   const Selection& s = out.selection;
-  origins_of(s.vertices, entities, group.origins.vertices, of_regions, out.origins.vertices);
-  origins_of(s.edges, entities, group.origins.edges, of_regions, out.origins.edges);
-  origins_of(s.faces, entities, group.origins.faces, of_regions, out.origins.faces);
-  origins_of(s.regions, entities, {}, of_regions, out.origins.regions);
+  add_origins(s.vertices, entities, group.origins.vertices, of_regions, out.origins.vertices);
+  add_origins(s.edges, entities, group.origins.edges, of_regions, out.origins.edges);
+  add_origins(s.faces, entities, group.origins.faces, of_regions, out.origins.faces);
+  add_origins(s.regions, entities, {}, of_regions, out.origins.regions);
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/selection/scratch.h"
@@ -16,7 +17,6 @@ namespace cnrg {
 namespace {
 
 using Index = std::uint32_t;
-constexpr Index kNone = 0xffffffffu;
 constexpr const char* kAgain = "; write the file again with `cnrg eval -o`";
 
 /// The number of the one cell of the file that is meant; there must not be two.

@@ -35,10 +35,6 @@ const std::vector<LeafSetId>& origins_of(const Group& g, VertexId) { return g.or
 
 /// What is said of a sheet, a wire or a point is said of its closure. An entity has a material of its own if that
 /// is said of a thing of its dimension, or if it bounds nothing of the group.
-int dimension_of(FaceId) { return 2; }
-int dimension_of(EdgeId) { return 1; }
-int dimension_of(VertexId) { return 0; }
-
 bool bounds_nothing(const Complex&, const Group&, FaceId) { return true; }
 template <class IdT>
 bool bounds_nothing(const Complex& complex, const Group& g, IdT cell) {

@@ -77,8 +77,8 @@ bool same(const SaidPointer& a, const SaidPointer& b) {
 }
 
 // Who dominates matters only where something is said of both.
-std::tuple<LeafSetId, LeafSetId, Dominance> key_of(LeafSetId a, LeafSetId b, const SaidPointer& said_a,
-                                                   const SaidPointer& said_b, Dominance dominance) {
+std::tuple<LeafSetId, LeafSetId, Dominance> union_key(LeafSetId a, LeafSetId b, const SaidPointer& said_a,
+                                                      const SaidPointer& said_b, Dominance dominance) {
   if (said_a != nullptr && said_b != nullptr) return {a, b, dominance};
   return {std::min(a, b), std::max(a, b), Dominance::equal};
 }
@@ -103,7 +103,7 @@ LeafSetId LeafSets::intern(std::span<const LeafId> leaves, const SaidPointer& sa
 LeafSetId LeafSets::unite(LeafSetId a, LeafSetId b, Dominance dominance) {
   if (a == b || b == LeafSetId(0)) return a;
   if (a == LeafSetId(0)) return b;
-  const auto [it, fresh] = united_.try_emplace(key_of(a, b, said(a), said(b), dominance));
+  const auto [it, fresh] = united_.try_emplace(union_key(a, b, said(a), said(b), dominance));
   if (fresh) {
     std::vector<LeafId> both;
     std::set_union(sets_[a].begin(), sets_[a].end(), sets_[b].begin(), sets_[b].end(), std::back_inserter(both));
@@ -131,7 +131,7 @@ LeafSetId LeafUnions::unite(LeafSetId a, LeafSetId b, Dominance dominance) {
   if (a == LeafSetId(0)) return b;
   const auto& [before, last] = made_of_[a.index()];
   if (before.valid() && last == b && same(merged(said(a), said(b), dominance), said(a))) return a;
-  const auto [it, fresh] = united_.try_emplace(key_of(a, b, said(a), said(b), dominance));
+  const auto [it, fresh] = united_.try_emplace(union_key(a, b, said(a), said(b), dominance));
   if (fresh) {
     it->second = LeafSetId(made_of_.size());
     said_.push_back(merged(said(a), said(b), dominance));

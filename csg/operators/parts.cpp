@@ -17,7 +17,7 @@ namespace {
 
 using Parts = std::vector<PartRef>;
 using SetMap = LeafSetMap<LeafSets, LeafSets>;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 // A plane has no vertex but those on the frame, which are no entities.
 bool empty(const Group& g) { return g.cells.empty() && !g.has_entities(); }
@@ -39,11 +39,11 @@ bool reaches_frame(const Complex& complex, const Group& g) {
 
 float rounded_down(double x) {
   const auto f = static_cast<float>(x);  // infinite when it is out of range
-  return f <= x ? f : std::nextafter(f, -kInfinity);
+  return f <= x ? f : std::nextafter(f, -kFloatInfinity);
 }
 float rounded_up(double x) {
   const auto f = static_cast<float>(x);
-  return f >= x ? f : std::nextafter(f, kInfinity);
+  return f >= x ? f : std::nextafter(f, kFloatInfinity);
 }
 
 // Entities and bounded regions lie in the hull of the vertices.
@@ -51,9 +51,10 @@ PartBox box_of(const Complex& complex, const Group& g) {
   const bool unbounded =
       std::any_of(g.cells.begin(), g.cells.end(), [&](const auto& cell) { return complex.unbounded(cell.first); });
   if (unbounded || reaches_frame(complex, g)) {
-    return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+    return {{-kFloatInfinity, -kFloatInfinity, -kFloatInfinity}, {kFloatInfinity, kFloatInfinity, kFloatInfinity}};
   }
-  PartBox box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  PartBox box{{kFloatInfinity, kFloatInfinity, kFloatInfinity},
+              {-kFloatInfinity, -kFloatInfinity, -kFloatInfinity}};
   for (VertexId v : g.vertices) {
     const PointView p = complex.points.view(v);
     for (int k = 0; k < 3; ++k) {

@@ -25,11 +25,6 @@ bool has(const CellSet& set, EdgeId e) { return std::binary_search(set.edges.beg
 bool has(const CellSet& set, FaceId f) { return std::binary_search(set.faces.begin(), set.faces.end(), f); }
 bool has(const CellSet& set, RegionId r) { return std::binary_search(set.regions.begin(), set.regions.end(), r); }
 
-constexpr int dimension_of(VertexId) { return 0; }
-constexpr int dimension_of(EdgeId) { return 1; }
-constexpr int dimension_of(FaceId) { return 2; }
-constexpr int dimension_of(RegionId) { return 3; }
-
 // What the two kinds of values call the component of a 3-cell, and what is said of one.
 Component component_at(const Group& group, RegionId r) { return group.region_of(r); }
 Component component_at(const Components& x, RegionId r) { return component_in(x.selection.regions, r); }

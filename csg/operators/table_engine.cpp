@@ -32,7 +32,7 @@
 namespace cnrg {
 namespace {
 
-using Parts = std::span<const Group* const>;
+using Operands = std::span<const Group* const>;
 
 using IntoUnions = LeafSetMap<LeafSets, LeafUnions>;
 using FromUnions = LeafSetMap<LeafUnions, LeafSets>;
@@ -44,7 +44,7 @@ enum class Who : std::uint8_t { held = kHeld, next = kNext };
 
 class TableEngine::State {
  public:
-  State(const Complex& complex, BooleanOp op, Parts first, bool tallies)
+  State(const Complex& complex, BooleanOp op, Operands first, bool tallies)
       : complex_(complex),
         op_(op),
         faces_(complex.face_count()),
@@ -56,7 +56,7 @@ class TableEngine::State {
     if (tallies) tally_.emplace(complex, faces_, edges_, vertices_, sets_, regions_, first);
   }
 
-  void step(Dominance dominance, Parts next, FoldStep& step) {
+  void step(Dominance dominance, Operands next, FoldStep& step) {
     roles_ = roles(op_, dominance);
     a_ = roles_.swapped ? Who::next : Who::held;
     b_ = roles_.swapped ? Who::held : Who::next;
@@ -120,7 +120,7 @@ class TableEngine::State {
     }
   }
 
-  void take_in(Parts next) {
+  void take_in(Operands next) {
     for (const Group* part : next) {
       for (const FaceId f : part->faces) faces_.flags[f] |= kNext;
       for (const EdgeId e : part->edges) edges_.flags[e] |= kNext;
@@ -176,7 +176,7 @@ class TableEngine::State {
   // --- the rows
 
   template <class IdT>
-  void decide(EntityMarks<IdT>& marks, int dimension, Parts next, std::vector<IdT> Group::*entities) {
+  void decide(EntityMarks<IdT>& marks, int dimension, Operands next, std::vector<IdT> Group::*entities) {
     std::array<std::size_t, kRelations> rows;
     for (std::size_t r = 0; r < kRelations; ++r) {
       rows[r] = table_row(op_, roles_.dominant, dimension, static_cast<Relation>(r));
@@ -290,7 +290,7 @@ class TableEngine::State {
   // --- the end of a step
 
   // Entities that held loses or that are of next and stay, and the 3-cells that this step was about.
-  CellSet what_changes(Parts next) {
+  CellSet what_changes(Operands next) {
     CellSet out;
     const auto list = [&](const auto& marks, auto entities, auto& cells) {
       for (const Group* part : next) {
@@ -311,7 +311,7 @@ class TableEngine::State {
     return out;
   }
 
-  void commit(Parts next) {
+  void commit(Operands next) {
     if (op_ == BooleanOp::subtract) mark_borders(next);
     for (const Group* part : next) {
       LeafSetMap sets(part->origins.sets, sets_);
@@ -324,7 +324,7 @@ class TableEngine::State {
 
   // A difference takes features of next only where they bound a face that held does not have and that stays: such
   // a face lies inside of held. A next that only touches held leaves it as it was.
-  void mark_borders(Parts next) {
+  void mark_borders(Operands next) {
     for (const Group* part : next) {
       for (const FaceId f : part->faces) {
         if (faces_.has(f, kHeld | kRemoved)) continue;

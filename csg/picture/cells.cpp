@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "csg/picture/loops.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -12,7 +13,6 @@ namespace cnrg {
 namespace {
 
 using Index = PictureCells::Index;
-constexpr Index kNone = PictureCells::kNone;
 
 /// Cells and a plane in one complex. Faces name the regions on their sides, so that the kernel knows the region of
 /// each piece of the plane.

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "kernel/base/limits.h"
 #include "kernel/exact/enclosure.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -18,7 +18,6 @@ using enclosure::Interval3;
 Interval around(const Rational& x) {
   const double near = to_double(x);
   if (is_double(x)) return Interval(near);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return Interval(std::nextafter(near, -kInfinity), std::nextafter(near, kInfinity));
 }
 Interval3 around(const RationalPoint& p) { return {around(p[0]), around(p[1]), around(p[2])}; }
@@ -64,7 +63,6 @@ std::optional<Depth> Depth::of_facet(const Scene& scene, const Scene::Facet& fac
     }
   } else {
     sign = sgn(normal_of(scene, facet.loops.front())[2]);
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     out.slope_ = {Bounds{-kInfinity, kInfinity}, Bounds{-kInfinity, kInfinity}};
   }
   facing = sign > 0 ? Facing::front : sign < 0 ? Facing::back : Facing::edge_on;

@@ -1,5 +1,5 @@
 // The bytes of the font's file, put in by the assembler: a text of them would take the compiler seconds.
-#include "csg/picture/font.h"
+#include "csg/picture/paper.h"
 
 asm(".section .rodata\n"
     "cnrg_font_begin:\n"
@@ -16,7 +16,7 @@ extern const char cnrg_font_end[];
 
 namespace cnrg {
 
-std::string_view Font::file() {
+std::string_view font_file() {
   return {cnrg_font_begin, static_cast<std::size_t>(cnrg_font_end - cnrg_font_begin)};
 }
 

@@ -7,9 +7,9 @@
 
 namespace cnrg {
 
-struct Box {
+struct LabelBox {
   Point2 low{}, high{};
-  bool meets(const Box& other) const {
+  bool meets(const LabelBox& other) const {
     return low[0] < other.high[0] && other.low[0] < high[0] && low[1] < other.high[1] && other.low[1] < high[1];
   }
 };
@@ -22,7 +22,8 @@ struct PaperLabel {
 
 /// For each label its box, or one without extent if there is no room for it. No box meets another one, a disk or
 /// what lies outside of `page`; of the free places of a label that one is taken that covers the least of lines.
-std::vector<Box> place_labels(const std::vector<PaperLabel>& labels, const std::vector<Sheet::Line>& lines,
-                              const std::vector<Sheet::Disk>& disks, const Box& page);
+std::vector<LabelBox> place_labels(const std::vector<PaperLabel>& labels,
+                                   const std::vector<PaperSheet::Line>& lines,
+                                   const std::vector<PaperSheet::Disk>& disks, const LabelBox& page);
 
 }  // namespace cnrg

@@ -30,8 +30,8 @@ constexpr double kSwatch = 13, kKeyGap = 20;
 constexpr double kCaptionLeast = 140;  // a caption may be so wide, however narrow its panel is
 
 /// `weight`: of all lines, less than 1 in panels that are small.
-Sheet::Look look_of(const Figure::Stroke& stroke, double weight) {
-  Sheet::Look look{1.1, stroke.color};
+PaperSheet::Look look_of(const Figure::Stroke& stroke, double weight) {
+  PaperSheet::Look look{1.1, stroke.color};
   switch (stroke.line) {
     case Figure::Line::mesh: look.width = 0.45; break;
     case Figure::Line::edge: break;
@@ -59,9 +59,9 @@ Sheet::Look look_of(const Figure::Stroke& stroke, double weight) {
 
 /// Strokes of one look that meet at a point where no third one ends, as one: a dash goes on there, and no corner
 /// shows two ends.
-std::vector<Sheet::Line> join(std::vector<Sheet::Line> lines) {
+std::vector<PaperSheet::Line> join(std::vector<PaperSheet::Line> lines) {
   using Key = std::pair<Point2, std::array<double, 7>>;
-  const auto key_of = [](const Point2& p, const Sheet::Look& l) {
+  const auto key_of = [](const Point2& p, const PaperSheet::Look& l) {
     return Key{p, {l.width, l.color[0], l.color[1], l.color[2], l.dash, l.gap, l.opacity}};
   };
   std::map<Key, std::vector<std::size_t>> ends;
@@ -72,18 +72,18 @@ std::vector<Sheet::Line> join(std::vector<Sheet::Line> lines) {
   }
   std::vector<char> used(lines.size());
   // The stroke that goes on at `p`, if there is exactly one.
-  const auto next_of = [&](const Point2& p, const Sheet::Look& look) -> std::optional<std::size_t> {
+  const auto next_of = [&](const Point2& p, const PaperSheet::Look& look) -> std::optional<std::size_t> {
     const std::vector<std::size_t>& here = ends.at(key_of(p, look));
     if (here.size() != 2) return std::nullopt;
     for (const std::size_t i : here)
       if (!used[i]) return i;
     return std::nullopt;
   };
-  std::vector<Sheet::Line> joined;
+  std::vector<PaperSheet::Line> joined;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (used[i]) continue;
     used[i] = 1;
-    Sheet::Line chain = std::move(lines[i]);
+    PaperSheet::Line chain = std::move(lines[i]);
     if (!chain.closed && chain.points.size() >= 2) {
       for (int side = 0; side < 2; ++side) {
         while (const auto next = next_of(chain.points.back(), chain.look)) {
@@ -107,7 +107,7 @@ std::vector<Sheet::Line> join(std::vector<Sheet::Line> lines) {
 
 /// A figure in the place that it has on paper, from (0, 0) on, and the labels that have room.
 struct Laid {
-  Sheet sheet;
+  PaperSheet sheet;
   std::vector<std::string> lines;  // of the caption
 };
 
@@ -132,7 +132,7 @@ class Layout {
     choose_scale();
   }
 
-  Sheet sheet() {
+  PaperSheet sheet() {
     std::vector<Laid> laid;
     for (const Panel& panel : panels_) laid.push_back(lay(panel));
     // The grid: columns and rows as large as what is in them.
@@ -146,7 +146,7 @@ class Layout {
       double& caption = captions[i / columns_];
       caption = std::max(caption, static_cast<double>(laid[i].lines.size()) * kCaptionSize * kLine);
     }
-    Sheet whole;
+    PaperSheet whole;
     for (const double w : widths) whole.width += w;
     whole.width += kColumnGap * static_cast<double>(columns_ - 1);
     // The key may be wider than panels that are small.
@@ -160,7 +160,7 @@ class Layout {
       for (std::size_t i = last - first; i < columns_; ++i) x += (widths[i] + kColumnGap) / 2;
       for (std::size_t i = first; i < last; ++i) {
         const double width = widths[i - first];
-        const Sheet& part = laid[i].sheet;
+        const PaperSheet& part = laid[i].sheet;
         add(whole, part, {x + (width - part.width) / 2, top + (heights[row] - part.height) / 2});
         double y = top + heights[row] + kCaptionSize * kLine * 0.55;
         for (const std::string& line : laid[i].lines) {
@@ -232,7 +232,7 @@ class Layout {
     const Figure& figure = panel.figure;
     Laid laid;
     laid.lines = wrapped(panel.caption, std::max(box_[0], kCaptionLeast));
-    Sheet& sheet = laid.sheet;
+    PaperSheet& sheet = laid.sheet;
     if (empty(figure)) {
       const std::string nothing = "empty";
       sheet.width = font_.width(nothing, kLabelSize) + 2 * kRim;
@@ -250,30 +250,31 @@ class Layout {
       for (const Point2& p : points) result.push_back(place(p));
       return result;
     };
-    Box used{place({figure.low[0], figure.high[1]}), place({figure.high[0], figure.low[1]})};
+    LabelBox used{place({figure.low[0], figure.high[1]}), place({figure.high[0], figure.low[1]})};
     for (const Figure::Area& area : figure.areas) {
       // Nothing lies behind an area but paper: what shines through is drawn in areas and lines of its own.
-      Sheet::Area made{{}, mix(kPaper, area.color, area.opacity)};
+      PaperSheet::Area made{{}, mix(kPaper, area.color, area.opacity)};
       if (area.missing) {
-        made.pattern = Sheet::Pattern::hatch;
+        made.pattern = PaperSheet::Pattern::hatch;
         made.lines = mix(mix(kPaper, area.color, std::max(area.opacity, 0.6)), kInk, 0.15);
         made.color = mix(kPaper, area.color, 0.22 * area.opacity);
       } else if (area.sheet) {
-        made.pattern = Sheet::Pattern::weave;
+        made.pattern = PaperSheet::Pattern::weave;
         made.lines = mix(made.color, kInk, 0.14);
       }
       for (const std::vector<Point2>& loop : area.loops) made.loops.push_back(placed(loop));
       sheet.areas.push_back(std::move(made));
     }
-    std::vector<Sheet::Line> lines;
+    std::vector<PaperSheet::Line> lines;
     for (const Figure::Stroke& stroke : figure.strokes) {
       lines.push_back({placed(stroke.points), stroke.closed, look_of(stroke, weight_)});
     }
     sheet.lines = join(std::move(lines));
     // What is behind or gone first, then thin lines, then thick ones.
-    std::stable_sort(sheet.lines.begin(), sheet.lines.end(), [](const Sheet::Line& a, const Sheet::Line& b) {
-      return std::pair(a.look.opacity == 1, a.look.width) < std::pair(b.look.opacity == 1, b.look.width);
-    });
+    std::stable_sort(
+        sheet.lines.begin(), sheet.lines.end(), [](const PaperSheet::Line& a, const PaperSheet::Line& b) {
+          return std::pair(a.look.opacity == 1, a.look.width) < std::pair(b.look.opacity == 1, b.look.width);
+        });
     for (const Figure::Dot& dot : figure.dots) {
       const Point2 at = place(dot.at);
       const double opacity = dot.hidden ? 0.5 : 1;
@@ -289,7 +290,7 @@ class Layout {
       used.low[k] -= kRim;
       used.high[k] += kRim;
     }
-    Sheet cut;
+    PaperSheet cut;
     add(cut, sheet, {-used.low[0], -used.low[1]});
     cut.width = used.high[0] - used.low[0];
     cut.height = used.high[1] - used.low[1];
@@ -298,18 +299,19 @@ class Layout {
   }
 
   template <class Place>
-  void add_labels(const Figure& figure, const Place& place, const Point2& space, Sheet& sheet, Box& used) {
+  void add_labels(const Figure& figure, const Place& place, const Point2& space, PaperSheet& sheet,
+                  LabelBox& used) {
     std::vector<PaperLabel> labels;
     for (const Figure::Label& label : figure.labels) {
       PaperLabel paper{{}, font_.width(label.text, kLabelSize), kLabelSize};
       for (const Figure::Label::Place& at : label.places) paper.places.push_back({place(at.at), at.room * scale_});
       labels.push_back(std::move(paper));
     }
-    const Box page{{used.low[0] - space[0], used.low[1] - space[1]},
-                   {used.high[0] + space[0], used.high[1] + space[1]}};
-    const std::vector<Box> boxes = place_labels(labels, sheet.lines, sheet.disks, page);
+    const LabelBox page{{used.low[0] - space[0], used.low[1] - space[1]},
+                        {used.high[0] + space[0], used.high[1] + space[1]}};
+    const std::vector<LabelBox> boxes = place_labels(labels, sheet.lines, sheet.disks, page);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const Box& box = boxes[i];
+      const LabelBox& box = boxes[i];
       if (box.low == box.high) continue;
       named_.insert(figure.labels[i].text);
       sheet.texts.push_back({figure.labels[i].text,
@@ -323,30 +325,30 @@ class Layout {
     }
   }
 
-  static void add(Sheet& whole, const Sheet& part, const Point2& by) {
+  static void add(PaperSheet& whole, const PaperSheet& part, const Point2& by) {
     const auto move = [&](Point2& p) {
       p[0] += by[0];
       p[1] += by[1];
     };
-    for (Sheet::Area area : part.areas) {
+    for (PaperSheet::Area area : part.areas) {
       for (auto& loop : area.loops) std::for_each(loop.begin(), loop.end(), move);
       whole.areas.push_back(std::move(area));
     }
-    for (Sheet::Line line : part.lines) {
+    for (PaperSheet::Line line : part.lines) {
       std::for_each(line.points.begin(), line.points.end(), move);
       whole.lines.push_back(std::move(line));
     }
-    for (Sheet::Disk disk : part.disks) {
+    for (PaperSheet::Disk disk : part.disks) {
       move(disk.at);
       whole.disks.push_back(disk);
     }
-    for (Sheet::Text text : part.texts) {
+    for (PaperSheet::Text text : part.texts) {
       move(text.middle);
       whole.texts.push_back(std::move(text));
     }
   }
 
-  static void add_swatch(Sheet& whole, const Point2& at, const Rgb& color) {
+  static void add_swatch(PaperSheet& whole, const Point2& at, const Rgb& color) {
     const std::vector<Point2> corners{
         at, {at[0] + kSwatch, at[1]}, {at[0] + kSwatch, at[1] + kSwatch}, {at[0], at[1] + kSwatch}};
     whole.areas.push_back({{corners}, color});
@@ -373,7 +375,7 @@ class Layout {
 
   /// The colors of all panels, unless there is only one, labels name them all, or one stands for two things; makes
   /// `whole` as wide as they are.
-  std::vector<std::vector<Figure::Key>> key_rows(double width, Sheet& whole) const {
+  std::vector<std::vector<Figure::Key>> key_rows(double width, PaperSheet& whole) const {
     std::vector<Figure::Key> keys;
     for (const Panel& panel : panels_) {
       for (const Figure::Key& key : panel.figure.keys) {
@@ -402,7 +404,7 @@ class Layout {
 
 }  // namespace
 
-Sheet lay_out(const std::vector<Panel>& panels, const std::optional<PictureSize>& size, const Font& font) {
+PaperSheet lay_out(const std::vector<Panel>& panels, const std::optional<PictureSize>& size, const Font& font) {
   return Layout(panels, size, font).sheet();
 }
 

@@ -8,6 +8,6 @@ namespace cnrg {
 
 class Font;
 
-Sheet lay_out(const std::vector<Panel>& panels, const std::optional<PictureSize>& size, const Font& font);
+PaperSheet lay_out(const std::vector<Panel>& panels, const std::optional<PictureSize>& size, const Font& font);
 
 }  // namespace cnrg

@@ -6,6 +6,7 @@
 
 #include "csg/picture/loops.h"
 #include "csg/text/escape.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -13,7 +14,6 @@ namespace cnrg {
 namespace {
 
 using Index = Scene::Index;
-constexpr Index kNone = PictureCells::kNone;
 
 class SceneMaker {
  public:

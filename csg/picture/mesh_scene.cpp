@@ -7,14 +7,14 @@
 #include "csg/mesh/quality.h"
 #include "csg/picture/make_scene.h"
 #include "csg/result/result_data.h"
+#include "kernel/base/limits.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Mesh::Index;
 using Triangle = std::array<Index, 3>;
-
-constexpr Scene::Index kNone = 0xffffffff;
 
 Triangle sorted(Triangle t) {
   std::sort(t.begin(), t.end());
@@ -48,7 +48,7 @@ class MeshScene {
     Figure out = figure_of(scene_, camera_, threads);
     const double scale = to_double(camera_.scale());
     const auto place_of = [&](const std::array<double, 3>& p) {
-      const RationalPoint at = camera_.view({from_double(p[0]), from_double(p[1]), from_double(p[2])});
+      const RationalPoint at = camera_.view(from_doubles(p));
       return Point2{to_double(at[0]) / scale, to_double(at[1]) / scale};
     };
     if (!opened_) {  // wires are inside mostly: they shine through

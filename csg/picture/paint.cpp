@@ -1,10 +1,12 @@
 #include "csg/picture/paint.h"
 
-#include "csg/picture/font.h"
+#include <memory>
+
 #include "csg/picture/layout.h"
-#include "csg/picture/sheet.h"
+#include "csg/picture/paper.h"
 #include "csg/text/escape.h"
 #include "csg/text/file.h"
+#include "csg/text/plugin.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -36,9 +38,13 @@ std::string picture_bytes(const std::string& path, const std::vector<Panel>& pan
   require(is_picture(path), "picture_bytes: unknown extension");
   require(!panels.empty(), "picture_bytes: no panel");
   const std::string extension = extension_of(path);
-  const Font font;
-  const Sheet sheet = lay_out(with_shown_texts(panels, font, extension != ".svg"), size, font);
-  return extension == ".svg" ? svg_text(sheet) : extension == ".pdf" ? pdf_bytes(sheet) : png_bytes(sheet);
+  const std::unique_ptr<Font> font(CNRG_PLUGIN_FUNCTION(kPaperPlugin, cnrg_paper_font)());
+  const PaperSheet sheet = lay_out(with_shown_texts(panels, *font, extension != ".svg"), size, *font);
+  if (extension == ".svg") return svg_text(sheet);
+  std::string bytes;
+  if (extension == ".pdf") CNRG_PLUGIN_FUNCTION(kPaperPlugin, cnrg_paper_pdf)(sheet, bytes);
+  else CNRG_PLUGIN_FUNCTION(kPaperPlugin, cnrg_paper_png)(sheet, bytes);
+  return bytes;
 }
 
 }  // namespace cnrg

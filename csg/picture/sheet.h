@@ -20,7 +20,7 @@ inline constexpr double kWeaveStep = 5, kWeaveWidth = 0.7;
 inline constexpr double kSeam = 0.6;
 inline constexpr double kHalo = 3;  ///< about the letters of a label, half of it outside of them
 
-struct Sheet {
+struct PaperSheet {
   enum class Pattern : std::uint8_t { plain, hatch, weave };
   struct Area {
     std::vector<std::vector<Point2>> loops;  ///< inside where an odd number of them is around
@@ -68,10 +68,6 @@ struct Sheet {
 /// From the middle of small letters down to the line they stand on, in letters of size 1.
 inline constexpr double kHalfLetter = 0.36;
 
-class Font;
-std::string svg_text(const Sheet& sheet);
-std::string pdf_bytes(const Sheet& sheet);
-/// With two pixels for each unit: screens have that many.
-std::string png_bytes(const Sheet& sheet);
+std::string svg_text(const PaperSheet& sheet);
 
 }  // namespace cnrg

@@ -8,9 +8,9 @@
 #include <memory>
 #include <new>
 
-#include "csg/picture/font.h"
-#include "csg/picture/sheet.h"
+#include "csg/picture/paper.h"
 #include "csg/text/escape.h"
+#include "csg/text/plugin.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -43,7 +43,7 @@ class CairoFont {
   CairoFont() {
     FT_Library library = nullptr;
     if (FT_Init_FreeType(&library) != 0) throw std::bad_alloc();
-    const std::string_view bytes = Font::file();
+    const std::string_view bytes = font_file();
     FT_Face face = nullptr;
     if (FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes.data()),
                            static_cast<FT_Long>(bytes.size()), 0, &face) != 0) {
@@ -80,7 +80,7 @@ void path_of(cairo_t* cr, const std::vector<Point2>& points, bool closed) {
   if (closed) cairo_close_path(cr);
 }
 
-void paint(cairo_t* cr, const Sheet::Area& area) {
+void paint(cairo_t* cr, const PaperSheet::Area& area) {
   cairo_new_path(cr);
   for (const auto& loop : area.loops) path_of(cr, loop, true);
   choose(cr, area.color);
@@ -88,12 +88,12 @@ void paint(cairo_t* cr, const Sheet::Area& area) {
   cairo_set_dash(cr, nullptr, 0, 0);
   cairo_fill_preserve(cr);
   cairo_stroke_preserve(cr);
-  if (area.pattern == Sheet::Pattern::plain) return cairo_new_path(cr);
+  if (area.pattern == PaperSheet::Pattern::plain) return cairo_new_path(cr);
   cairo_save(cr);
   cairo_clip(cr);
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   cairo_clip_extents(cr, &x0, &y0, &x1, &y1);
-  const bool hatch = area.pattern == Sheet::Pattern::hatch;
+  const bool hatch = area.pattern == PaperSheet::Pattern::hatch;
   const double step = hatch ? kHatchStep : kWeaveStep, slope = hatch ? -1 : 1;
   // Lines y = slope x + k step: of one grid for the whole page.
   const double first = y0 - std::max(slope * x0, slope * x1), last = y1 - std::min(slope * x0, slope * x1);
@@ -107,7 +107,7 @@ void paint(cairo_t* cr, const Sheet::Area& area) {
   cairo_restore(cr);
 }
 
-void paint(cairo_t* cr, const Sheet::Line& line) {
+void paint(cairo_t* cr, const PaperSheet::Line& line) {
   cairo_new_path(cr);
   path_of(cr, line.points, line.closed);
   choose(cr, line.look.color, line.look.opacity);
@@ -119,7 +119,7 @@ void paint(cairo_t* cr, const Sheet::Line& line) {
   cairo_stroke(cr);
 }
 
-void paint(cairo_t* cr, const Sheet::Disk& disk) {
+void paint(cairo_t* cr, const PaperSheet::Disk& disk) {
   cairo_new_path(cr);
   cairo_arc(cr, disk.at[0], disk.at[1], disk.radius, 0, 2 * M_PI);
   cairo_close_path(cr);
@@ -137,7 +137,7 @@ void paint(cairo_t* cr, const Sheet::Disk& disk) {
 }
 
 /// Letters as text where `text` says so (a PDF, in which one wants to find them), else as outlines.
-void paint(cairo_t* cr, const Sheet::Text& text, const Font& font, bool as_text) {
+void paint(cairo_t* cr, const PaperSheet::Text& text, const Font& font, bool as_text) {
   const std::string letters = shown(text.text);
   cairo_set_font_size(cr, text.size);
   std::vector<cairo_glyph_t> glyphs;
@@ -173,7 +173,7 @@ void paint(cairo_t* cr, const Sheet::Text& text, const Font& font, bool as_text)
   cairo_new_path(cr);
 }
 
-void paint(cairo_surface_t* surface, const Sheet& sheet, double scale, bool as_text) {
+void paint(cairo_surface_t* surface, const PaperSheet& sheet, double scale, bool as_text) {
   require(cairo_surface_status(surface));
   const std::unique_ptr<cairo_t, void (*)(cairo_t*)> held(cairo_create(surface), cairo_destroy);
   cairo_t* const cr = held.get();
@@ -184,20 +184,20 @@ void paint(cairo_surface_t* surface, const Sheet& sheet, double scale, bool as_t
   cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
   cairo_set_fill_rule(cr, CAIRO_FILL_RULE_EVEN_ODD);
-  for (const Sheet::Area& area : sheet.areas) paint(cr, area);
-  for (const Sheet::Line& line : sheet.lines) paint(cr, line);
-  for (const Sheet::Disk& disk : sheet.disks) paint(cr, disk);
+  for (const PaperSheet::Area& area : sheet.areas) paint(cr, area);
+  for (const PaperSheet::Line& line : sheet.lines) paint(cr, line);
+  for (const PaperSheet::Disk& disk : sheet.disks) paint(cr, disk);
   cairo_set_fill_rule(cr, CAIRO_FILL_RULE_WINDING);
-  const Font font;
+  const std::unique_ptr<Font> font(cnrg_paper_font());
   const CairoFont face;
   cairo_set_font_face(cr, face.face());
-  for (const Sheet::Text& text : sheet.texts) paint(cr, text, font, as_text);
+  for (const PaperSheet::Text& text : sheet.texts) paint(cr, text, *font, as_text);
   require(cairo_status(cr));
 }
 
 using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
 
-std::string pdf_bytes_once(const Sheet& sheet) {
+std::string pdf_bytes_once(const PaperSheet& sheet) {
   std::string bytes;
   const Surface surface(
       cairo_pdf_surface_create_for_stream(append, &bytes, sheet.width * kPoints, sheet.height * kPoints),
@@ -213,16 +213,7 @@ std::string pdf_bytes_once(const Sheet& sheet) {
   return bytes;
 }
 
-}  // namespace
-
-std::string pdf_bytes(const Sheet& sheet) {
-  // Where cairo 1.16 gets no memory while it ends a .pdf, it may leave out what needed it and say nothing.
-  std::string bytes = pdf_bytes_once(sheet);
-  if (bytes != pdf_bytes_once(sheet)) throw std::bad_alloc();
-  return bytes;
-}
-
-std::string png_bytes(const Sheet& sheet) {
+std::string png_bytes(const PaperSheet& sheet) {
   const double width = sheet.width * kPixels, height = sheet.height * kPixels;
   if (width > kMostPixels || height > kMostPixels) {
     throw InputError(
@@ -238,4 +229,20 @@ std::string png_bytes(const Sheet& sheet) {
   return bytes;
 }
 
+}  // namespace
 }  // namespace cnrg
+
+CNRG_PLUGIN_EXPORT void cnrg_paper_pdf(const cnrg::PaperSheet& sheet, std::string& bytes) {
+  // Where cairo 1.16 gets no memory while it ends a .pdf, it may leave out what needed it and say nothing.
+  bytes = cnrg::pdf_bytes_once(sheet);
+  if (bytes != cnrg::pdf_bytes_once(sheet)) throw std::bad_alloc();
+}
+
+CNRG_PLUGIN_EXPORT void cnrg_paper_png(const cnrg::PaperSheet& sheet, std::string& bytes) {
+  bytes = cnrg::png_bytes(sheet);
+}
+
+CNRG_PLUGIN_EXPORT const char* cnrg_paper_version() {
+  static const std::string text = std::string("cairo ") + cairo_version_string();
+  return text.c_str();
+}

@@ -87,7 +87,7 @@ class Path {
 
 class Writer {
  public:
-  explicit Writer(const Sheet& sheet) : sheet_(sheet) {}
+  explicit Writer(const PaperSheet& sheet) : sheet_(sheet) {}
 
   std::string text() {
     const std::string width = std::to_string(std::lround(sheet_.width));
@@ -109,18 +109,18 @@ class Writer {
   }
 
  private:
-  const Sheet& sheet_;
+  const PaperSheet& sheet_;
   std::string patterns_;
-  std::vector<Sheet::Area> looks_;  // that have a pattern
+  std::vector<PaperSheet::Area> looks_;  // that have a pattern
 
   /// The paint of a pattern, which is defined when it is first asked for.
-  std::string pattern(const Sheet::Area& area) {
+  std::string pattern(const PaperSheet::Area& area) {
     std::size_t i = 0;
     while (i < looks_.size() && !same_look(looks_[i], area)) ++i;
     const std::string name = "p" + std::to_string(i);
     if (i == looks_.size()) {
       looks_.push_back({{}, area.color, area.pattern, area.lines});
-      const bool hatch = area.pattern == Sheet::Pattern::hatch;
+      const bool hatch = area.pattern == PaperSheet::Pattern::hatch;
       const long step = units(hatch ? kHatchStep : kWeaveStep);
       const std::string s = std::to_string(step);
       // A line through the tile and those of its neighbours that reach into its corners.
@@ -142,14 +142,14 @@ class Writer {
     out += "<g fill-rule=\"evenodd\" stroke-width=\"" + std::to_string(units(kSeam)) +
            "\" stroke-linejoin=\"round\">\n";
     for (std::size_t i = 0; i < sheet_.areas.size();) {
-      const Sheet::Area& first = sheet_.areas[i];
+      const PaperSheet::Area& first = sheet_.areas[i];
       Path path;
       for (; i < sheet_.areas.size() && same_look(first, sheet_.areas[i]); ++i) {
         for (const auto& loop : sheet_.areas[i].loops) path.add(loop, true);
       }
       if (path.text().empty()) continue;
       const std::string plain = color_text(first.color);
-      const std::string fill = first.pattern == Sheet::Pattern::plain ? plain : pattern(first);
+      const std::string fill = first.pattern == PaperSheet::Pattern::plain ? plain : pattern(first);
       out += "<path fill=\"" + fill + "\" stroke=\"" + plain + "\" d=\"" + path.text() + "\"/>\n";
     }
     out += "</g>\n";
@@ -159,7 +159,7 @@ class Writer {
     if (sheet_.lines.empty()) return;
     out += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
     for (std::size_t i = 0; i < sheet_.lines.size();) {
-      const Sheet::Look& look = sheet_.lines[i].look;
+      const PaperSheet::Look& look = sheet_.lines[i].look;
       Path path;
       for (; i < sheet_.lines.size() && sheet_.lines[i].look == look; ++i) {
         path.add(sheet_.lines[i].points, sheet_.lines[i].closed);
@@ -178,7 +178,7 @@ class Writer {
   }
 
   void disks(std::string& out) const {
-    for (const Sheet::Disk& disk : sheet_.disks) {
+    for (const PaperSheet::Disk& disk : sheet_.disks) {
       out += "<circle cx=\"" + std::to_string(units(disk.at[0])) + "\" cy=\"" + std::to_string(units(disk.at[1])) +
              "\" r=\"" + std::to_string(units(disk.radius)) + "\" fill=\"" +
              (disk.inside ? color_text(*disk.inside) : std::string("none")) + "\"";
@@ -197,7 +197,7 @@ class Writer {
     out += "<g font-family=\"DejaVu Sans,Verdana,sans-serif\" text-anchor=\"middle\" fill=\"" + color_text(kInk) +
            "\" stroke-width=\"" + std::to_string(units(kHalo)) +
            "\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
-    for (const Sheet::Text& text : sheet_.texts) {
+    for (const PaperSheet::Text& text : sheet_.texts) {
       out += "<text x=\"" + std::to_string(units(text.middle[0])) + "\" y=\"" +
              std::to_string(units(text.middle[1] + kHalfLetter * text.size)) + "\" font-size=\"" +
              std::to_string(units(text.size)) + "\"" +
@@ -210,6 +210,6 @@ class Writer {
 
 }  // namespace
 
-std::string svg_text(const Sheet& sheet) { return Writer(sheet).text(); }
+std::string svg_text(const PaperSheet& sheet) { return Writer(sheet).text(); }
 
 }  // namespace cnrg

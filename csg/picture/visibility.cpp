@@ -9,12 +9,12 @@
 
 #include "csg/picture/depth.h"
 #include "csg/picture/loops.h"
+#include "kernel/base/limits.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Scene::Index;
-constexpr Index kNone = SeenScene::kNone;
 
 /// Compares what does not cross over one cell of the map. Nowhere in the cell's closure the sign of the difference
 /// is the opposite one: so bounds at any of its corners decide, unless both meet there; then an exact point inside

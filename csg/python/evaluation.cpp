@@ -23,7 +23,7 @@ std::shared_ptr<const EvaluatedTree> evaluate_tree(const TreeObject& tree, const
   });
 }
 
-py::dict data_of(const NodeRow& row) {
+py::dict row_data(const NodeRow& row) {
   py::dict data;
   data["name"] = row.name;
   data["operator"] = row.operator_name;
@@ -44,7 +44,7 @@ void bind_evaluation(py::module_& module) {
       .def("rows",
            [](const EvaluatedTree& e) {
              py::list rows;
-             for (const NodeRow* const row : e.evaluation.all_rows()) rows.append(data_of(*row));
+             for (const NodeRow* const row : e.evaluation.all_rows()) rows.append(row_data(*row));
              return rows;
            })
       .def("diagnostics",

@@ -6,6 +6,7 @@
 PYBIND11_MODULE(_cnrg, module) {
   using namespace cnrg::python;
   module.doc() = "The C++ library behind the package cnrg; use that.";
+  module.attr("__version__") = CNRG_VERSION;
   bind_errors(module);
   bind_watched(module);
   bind_numbers(module);

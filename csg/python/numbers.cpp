@@ -32,7 +32,7 @@ Rational ratio_of(const py::handle& numerator, const py::handle& denominator, co
   return value;
 }
 
-Rational text_of(const std::string& text, const std::string& what) {
+Rational rational_of(const std::string& text, const std::string& what) {
   if (text.size() > kMostDigits) refuse(what, "a number of more than 100000 characters; give a shorter one");
   std::optional<Rational> value = parse_rational(text);
   if (!value)
@@ -89,9 +89,9 @@ Rational to_rational(const py::handle& value, const std::string& what) {
       PyErr_Clear();
       refuse(what, "the text is not Unicode, so it is no number");
     }
-    return text_of(std::string(text, static_cast<std::size_t>(size)), what);
+    return rational_of(std::string(text, static_cast<std::size_t>(size)), what);
   }
-  if (is_a(value, "decimal", "Decimal")) return text_of(py::str(value).cast<std::string>(), what);
+  if (is_a(value, "decimal", "Decimal")) return rational_of(py::str(value).cast<std::string>(), what);
   if (py::hasattr(value, "numerator") && py::hasattr(value, "denominator"))
     return ratio_of(value.attr("numerator"), value.attr("denominator"), what);
   if (py::hasattr(value, "as_integer_ratio")) {  // a float of numpy

@@ -84,7 +84,7 @@ py::dict regions(const Owner& owner, const Arrays::Regions& cells) {
   return out;
 }
 
-py::dict data_of(const ArraysObject& object) {
+py::dict arrays_data(const ArraysObject& object) {
   const Owner owner = object.arrays;
   const Arrays& a = *object.arrays;
   py::dict out;
@@ -128,7 +128,7 @@ void bind_result_arrays(py::module_& module) {
     return checked(i, o.arrays->regions.component.size());
   };
   py::class_<Object>(module, "ResultArrays")
-      .def("data", &data_of)
+      .def("data", &arrays_data)
       .def("exact_point",
            [](const Object& o, std::size_t i) {
              return to_fractions(

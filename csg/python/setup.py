@@ -1,4 +1,8 @@
-"""Builds the extension by its CMakeLists.txt, which finds the installed library (CMAKE_PREFIX_PATH says where)."""
+"""Builds the extension by the project's CMakeLists.txt, with the library in it.
+
+An sdist holds the sources of the library in the folder `repository`, as they lie in the repository. CNRG_BUILD names a
+folder where CMake has built the package already.
+"""
 
 import os
 import re
@@ -9,30 +13,63 @@ from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.sdist import sdist
 
 HERE = Path(__file__).resolve().parent
+ROOT = HERE / "repository" if (HERE / "repository").exists() else HERE.parents[1]
+PACKAGE = os.path.relpath(ROOT / "csg/python/cnrg", HERE)
+
+
+def cmake(*arguments):
+    subprocess.run(["cmake", *map(str, arguments)], check=True)
+
+
+def built_package(folder):
+    """The folder of the build, in which the package has been built: CNRG_BUILD, or `folder`."""
+    if "CNRG_BUILD" in os.environ:
+        return Path(os.environ["CNRG_BUILD"])
+    options = ["-DCNRG_PYTHON=ON", "-DCNRG_EXAMPLES=OFF", "-DBUILD_TESTING=OFF", f"-DPython_EXECUTABLE={sys.executable}"]
+    try:
+        import pybind11
+
+        options.append(f"-Dpybind11_DIR={pybind11.get_cmake_dir()}")
+    except ImportError:
+        pass  # where the system has it, CMake finds it
+    cmake("-S", ROOT, "-B", folder, *options)
+    jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", os.cpu_count() or 1)
+    cmake("--build", folder, "--target", "cnrg_package", "--parallel", jobs)
+    return folder
 
 
 class BuildByCMake(build_ext):
     def build_extension(self, extension):
-        build = Path(self.build_temp).resolve()
-        build.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["cmake", "-S", HERE, "-B", build, f"-DPython_EXECUTABLE={sys.executable}"], check=True)
-        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
-        subprocess.run(["cmake", "--build", build, "--parallel", jobs], check=True)
-        target = Path(self.get_ext_fullpath(extension.name))
-        target.parent.mkdir(parents=True, exist_ok=True)
-        built, = (build / "cnrg").glob("_cnrg*.so")
-        shutil.copy2(built, target)
-        for name in ("_cnrg.pyi", "view.html"):  # types of the extension; the page of Result.view, if there is one
-            if (build / "cnrg" / name).exists():
-                shutil.copy2(build / "cnrg" / name, target.parent)
+        folder = Path(self.build_temp).resolve()
+        staged = folder / "staged"
+        shutil.rmtree(staged, ignore_errors=True)
+        cmake("--install", built_package(folder / "build"), "--component", "python", "--prefix", staged)
+        built, = staged.rglob("_cnrg*.so")
+        target = Path(self.get_ext_fullpath(extension.name)).parent
+        shutil.copytree(built.parent, target, dirs_exist_ok=True)
+
+
+class SourcesOfAll(sdist):
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, [f for f in files if not f.startswith("cnrg/")])
+        for part in ("CMakeLists.txt", "LICENSE", "README.md", ".github/CHANGELOG.md", "kernel", "csg"):
+            target = Path(base_dir) / "repository" / part
+            target.parent.mkdir(parents=True, exist_ok=True)
+            if (ROOT / part).is_dir():
+                shutil.copytree(ROOT / part, target, dirs_exist_ok=True,
+                                ignore=shutil.ignore_patterns("__pycache__", "build", "dist", "*.egg-info", Path(base_dir).name))
+            else:
+                shutil.copy2(ROOT / part, target)
 
 
 def version():
-    """That of the project, which the library has, too."""
-    text = (HERE.parents[1] / "CMakeLists.txt").read_text(encoding="utf-8")
+    """That of the project."""
+    text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
     return re.search(r"^project\(cnrg VERSION ([0-9.]+)", text, re.M).group(1)
 
 
-setup(version=version(), ext_modules=[Extension("cnrg._cnrg", [])], cmdclass={"build_ext": BuildByCMake})
+setup(version=version(), packages=["cnrg"], package_dir={"cnrg": PACKAGE}, package_data={"cnrg": ["py.typed"]},
+      ext_modules=[Extension("cnrg._cnrg", [])], cmdclass={"build_ext": BuildByCMake, "sdist": SourcesOfAll})

@@ -69,14 +69,14 @@ def class_text(cls):
 
 
 def stub_of(module):
-    members = {name: value for name, value in vars(module).items() if not name.startswith("__")}
+    members = {name: value for name, value in vars(module).items() if not name.startswith("__") or name == "__version__"}
     classes = sorted((n, v) for n, v in members.items() if isinstance(v, type))
     others = sorted((n, v) for n, v in members.items() if not isinstance(v, type))
     lines = [HEAD]
     for _, cls in classes:
         lines += ["", *class_text(cls), ""]
     for name, value in others:
-        lines.append(definition(name, value.__doc__, False) if callable(value) else f"{name}: Any")
+        lines.append(definition(name, value.__doc__, False) if callable(value) else f"{name}: {type(value).__name__}")
     return "\n".join(lines) + "\n"
 
 

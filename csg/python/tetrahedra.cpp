@@ -74,7 +74,7 @@ py::dict simplices(const Owner& owner, const MeshArrays::Simplices& of, py::ssiz
   return out;
 }
 
-py::dict data_of(const Owner& owner, const MeshArrays& a) {
+py::dict mesh_data(const Owner& owner, const MeshArrays& a) {
   py::dict out;
   out["points"] = view(owner, a.points, 3);
   constexpr py::ssize_t kNodes[2][4] = {{1, 2, 3, 4}, {1, 3, 6, 10}};
@@ -98,10 +98,10 @@ py::dict data_of(const Owner& owner, const MeshArrays& a) {
   return out;
 }
 
-py::dict data_of(const TetrahedraObject& object) {
+py::dict mesh_data(const TetrahedraObject& object) {
   const Owner owner = object.arrays;
   const TetrahedraArrays& a = *object.arrays;
-  py::dict out = data_of(owner, a);
+  py::dict out = mesh_data(owner, a);
   py::list regions;
   for (const RegionTetrahedra& region : a.regions) {
     regions.append(py::make_tuple(text_of(region.name), region.tetrahedra, to_fraction(region.volume)));
@@ -113,10 +113,10 @@ py::dict data_of(const TetrahedraObject& object) {
   return out;
 }
 
-py::dict data_of(const SurfaceObject& object) {
+py::dict mesh_data(const SurfaceObject& object) {
   const Owner owner = object.arrays;
   const SurfaceArrays& a = *object.arrays;
-  py::dict out = data_of(owner, a);
+  py::dict out = mesh_data(owner, a);
   out["quads"] = simplices(owner, a.quads, 4);
   py::list faces;
   for (const FaceTriangles& of : a.faces) {
@@ -131,14 +131,14 @@ py::dict data_of(const SurfaceObject& object) {
 
 void bind_tetrahedra(py::module_& module) {
   py::class_<TetrahedraObject>(module, "Tetrahedra")
-      .def("data", [](const TetrahedraObject& object) { return data_of(object); })
+      .def("data", [](const TetrahedraObject& object) { return mesh_data(object); })
       .def("notice", [](const TetrahedraObject& object) { return text_of(object.mesh.notice()); })
       .def("expected", [](const TetrahedraObject& object) { return object.mesh.expected(); })
       .def("write", [](const TetrahedraObject& object, const std::string& path) {
         run_apart(py::none(), [mesh = object.mesh, path](const Watch& watch) { mesh.write(path, watch.stop); });
       });
   py::class_<SurfaceObject>(module, "SurfaceMesh")
-      .def("data", [](const SurfaceObject& object) { return data_of(object); })
+      .def("data", [](const SurfaceObject& object) { return mesh_data(object); })
       .def("write", [](const SurfaceObject& object, const std::string& path) {
         run_apart(py::none(), [mesh = object.mesh, path](const Watch& watch) { mesh.write(path, watch.stop); });
       });

@@ -67,7 +67,7 @@ RationalPoint point_of(const MeshData& data, std::size_t i) {
 }
 
 /// `points: [...], faces: [...]` as in a tree file.
-std::string text_of(const MeshData& data) {
+std::string mesh_text(const MeshData& data) {
   std::string text = "points: [";
   for (std::size_t i = 0; i < data.point_count(); ++i) {
     const RationalPoint p = point_of(data, i);
@@ -93,15 +93,15 @@ void put_meshes(Tree& tree, const std::map<std::string, std::shared_ptr<const Me
   }
 }
 
-py::object data_of(const YAML::Node& node) {
+py::object yaml_data(const YAML::Node& node) {
   if (node.IsSequence()) {
     py::list list;
-    for (const YAML::Node& item : node) list.append(data_of(item));
+    for (const YAML::Node& item : node) list.append(yaml_data(item));
     return list;
   }
   if (node.IsMap()) {
     py::dict map;
-    for (const auto& entry : node) map[py::str(entry.first.Scalar())] = data_of(entry.second);
+    for (const auto& entry : node) map[py::str(entry.first.Scalar())] = yaml_data(entry.second);
     return map;
   }
   if (node.IsNull()) return py::none();
@@ -114,7 +114,7 @@ py::object data_of(const YAML::Node& node) {
 }
 
 /// A text as it is, and a number as the only item of a tuple.
-py::object data_of(const Property& value) {
+py::object yaml_data(const Property& value) {
   const py::str text(to_text(value));
   if (std::holds_alternative<Rational>(value)) return py::make_tuple(text);
   return text;
@@ -122,7 +122,7 @@ py::object data_of(const Property& value) {
 
 py::object properties_of(const Node& node) {
   py::dict map;
-  for (const auto& [key, value] : node.properties) map[py::str(key)] = data_of(value);
+  for (const auto& [key, value] : node.properties) map[py::str(key)] = yaml_data(value);
   return map;
 }
 
@@ -137,7 +137,7 @@ py::object picked_by(const Selector& selector) {
     py::dict map;
     for (const auto& [key, value] : c.properties) {
       if (!map.contains(py::str(key))) map[py::str(key)] = py::list();
-      py::list(map[py::str(key)]).append(data_of(value));
+      py::list(map[py::str(key)]).append(yaml_data(value));
     }
     criteria["attributes"] = map;
   }
@@ -223,8 +223,8 @@ class Records {
       const std::string key = entry.first.Scalar();
       const bool is_operand = key == "within";
       if (key == "attributes") r.attributes.emplace_back(key, properties_of(node));
-      else if (key != node.operator_name && !is_operand) r.attributes.emplace_back(key, data_of(entry.second));
-      else if (r.is_leaf) r.value = data_of(entry.second);
+      else if (key != node.operator_name && !is_operand) r.attributes.emplace_back(key, yaml_data(entry.second));
+      else if (r.is_leaf) r.value = yaml_data(entry.second);
       else open_.push_back(entry.second);
     }
   }
@@ -246,7 +246,7 @@ void bind_tree(py::module_& module) {
       }))
       .def_property_readonly("point_count", &MeshData::point_count)
       .def_property_readonly("face_count", &MeshData::face_count)
-      .def("text", &text_of)
+      .def("text", &mesh_text)
       .def(py::pickle(
           [](const MeshData& data) {
             const Doubles points({py::ssize_t(data.point_count()), py::ssize_t(3)}, data.xyz.data());
@@ -301,7 +301,7 @@ void bind_tree(py::module_& module) {
              const YAML::Node materials = YAML::Load(t.text)["materials"];
              if (!materials || !materials.IsMap()) return list;
              for (const auto& entry : materials)
-               list.append(py::make_tuple(entry.first.Scalar(), data_of(entry.second)));
+               list.append(py::make_tuple(entry.first.Scalar(), yaml_data(entry.second)));
              return list;
            })
       .def("check", [](const TreeObject& t) {

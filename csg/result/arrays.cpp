@@ -19,13 +19,13 @@ namespace {
 
 using Index = FlatComplex::Index;
 using Number = std::int32_t;
-constexpr Number kNone = ResultArrays::kNone;
+constexpr Number kNoNumber = ResultArrays::kNone;
 
 /// Also of FlatComplex::kNone.
-Number number(Index i) { return i == FlatComplex::kNone ? kNone : static_cast<Number>(i); }
+Number number(Index i) { return i == FlatComplex::kNone ? kNoNumber : static_cast<Number>(i); }
 
 template <class List>
-void append(NumberLists& lists, const List& list) {
+void append_list(NumberLists& lists, const List& list) {
   for (const auto& item : list) lists.values.push_back(number(Index(item)));
   lists.offsets.push_back(static_cast<std::int64_t>(lists.values.size()));
 }
@@ -72,7 +72,7 @@ class Filler {
     }
     out_.ids = flat_.points;
     for (const Index p : flat_.frame_points) out_.frame_points.push_back(number(p));
-    out_.point_vertices.assign(flat_.points.size(), kNone);
+    out_.point_vertices.assign(flat_.points.size(), kNoNumber);
     for (Index i = 0; i < flat_.vertices.size(); ++i) out_.point_vertices[flat_.vertices[i].point] = number(i);
   }
 
@@ -82,13 +82,13 @@ class Filler {
     to.holder.push_back(tags.region);
     to.material.push_back(tags.material - 1);
     to.said.push_back(said_.place(tags));
-    to.leaf.push_back(leaf == leaf_numbers_.end() ? kNone : static_cast<Number>(leaf->second));
+    to.leaf.push_back(leaf == leaf_numbers_.end() ? kNoNumber : static_cast<Number>(leaf->second));
     to.leaf_face.push_back(tags.face);
     to.component.push_back(static_cast<Number>(cell.component));
     if constexpr (requires { cell.entity; }) to.entity.push_back(cell.entity);
     std::vector<std::size_t> leaves;
     for (const LeafId leaf : cell.origin.leaves) leaves.push_back(leaf_numbers_.at(leaf));
-    append(to.origin.leaves, leaves);
+    append_list(to.origin.leaves, leaves);
     NumberLists& cells = to.origin.cells;
     for (const LeafCell& on : cell.origin.cells) {
       for (const std::size_t x : {leaf_numbers_.at(on.leaf), std::size_t{on.dimension}, std::size_t{on.number}}) {
@@ -103,17 +103,17 @@ class Filler {
     for (Index i = 0; i < flat_.edges.size(); ++i) {
       const FlatComplex::Edge& edge = flat_.edges[i];
       add_common(to, edge, tagger_.edge(i));
-      append(to.points, edge.points);
+      append_list(to.points, edge.points);
       const Number first = out_.point_vertices[edge.points.front()],
                    last = out_.point_vertices[edge.points.back()];
-      to.vertices.push_back(edge.closed ? kNone : first);
-      to.vertices.push_back(edge.closed ? kNone : last);
+      to.vertices.push_back(edge.closed ? kNoNumber : first);
+      to.vertices.push_back(edge.closed ? kNoNumber : last);
       to.closed.push_back(edge.closed);
       to.feature.push_back(edge.feature);
       to.wire.push_back(edge.wire);
       to.slit.push_back(edge.slit);
       to.region.push_back(number(edge.region));
-      append(to.around, edge.around);
+      append_list(to.around, edge.around);
       for (std::size_t k = 0; k + 1 < edge.points.size() + edge.closed; ++k) {
         const Index a = edge.points[k], b = edge.points[(k + 1) % edge.points.size()];
         edge_between_[key(a, b)] = i * 2;
@@ -127,7 +127,7 @@ class Filler {
     std::vector<std::vector<Index>> edges(flat_.vertices.size());
     for (std::size_t i = 0; i < out_.edges.vertices.size(); ++i) {
       const Number v = out_.edges.vertices[i];
-      if (v != kNone) edges[static_cast<std::size_t>(v)].push_back(Index(i / 2));
+      if (v != kNoNumber) edges[static_cast<std::size_t>(v)].push_back(Index(i / 2));
     }
     for (Index i = 0; i < flat_.vertices.size(); ++i) {
       const FlatComplex::Vertex& vertex = flat_.vertices[i];
@@ -136,7 +136,7 @@ class Filler {
       to.feature.push_back(vertex.feature);
       to.free.push_back(vertex.free);
       to.region.push_back(number(vertex.region));
-      append(to.edges, edges[i]);
+      append_list(to.edges, edges[i]);
     }
   }
 
@@ -167,10 +167,10 @@ class Filler {
       add_common(to, face, tagger_.face(i));
       append_count(to.loops, face.loops.size());
       for (const FlatComplex::Loop& loop : face.loops) {
-        append(to.loop_points, loop);
-        append(to.loop_edges, edges_along(loop));
+        append_list(to.loop_points, loop);
+        append_list(to.loop_edges, edges_along(loop));
       }
-      append(to.isolated, face.isolated);
+      append_list(to.isolated, face.isolated);
       for (const Index region : face.regions) to.regions.push_back(number(region));
       to.flat.push_back(face.facets.empty());
       for (const auto& triangle : face.triangles) {
@@ -181,8 +181,8 @@ class Filler {
       for (std::size_t k = 0; k < face.facets.size(); ++k) {
         const FlatComplex::Facet& facet = face.facets[k];
         append_count(to.facet_loops, facet.loops.size());
-        for (const FlatComplex::Loop& loop : facet.loops) append(to.facet_points, loop);
-        append(to.facet_isolated, facet.isolated);
+        for (const FlatComplex::Loop& loop : facet.loops) append_list(to.facet_points, loop);
+        append_list(to.facet_isolated, facet.isolated);
         to.facet_triangles.push_back(
             static_cast<Number>(face.facet_ends[k] - (k == 0 ? 0 : face.facet_ends[k - 1])));
       }
@@ -198,7 +198,7 @@ class Filler {
       to.entity.push_back(0);
       to.bounded.push_back(region.bounded);
       append_count(to.shells, region.shells.size());
-      for (const std::vector<Index>& shell : region.shells) append(to.shell_sides, shell);
+      for (const std::vector<Index>& shell : region.shells) append_list(to.shell_sides, shell);
     }
   }
 

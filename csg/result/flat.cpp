@@ -12,6 +12,7 @@
 #include "csg/operators/cell_sources.h"
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/per_thread.h"
 #include "kernel/base/sorted.h"
@@ -23,13 +24,12 @@ namespace {
 
 using Index = FlatComplex::Index;
 using Loop = FlatComplex::Loop;
-constexpr Index kNone = FlatComplex::kNone;
 
 class Flattener {
  public:
-  Flattener(const ResultView& view, Flat what)
+  Flattener(const ResultView& view, Flattening what)
       : view_(view),
-        whole_(what == Flat::whole),
+        whole_(what == Flattening::whole),
         complex_(*view.complex),
         own_(view.simplified->in_order ? SimplifiedComplex() : *view.simplified),
         simple_(view.simplified->in_order ? *view.simplified : own_),
@@ -570,7 +570,7 @@ class Flattener {
 
 }  // namespace
 
-FlatComplex flatten(const ResultView& view, Flat what) {
+FlatComplex flatten(const ResultView& view, Flattening what) {
   require(view.complex != nullptr && view.simplified != nullptr && view.value != nullptr,
           "flatten: a result without a complex");
   return Flattener(view, what).run();

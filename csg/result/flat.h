@@ -115,12 +115,12 @@ struct FlatComplex {
   }
 };
 
-enum class Flat : std::uint8_t {
+enum class Flattening : std::uint8_t {
   whole,
   shapes,  ///< for formats of mere triangles: without what comes of leaves, and without more than components and
            ///< `wire` of edges and vertices that faces have on them, slits apart
 };
-FlatComplex flatten(const ResultView& view, Flat what = Flat::whole);
+FlatComplex flatten(const ResultView& view, Flattening what = Flattening::whole);
 
 /// Name, material and leaves of a component; empty for 0.
 const RegionAttributes& attributes_of(const ResultView& view, Component component);

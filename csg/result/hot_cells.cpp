@@ -10,7 +10,7 @@ namespace cnrg {
 namespace {
 
 using Xyz = HotCells::Xyz;
-constexpr std::size_t kUnchecked = 1024;  // segments between two looks at the watch
+constexpr std::size_t kUncheckedSegments = 1024;  // segments between two looks at the watch
 
 /// The cube of a grid that a point lies in.
 Xyz cube_of(const Xyz& p, double size) {
@@ -131,7 +131,7 @@ std::vector<Xyz> where_near(const std::vector<std::array<Xyz, 2>>& segments, dou
   const BoxTree tree(boxes);
   std::vector<std::vector<Xyz>> found(segments.size());
   for_each_index(segments.size(), [&](std::size_t s) {
-    if (s % kUnchecked == 0) watch.check();
+    if (s % kUncheckedSegments == 0) watch.check();
     const auto& [a, b] = segments[s];
     const Xyz p = minus(b, a);
     tree.query([&](const Box& box) { return segment_meets(a, p, box); },

@@ -22,11 +22,11 @@ namespace {
 using Xyz = HotCells::Xyz;
 using Triangles = std::vector<std::array<VertexId, 3>>;
 using Walks = std::vector<std::vector<VertexId>>;
-using Ends = std::array<VertexId, 2>;
+using EdgeEnds = std::array<VertexId, 2>;
 constexpr std::size_t kNoCell = ~std::size_t(0);
-constexpr std::size_t kUnchecked = 1024;  // edges and faces between two looks at the watch
+constexpr std::size_t kUncheckedCells = 1024;  // edges and faces between two looks at the watch
 
-Ends ends_of(VertexId a, VertexId b) { return a < b ? Ends{a, b} : Ends{b, a}; }
+EdgeEnds ends_of(VertexId a, VertexId b) { return a < b ? EdgeEnds{a, b} : EdgeEnds{b, a}; }
 
 class Router {
  public:
@@ -76,7 +76,7 @@ class Router {
   std::vector<Xyz> doubles_of_points() const {
     std::vector<Xyz> here(complex_.points.size());
     for_each_index(here.size(), [&](std::size_t i) {
-      if (i % kUnchecked == 0) watch_.check();
+      if (i % kUncheckedCells == 0) watch_.check();
       here[i] = nearest_doubles(complex_.points, VertexId(i));
     });
     return here;
@@ -157,7 +157,7 @@ class Router {
 
   void list_points() {
     for (std::size_t i = 0; i < here_.size(); ++i) {
-      if (i % kUnchecked == 0) watch_.check();
+      if (i % kUncheckedCells == 0) watch_.check();
       const VertexId v(i);
       if (const double* const p = complex_.points.doubles(v)) table_.add(p[0], p[1], p[2]);
       else table_.add(complex_.points.rational(v));
@@ -191,7 +191,7 @@ class Router {
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
       const auto& [a, b] = complex_.edge_ends[e];
       std::vector<VertexId>& chain = routes_.chains[e.index()];
-      if (e.index() % kUnchecked == 0) watch_.check();
+      if (e.index() % kUncheckedCells == 0) watch_.check();
       chain.push_back(a);
       for (const Corner& corner : corners[e.index()]) chain.push_back(add(corner));
       chain.push_back(b);
@@ -223,7 +223,7 @@ class Router {
     });
     corners_.resize(passes.size());
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
-      if (f.index() % kUnchecked == 0) watch_.check();
+      if (f.index() % kUncheckedCells == 0) watch_.check();
       corners_[f.index()] = corners_in(f, routes_.triangles[f.index()], passes[f.index()]);
     }
   }
@@ -232,7 +232,7 @@ class Router {
     routes_.to = here_;
     std::vector<double> moves(here_.size(), 0);
     for_each_index(here_.size(), [&](std::size_t i) {
-      if (i % kUnchecked == 0) watch_.check();
+      if (i % kUncheckedCells == 0) watch_.check();
       if (cell_[i] != kNoCell && hot_[cell_[i]]) routes_.to[i] = cells_.center(cell_[i]);
       const VertexId v(i);
       if (i >= complex_.points.size()) moves[i] = distance_to_doubles(here_[i], routes_.to[i]);
@@ -320,13 +320,13 @@ class Router {
   /// narrow face, or a narrow part of one, is closed there, and no diagonal passes by. Then the edges of the
   /// drawing that will run along the face, from corner to corner of it, or it would cross them. Of those that
   /// cross here some are left to a later round.
-  std::vector<Ends> edges_across(FaceId f, const Walks& walks, const std::vector<VertexId>& isolated) const {
+  std::vector<EdgeEnds> edges_across(FaceId f, const Walks& walks, const std::vector<VertexId>& isolated) const {
     std::map<std::uint32_t, std::vector<VertexId>> at;  // corners by goals
-    std::vector<Ends> all, across;
+    std::vector<EdgeEnds> all, across;
     const auto wish = [&](VertexId v, VertexId w) { across.push_back(ends_of(v, w)); };
     const auto take_fresh = [&] {
       sort_unique(across);
-      std::erase_if(across, [&](const Ends& e) { return std::binary_search(all.begin(), all.end(), e); });
+      std::erase_if(across, [&](const EdgeEnds& e) { return std::binary_search(all.begin(), all.end(), e); });
       return std::exchange(across, {});
     };
     for (const auto& walk : walks) {
@@ -345,24 +345,24 @@ class Router {
       corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
       for (std::size_t k = 0; k + 1 < corners.size(); ++k) wish(corners[k], corners[k + 1]);
     }
-    const std::vector<Ends> chords = take_fresh();
+    const std::vector<EdgeEnds> chords = take_fresh();
     for (const auto& [goal, corners] : at) {
       if (!is_hot(corners[0])) continue;
       for (const std::uint32_t other : joined_[goal]) {
         if (const auto found = at.find(other); found != at.end()) wish(corners[0], found->second[0]);
       }
     }
-    const std::vector<Ends> edges = take_fresh();
+    const std::vector<EdgeEnds> edges = take_fresh();
     if (chords.empty() && edges.empty()) return {};
     const std::size_t given = all.size();
     all.insert(all.end(), chords.begin(), chords.end());
     all.insert(all.end(), edges.begin(), edges.end());
     std::vector<Box> boxes;
-    for (const Ends& ends : all) boxes.push_back(box(ends));
+    for (const EdgeEnds& ends : all) boxes.push_back(box(ends));
     const BoxTree tree(boxes);
     std::vector<char> taken(all.size(), 0);
     std::fill_n(taken.begin(), given, 1);
-    std::vector<Ends> imprinted;
+    std::vector<EdgeEnds> imprinted;
     for (std::size_t i = given; i < all.size(); ++i) {
       bool free = true;
       tree.query(
@@ -375,7 +375,7 @@ class Router {
     return imprinted;
   }
 
-  Box box(const Ends& ends) const {
+  Box box(const EdgeEnds& ends) const {
     Box box;
     for (const VertexId v : ends) {
       const PointView p = table_.view(v);
@@ -385,9 +385,11 @@ class Router {
   }
 
   /// True if two segments of a face have a point in common that is no end of both. The second may be a point.
-  bool crosses(Projection axes, const Ends& s, const Ends& t) const {
-    const auto side = [&](const Ends& line, VertexId v) { return orient2d(table_, axes, line[0], line[1], v); };
-    const auto holds = [&](const Ends& line, VertexId v) {  // in its interior
+  bool crosses(Projection axes, const EdgeEnds& s, const EdgeEnds& t) const {
+    const auto side = [&](const EdgeEnds& line, VertexId v) {
+      return orient2d(table_, axes, line[0], line[1], v);
+    };
+    const auto holds = [&](const EdgeEnds& line, VertexId v) {  // in its interior
       if (v == line[0] || v == line[1] || line[0] == line[1] || side(line, v) != 0) return false;
       const int from = compare_lex(table_, line[0], v), to = compare_lex(table_, v, line[1]);
       return from == to;

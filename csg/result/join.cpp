@@ -14,6 +14,7 @@
 #include "csg/result/rounding.h"
 #include "csg/result/vanished.h"
 #include "csg/text/table.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/part_watch.h"
 #include "kernel/exact/distance.h"
 #include "kernel/exact/exact_vectors.h"
@@ -22,7 +23,6 @@ namespace cnrg {
 namespace {
 
 using Index = Parts::Index;
-constexpr Index kNone = Parts::kNone;
 constexpr int kMostRounds = 64;
 
 /// Rounds of one attempt seldom have no end, and those of another one, where other things meet first, do not share
@@ -39,9 +39,9 @@ constexpr Attempt kAttempts[] = {{1, 8}, {1.25, 8}, {1.5, 8}, {2, 8}, {1, 4}, {1
 /// constructed once from doubles does; else at the nearest point of a grid that is far finer than the distance. A
 /// foot on a facet whose corners are feet has some ten times their digits, so those of exact places would grow
 /// tenfold in each round.
-class Places {
+class JoinPlaces {
  public:
-  explicit Places(const Rational& within) : step_(1) {
+  explicit JoinPlaces(const Rational& within) : step_(1) {
     while (kFiner * step_ > within) step_ /= 2;
     while (2 * kFiner * step_ <= within) step_ *= 2;
   }
@@ -74,7 +74,7 @@ class Places {
 
 /// What one round moves, and which of its pairs that joins, each with the place where.
 struct Plan {
-  Moves moves;
+  JoinMoves moves;
   std::vector<std::pair<const NearPair*, RationalPoint>> joined;
 };
 
@@ -82,7 +82,7 @@ class Planner {
  public:
   /// What is nearer than `corner` (its square; 0: nothing) to a corner of what it meets goes to that corner.
   /// `reversed`: of points the last in the order of preference stay.
-  Planner(const Parts& parts, const std::set<RationalPoint>& given, const Places& places, Rational corner,
+  Planner(const Parts& parts, const std::set<RationalPoint>& given, const JoinPlaces& places, Rational corner,
           bool reversed)
       : parts_(parts), given_(given), places_(places), corner_(std::move(corner)), reversed_(reversed) {
     list_facets();
@@ -144,7 +144,7 @@ class Planner {
  private:
   const Parts& parts_;
   const std::set<RationalPoint>& given_;
-  const Places& places_;
+  const JoinPlaces& places_;
   std::vector<std::vector<Index>> facets_of_;  // of each point, ascending
   std::vector<RationalPoint> normals_;         // of each facet
   const Rational corner_;
@@ -345,7 +345,7 @@ class Joiner {
   std::shared_ptr<Result::Data> data_;
   FlatComplex flat_;
   std::set<RationalPoint> given_;  // points of the input
-  Places places_;
+  JoinPlaces places_;
   std::size_t most_points_ = 0, work_ = 0;
   bool harmful_ = false;
   LostRegions lost_;

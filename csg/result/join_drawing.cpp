@@ -17,11 +17,11 @@ namespace cnrg {
 namespace {
 
 using Index = Parts::Index;
-constexpr std::size_t kUnchecked = 1024;  // facets between two looks at the watch
+constexpr std::size_t kUncheckedFacets = 1024;  // facets between two looks at the watch
 
 class Mover {
  public:
-  Mover(const Parts& parts, const Moves& moves, const Watch& watch)
+  Mover(const Parts& parts, const JoinMoves& moves, const Watch& watch)
       : watch_(watch), parts_(parts), at_(parts.points()), to_(moves.to) {
     for (const Joint& joint : moves.joints) {
       const Index number = Index(at_.size());
@@ -31,7 +31,7 @@ class Mover {
         in_facet_[joint.part].push_back(number);
       } else {
         const auto& [a, b] = parts.segments()[joint.part].ends;
-        in_segment_[Parts::key(a, b)].push_back(number);
+        in_segment_[edge_key(a, b)].push_back(number);
       }
     }
     for (auto& [key, list] : in_segment_) {
@@ -60,7 +60,7 @@ class Mover {
   /// From a to b without b: a and the joints between them.
   void walk(Index a, Index b, std::vector<Index>& out) const {
     out.push_back(a);
-    const auto found = in_segment_.find(Parts::key(a, b));
+    const auto found = in_segment_.find(edge_key(a, b));
     if (found == in_segment_.end()) return;
     if (a < b) out.insert(out.end(), found->second.begin(), found->second.end());
     else out.insert(out.end(), found->second.rbegin(), found->second.rend());
@@ -80,7 +80,7 @@ class Mover {
     }
     PointTable table;
     for (const RationalPoint& p : at_) {
-      if (table.size() % kUnchecked == 0) watch_.check();
+      if (table.size() % kUncheckedFacets == 0) watch_.check();
       if (is_double(p[0]) && is_double(p[1]) && is_double(p[2]))
         table.add(to_double(p[0]), to_double(p[1]), to_double(p[2]));
       else table.add(p);
@@ -90,7 +90,7 @@ class Mover {
       const std::size_t begin = t;
       while (t < parts_.triangles().size() && parts_.triangles()[t].facet == f) ++t;
       draw_facet(f, begin, t, table);
-      if (f % kUnchecked == 0) watch_.check();
+      if (f % kUncheckedFacets == 0) watch_.check();
     }
   }
 
@@ -136,14 +136,14 @@ class Mover {
     std::unordered_map<std::uint64_t, char> sides;
     std::vector<PointId> held;
     for (const auto& t : drawing_.triangles) {
-      if (face_of.size() % kUnchecked == 0) watch_.check();
+      if (face_of.size() % kUncheckedFacets == 0) watch_.check();
       const auto& [a, b, c] = t.points;
       if (collinear(to_[a], to_[b], to_[c])) continue;
       const std::array<PointId, 3> p{id(a), id(b), id(c)};
       const auto number = std::uint32_t(face_of.size());
       soup.add_triangle(leaf, p[0], p[1], p[2], number, number);
       face_of.push_back(t.face);
-      for (std::size_t k = 0; k < 3; ++k) sides[Parts::key(p[k].value(), p[(k + 1) % 3].value())] = 1;
+      for (std::size_t k = 0; k < 3; ++k) sides[edge_key(p[k].value(), p[(k + 1) % 3].value())] = 1;
       held.insert(held.end(), p.begin(), p.end());
     }
     std::map<std::array<PointId, 2>, std::vector<Index>> pieces;
@@ -156,7 +156,7 @@ class Mover {
     auto number = std::uint32_t(face_of.size());
     for (auto& [ends, edges] : pieces) {
       sort_unique(edges);
-      if (!sides.contains(Parts::key(ends[0].value(), ends[1].value())))
+      if (!sides.contains(edge_key(ends[0].value(), ends[1].value())))
         soup.add_wire(leaf, ends[0], ends[1], number++);
     }
     sort_unique(held);
@@ -219,7 +219,7 @@ class Mover {
 
 }  // namespace
 
-MovedDrawing move(const Parts& parts, const Moves& moves, const Watch& watch) {
+MovedDrawing move(const Parts& parts, const JoinMoves& moves, const Watch& watch) {
   return Mover(parts, moves, watch).run();
 }
 

@@ -15,13 +15,13 @@ struct Joint {
   RationalPoint at, to;
 };
 
-struct Moves {
+struct JoinMoves {
   std::vector<RationalPoint> to;  ///< by point
   std::vector<Joint> joints;      ///< at different points of each part
 };
 
 /// All pieces of edges, triangles and free points of the parts' result, moved. What collapses is left out. Throws
 /// InputError if all does; Stopped, as the watch asks.
-MovedDrawing move(const Parts& parts, const Moves& moves, const Watch& watch = {});
+MovedDrawing move(const Parts& parts, const JoinMoves& moves, const Watch& watch = {});
 
 }  // namespace cnrg

@@ -3,41 +3,40 @@
 #include "csg/result/json_grades.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "csg/text/json_text.h"
 
 namespace cnrg {
 namespace {
 
-using Json = nlohmann::ordered_json;
+void append_point(std::string& text, const RationalPoint& p) {
+  append_json(text, p, [&](const Rational& c) { append_json(text, to_string(c)); });
+}
 
-Json numbers(const RationalPoint& p) { return {to_string(p[0]), to_string(p[1]), to_string(p[2])}; }
-
-void add_target(const DistanceTarget& target, Json& out) {
-  Json points = Json::array();
-  for (const RationalPoint& p : target.points) points.push_back(numbers(p));
-  out["points"] = points;
-  out["vertices"] = target.vertices;
-  out["segments"] = target.segments;
-  out["triangles"] = target.triangles;
+void add_target(const DistanceTarget& target, JsonObject& out) {
+  std::string& text = out.key("points");
+  append_json(text, target.points, [&](const RationalPoint& p) { append_point(text, p); });
+  out.add("vertices", target.vertices).add("segments", target.segments).add("triangles", target.triangles);
 }
 
 /// What a grade goes along and its stops; of a blend neither.
-void add_grade(const Grade& grade, Json& out) {
+void add_grade(const Grade& grade, JsonObject& out) {
   if (const auto* linear = std::get_if<LinearGrade>(&grade.along)) {
-    out["linear"] = {{"from", numbers(linear->from)}, {"to", numbers(linear->to)}};
+    JsonObject along(out.key("linear"));
+    append_point(along.key("from"), linear->from);
+    append_point(along.key("to"), linear->to);
   } else if (const auto* distance = std::get_if<DistanceGrade>(&grade.along)) {
-    Json& to = out["distance"] = {{"to", distance->to}};
-    add_target(*distance->target, to);
+    JsonObject along(out.key("distance"));
+    add_target(*distance->target, along.add("to", distance->to));
   } else {
     return;
   }
-  Json stops = Json::array();
-  for (const Grade::Stop& stop : grade.stops) {
-    Json mixture = Json::object();
-    for (const auto& [name, fraction] : stop.mixture) mixture[name] = to_string(fraction);
-    stops.push_back({{"at", to_string(stop.at)}, {"mixture", mixture}});
-  }
-  out["stops"] = stops;
+  std::string& text = out.key("stops");
+  append_json(text, grade.stops, [&](const Grade::Stop& stop) {
+    JsonObject object(text);
+    JsonObject mixture(object.add("at", to_string(stop.at)).key("mixture"));
+    for (const auto& [name, fraction] : stop.mixture) append_json(mixture.named(name), to_string(fraction));
+  });
 }
 
 }  // namespace
@@ -55,27 +54,32 @@ std::size_t GradeNumbers::number(const RegionMaterial& material) const {
   return static_cast<std::size_t>(std::find(grades_.begin(), grades_.end(), material) - grades_.begin());
 }
 
-Json GradeNumbers::json(const RegionMaterial& material) const {
+void GradeNumbers::append(std::string& text, const RegionMaterial& material) const {
   const PlacedGrade& placed = *material.grade();
-  Json rows = Json::array();
-  for (const auto& row : placed.placement.linear) rows.push_back(numbers(row));
-  Json out{{"material", material.name()},
-           {"placement", {{"linear", rows}, {"offset", numbers(placed.placement.offset)}}}};
+  JsonObject out(text);
+  out.add("material", material.name());
+  {
+    JsonObject placement(out.key("placement"));
+    append_json(placement.key("linear"), placed.placement.linear,
+                [&](const auto& row) { append_point(text, row); });
+    append_point(placement.key("offset"), placed.placement.offset);
+  }
   add_grade(placed.grade, out);
-  for (const auto& [name, nested] : placed.nested) {
-    Json one{{"material", name}};
-    add_grade(nested, one);
-    out["nested"].push_back(one);
+  if (!placed.nested.empty()) {
+    append_json(out.key("nested"), placed.nested, [&](const auto& nested) {
+      JsonObject one(text);
+      add_grade(nested.second, one.add("material", nested.first));
+    });
   }
   const auto* blend = std::get_if<BlendGrade>(&placed.grade.along);
-  if (blend == nullptr) return out;
-  for (const BlendGrade::Side* side : {&blend->first, &blend->second}) {
-    Json one{{"material", side->material.name()}};
-    if (side->material.grade() != nullptr) one["grade"] = number(side->material);
-    add_target(*side->boundary, one["boundary"]);
-    out["blend"].push_back(one);
-  }
-  return out;
+  if (blend == nullptr) return;
+  append_json(out.key("blend"), std::array{&blend->first, &blend->second}, [&](const BlendGrade::Side* side) {
+    JsonObject one(text);
+    one.add("material", side->material.name());
+    if (side->material.grade() != nullptr) one.add("grade", number(side->material));
+    JsonObject boundary(one.key("boundary"));
+    add_target(*side->boundary, boundary);
+  });
 }
 
 }  // namespace cnrg

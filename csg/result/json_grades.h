@@ -1,7 +1,7 @@
 // Graded materials as members of a .json (the format is that of result_json.cpp).
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
 #include "csg/materials/grade.h"
@@ -15,8 +15,8 @@ class GradeNumbers {
   void add(const RegionMaterial& material);
   std::size_t number(const RegionMaterial& material) const;
   const std::vector<RegionMaterial>& all() const { return grades_; }
-  /// The entry of one of `all` in the list `grades`.
-  nlohmann::ordered_json json(const RegionMaterial& material) const;
+  /// Appends the entry of one of `all` in the list `grades`.
+  void append(std::string& text, const RegionMaterial& material) const;
 
  private:
   std::vector<RegionMaterial> grades_;

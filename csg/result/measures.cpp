@@ -7,14 +7,13 @@
 #include <limits>
 #include <span>
 
+#include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg {
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// The numbers of list i.
 std::span<const std::int32_t> list(const NumberLists& lists, std::size_t i) {
@@ -51,7 +50,7 @@ bool Measures::on_frame(std::int32_t point) const {
 
 double Measures::length(std::size_t edge) const {
   const auto points = list(arrays_.edges.points, edge);
-  if (std::any_of(points.begin(), points.end(), [&](auto p) { return on_frame(p); })) return kInfinite;
+  if (std::any_of(points.begin(), points.end(), [&](auto p) { return on_frame(p); })) return kInfinity;
   if (const std::optional<Rational> square = squared_length(edge)) return to_double(square_root(*square));
   std::vector<Rational> pieces;
   const std::size_t count = points.size() - (arrays_.edges.closed[edge] ? 0 : 1);
@@ -112,7 +111,7 @@ std::optional<Rational> Measures::squared_area(std::size_t face) const {
 }
 
 double Measures::area(std::size_t face) const {
-  if (reaches_frame(face)) return kInfinite;
+  if (reaches_frame(face)) return kInfinity;
   if (const std::optional<Rational> square = squared_area(face)) return to_double(square_root(*square));
   std::vector<Rational> pieces;
   const auto& facets = arrays_.faces.facets.offsets;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 
 #include "csg/geometry/nearest.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
@@ -18,8 +18,6 @@ namespace cnrg {
 namespace {
 
 using Index = Parts::Index;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kUlp = std::numeric_limits<double>::epsilon();
 
 double largest(const DoubleVector& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
@@ -58,7 +56,7 @@ Parts::Parts(const ResultView& view, const FlatComplex& flat) : flat_(flat) {
   cell_of_point_.assign(n, kUnknown);
   for (Index v = 0; v < flat.vertices.size(); ++v) cell_of_point_[flat.vertices[v].point] = {0, v};
   const auto add_segment = [&](Index a, Index b, Index edge, Index face) {
-    if (sides_.insert(key(a, b)).second) segments_.push_back({{std::min(a, b), std::max(a, b)}, edge, face});
+    if (sides_.insert(edge_key(a, b)).second) segments_.push_back({{std::min(a, b), std::max(a, b)}, edge, face});
   };
   for (Index e = 0; e < flat.edges.size(); ++e) {
     const FlatComplex::Edge& edge = flat.edges[e];

@@ -17,6 +17,7 @@
 
 #include "csg/result/flat.h"
 #include "kernel/base/progress.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
@@ -52,7 +53,7 @@ class Parts {
   const std::vector<Segment>& segments() const { return segments_; }
   const std::vector<Facet>& facets() const { return facets_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
-  bool is_segment(Index a, Index b) const { return sides_.contains(key(a, b)); }
+  bool is_segment(Index a, Index b) const { return sides_.contains(edge_key(a, b)); }
 
   /// A point that is no vertex is of an edge or, if it is on none, of a face.
   Cell cell_of_point(Index p) const { return cell_of_point_[p]; }
@@ -63,10 +64,6 @@ class Parts {
   const ShortList<Index, 2>& isolated(const Facet& facet) const;
   /// The length of the diagonal of the box of all points, rounded.
   double diagonal() const { return diagonal_; }
-
-  static std::uint64_t key(Index a, Index b) {
-    return std::uint64_t(a < b ? a : b) << 32 | std::uint64_t(a < b ? b : a);
-  }
 
  private:
   friend class NearSearch;

@@ -24,7 +24,7 @@ namespace {
 using Index = FlatComplex::Index;
 using Pair = std::array<Index, 2>;
 
-std::uint64_t key_of(Index a, Index b) { return std::uint64_t(a) << 32 | b; }
+std::uint64_t directed_key(Index a, Index b) { return std::uint64_t(a) << 32 | b; }
 
 /// A straight piece of an edge of the result by its ends, the lesser first: the edge.
 std::unordered_map<std::uint64_t, Index> pieces_of(const FlatComplex& flat) {
@@ -33,7 +33,7 @@ std::unordered_map<std::uint64_t, Index> pieces_of(const FlatComplex& flat) {
     const FlatComplex::Loop& points = flat.edges[e].points;
     for (std::size_t k = 0; k + (flat.edges[e].closed ? 0 : 1) < points.size(); ++k) {
       const auto [a, b] = std::minmax(points[k], points[(k + 1) % points.size()]);
-      pieces.emplace(key_of(a, b), e);
+      pieces.emplace(directed_key(a, b), e);
     }
   }
   return pieces;
@@ -132,7 +132,7 @@ class Boundary {
   std::vector<Pair> neighbours(const Pair& ends, const Uses& uses) const {
     require(uses[0].size() == uses[1].size(), "region_boundaries: a region's boundary is not closed");
     if (uses[0].size() == 1) return {{uses[0][0], uses[1][0]}};
-    const auto piece = pieces_.find(key_of(ends[0], ends[1]));
+    const auto piece = pieces_.find(directed_key(ends[0], ends[1]));
     require(piece != pieces_.end(), "region_boundaries: a surface crosses itself off its edges");
     std::vector<Index> around;  // sides of the boundary's faces, as they come
     for (const Index side : flat_.edges[piece->second].around) {

@@ -9,6 +9,7 @@
 #include "csg/operators/cell_sources.h"
 #include "csg/result/sizes.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
@@ -18,7 +19,6 @@ namespace cnrg {
 namespace {
 
 using Index = FlatComplex::Index;
-constexpr Index kNone = FlatComplex::kNone;
 
 template <class Piece>
 void for_each_piece(const FlatComplex::Edge& edge, const Piece& piece) {

@@ -48,23 +48,22 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <span>
 
 #include "csg/result/file_numbers.h"
 #include "csg/result/json_grades.h"
-#include "csg/text/escape.h"
 #include "csg/text/json_text.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Index = FlatComplex::Index;
 
-std::string line_of(const Json& value) {
-  return shown_json(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+std::string quoted(std::string_view value) {
+  std::string text;
+  append_json(text, value);
+  return text;
 }
 
 void append_quoted(std::string& text, const Rational& value) { (((text += '"') += to_string(value)) += '"'); }
@@ -90,30 +89,28 @@ class JsonWriter {
   explicit JsonWriter(const ResultView& view) : view_(view), flat_(flatten(view)) {}
 
   std::string run() {
-    text_ = "{\n\"format\": \"cnrg result\",\n\"version\": 1,\n\"node\": " + line_of(view_.node) +
+    text_ = "{\n\"format\": \"cnrg result\",\n\"version\": 1,\n\"node\": " + quoted(view_.node) +
             ",\n\"group\": " + (view_.value->is_group() ? "true" : "false");
     if (view_.value->is_group()) {
-      text_ += ",\n\"dominance\": " + line_of(to_string(view_.value->group().dominance));
+      text_ += ",\n\"dominance\": " + quoted(to_string(view_.value->group().dominance));
     }
     leaves();
     number_said();
     for_each_material([&](const RegionMaterial& m) {
       if (m.has_dominance()) dominances_.emplace(m.name(), m.dominance());
     });
-    list("materials", view_.materials, [&](const auto& m) { return material(m); });
+    list("materials", view_.materials, [&](const auto& m) { material(m); });
     add_grades();
     if (view_.value->is_group()) {
-      list("components", view_.value->group().regions, [&](const RegionAttributes& a) { return component(a); });
+      list("components", view_.value->group().regions,
+           [&](const RegionAttributes& a) { attributes(a, &a.leaves); });
     } else {
-      list("components", view_.value->components().attributes, [&](const ComponentAttributes& a) {
-        Json result = component(a);
-        result["dominance"] = to_string(a.dominance);
-        return result;
-      });
+      list("components", view_.value->components().attributes,
+           [&](const ComponentAttributes& a) { attributes(a, &a.leaves, &a.dominance); });
     }
-    if (!said_.empty()) list("attributes", said_, [&](const Attributes* a) { return attributes(*a); });
+    if (!said_.empty()) list("attributes", said_, [&](const Attributes* a) { attributes(*a); });
     lines("points", flat_.points, [&](std::string& out, VertexId v) { point(out, v); });
-    text_ += ",\n\"frame\": " + line_of(Json(flat_.frame_points));
+    append_json(text_ += ",\n\"frame\": ", flat_.frame_points);
     lines("vertices", flat_.vertices, [&](std::string& out, const auto& v) { vertex(out, v); });
     lines("edges", flat_.edges, [&](std::string& out, const auto& e) { edge(out, e); });
     patch_ = patch_numbers(flat_);
@@ -139,13 +136,13 @@ class JsonWriter {
   std::vector<std::size_t> patch_;              // by face
   std::map<std::vector<PatchCorner>, std::size_t> cell_number_;
 
-  template <class Range, class Make>
-  void list(const char* key, const Range& range, Make make) {
+  template <class Range, class Append>
+  void list(const char* key, const Range& range, Append append) {
     text_ += ",\n\"" + std::string(key) + "\": [";
     const char* separator = "\n";
     for (const auto& item : range) {
       text_ += separator;
-      text_ += line_of(make(item));
+      append(item);
       separator = ",\n";
     }
     text_ += "]";
@@ -181,31 +178,37 @@ class JsonWriter {
   /// Leaves that the result names, numbered in the file.
   void leaves() {
     leaf_number_ = cnrg::leaf_numbers(view_, flat_);
-    list("leaves", leaf_number_, [&](const auto& entry) { return Json{{"name", leaf_name(view_, entry.first)}}; });
+    list("leaves", leaf_number_,
+         [&](const auto& entry) { JsonObject(text_).add("name", leaf_name(view_, entry.first)); });
   }
 
   /// The dominance of a material is known where a component or a cell is made of it.
-  Json material(const ResultView::Material& m) const {
-    Json result{{"name", m.name}, {"color", m.color}};
+  void material(const ResultView::Material& m) {
+    JsonObject object(text_);
+    object.add("name", m.name).add("color", m.color);
     if (const auto it = dominances_.find(m.name); it != dominances_.end())
-      result["dominance"] = to_string(it->second);
-    return result;
+      object.add("dominance", to_string(it->second));
   }
 
-  /// `leaves`: of a component.
-  Json attributes(const Attributes& a, const std::vector<LeafId>* leaves = nullptr) const {
-    Json result{{"name", a.name}, {"material", a.material.name()}};
-    if (leaves != nullptr) result["leaves"] = leaf_numbers(*leaves);
-    if (a.material.grade() != nullptr) result["grade"] = grades_.number(a.material);
-    for (const auto& [key, value] : a.properties) {
-      Json& property = result["properties"][key];
-      if (std::holds_alternative<Rational>(value)) property = {{"number", to_text(value)}};
-      else property = to_text(value);
+  /// `leaves` and `dominance`: of a component.
+  void attributes(const Attributes& a, const std::vector<LeafId>* leaves = nullptr,
+                  const Rational* dominance = nullptr) {
+    JsonObject object(text_);
+    object.add("name", a.name).add("material", a.material.name());
+    if (leaves != nullptr) {
+      append_json(object.key("leaves"), *leaves, [&](LeafId leaf) { append_json(text_, leaf_number_.at(leaf)); });
     }
-    return result;
+    if (a.material.grade() != nullptr) object.add("grade", grades_.number(a.material));
+    if (!a.properties.empty()) {
+      JsonObject properties(object.key("properties"));
+      for (const auto& [key, value] : a.properties) {
+        properties.named(key);
+        if (std::holds_alternative<Rational>(value)) JsonObject(text_).add("number", to_text(value));
+        else append_json(text_, to_text(value));
+      }
+    }
+    if (dominance != nullptr) object.add("dominance", to_string(*dominance));
   }
-
-  Json component(const RegionAttributes& a) const { return attributes(a, &a.leaves); }
 
   /// What is said of cells, each once, in the order in which cells name it: vertices, edges, faces.
   void number_said() {
@@ -233,13 +236,7 @@ class JsonWriter {
   /// The graded materials of components and cells, each once.
   void add_grades() {
     for_each_material([&](const RegionMaterial& material) { grades_.add(material); });
-    if (!grades_.all().empty()) list("grades", grades_.all(), [&](const auto& m) { return grades_.json(m); });
-  }
-
-  Json leaf_numbers(std::span<const LeafId> leaves) const {
-    Json result = Json::array();
-    for (const LeafId leaf : leaves) result.push_back(leaf_number_.at(leaf));
-    return result;
+    if (!grades_.all().empty()) list("grades", grades_.all(), [&](const auto& m) { grades_.append(text_, m); });
   }
 
   /// The patches with parameters, and their cells in the order in which faces lie in them.
@@ -258,9 +255,10 @@ class JsonWriter {
     if (patches.empty()) return;
     this->list("patches", patches, [&](const auto& entry) {
       const auto& [leaf, patch] = entry.second;
-      return Json{{"patch", entry.first},
-                  {"leaf", leaf_number_.at(leaf)},
-                  {"name", view_.parameters->patch_name(leaf, patch)}};
+      JsonObject(text_)
+          .add("patch", entry.first)
+          .add("leaf", leaf_number_.at(leaf))
+          .add("name", view_.parameters->patch_name(leaf, patch));
     });
     lines("cells", list, [](std::string& out, const std::vector<PatchCorner>* cell) {
       append_json(out, *cell, [&](const PatchCorner& corner) {
@@ -369,9 +367,7 @@ class JsonWriter {
     const RegionAttributes& attributes = attributes_of(view_, r.component);
     JsonObject object(out);
     object.add("component", r.component);
-    object.key("name") += line_of(attributes.name);
-    object.key("material") += line_of(attributes.material.name());
-    object.add("bounded", r.bounded);
+    object.add("name", attributes.name).add("material", attributes.material.name()).add("bounded", r.bounded);
     object.key("volume");
     if (!r.bounded) out += "null";
     else if (const Part* part = part_of(r)) append_quoted(out, part->volume(*view_.complex).bounded);

@@ -109,9 +109,9 @@ bool is_as_drawn(const Complex& complex, std::size_t points, std::size_t triangl
 namespace {
 
 /// The places of a drawing in its refinement.
-class Places {
+class DrawnPlaces {
  public:
-  explicit Places(const Complex& complex) : complex_(complex), of_(complex.region_count) {}
+  explicit DrawnPlaces(const Complex& complex) : complex_(complex), of_(complex.region_count) {}
 
   /// False if the 3-cell is another place already.
   bool claim(RegionId region, std::uint32_t place) {
@@ -142,7 +142,7 @@ bool is_faithful(const RoundedPoints& points, const Drawing& drawing, const std:
   const Redrawing drawn = redraw(points, drawing, stop);
   if (!drawn.is_embedded()) return false;
   const Complex& complex = *drawn.complex;
-  Places places(complex);
+  DrawnPlaces places(complex);
   if (!drawing.sides.empty() && !places.claim(drawing)) return false;
   if (drawing.around_segments.empty() && drawing.around_points.empty()) return true;
   const Locator locator(complex);

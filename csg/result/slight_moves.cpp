@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {
 namespace {
 
-constexpr double kUlp = std::numeric_limits<double>::epsilon();
 // Vectors of other sizes are not looked at; between these, what products lose below the least double is less than
 // kUnderflow.
 constexpr double kSmallest = 1e-60, kLargest = 1e60, kUnderflow = 1e-250;
@@ -84,8 +83,8 @@ class Movement {
       std::array<double, 3> low = x, high = x;
       if (const double r = reach(p); r > 0) {
         for (std::size_t k = 0; k < 3; ++k) {
-          low[k] = std::nextafter(x[k] - r, -std::numeric_limits<double>::infinity());
-          high[k] = std::nextafter(x[k] + r, std::numeric_limits<double>::infinity());
+          low[k] = std::nextafter(x[k] - r, -kInfinity);
+          high[k] = std::nextafter(x[k] + r, kInfinity);
         }
       }
       out.extend(low, high);
@@ -100,7 +99,7 @@ class Movement {
       out.size = std::max(out.size, std::abs(out.v[k]));
     }
     out.off = out.size < kSmallest || out.size > kLargest
-                  ? std::numeric_limits<double>::infinity()
+                  ? kInfinity
                   : (reach(a) + reach(b)) * (1 + 4 * kUlp) + 4 * kUlp * out.size;
     return out;
   }

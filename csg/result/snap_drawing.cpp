@@ -13,6 +13,7 @@
 #include "csg/result/hot_routes.h"
 #include "csg/result/rounding.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/part_watch.h"
 #include "kernel/base/point_hash.h"
@@ -24,11 +25,8 @@ namespace {
 
 using Index = std::uint32_t;
 using Xyz = std::array<double, 3>;
-constexpr Index kNone = 0xffffffffu;
-constexpr std::size_t kManyCrossings = 100;  // one of so many triangles
-constexpr std::size_t kUnchecked = 4096;     // points and triangles between two looks at the watch
-
-std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
+constexpr std::size_t kManyCrossings = 100;        // one of so many triangles
+constexpr std::size_t kUncheckedTriangles = 4096;  // points and triangles between two looks at the watch
 
 /// Lists of numbers, each stored once.
 class Lists {
@@ -67,7 +65,7 @@ class Snapper {
     std::vector<Xyz> rounded(n);
     std::vector<double> moves(n, 0);
     for_each_index(n, [&](std::size_t p) {
-      if (p % kUnchecked == 0) watch_.check();
+      if (p % kUncheckedTriangles == 0) watch_.check();
       const VertexId v = drawing.points[p];
       rounded[p] = nearest_doubles(table, v);
       if (!table.is_double(v)) moves[p] = distance_above(table, v, rounded[p]);
@@ -182,7 +180,7 @@ class Snapper {
     for (const Xyz& p : state.xyz) table.add(p[0], p[1], p[2]);
     std::vector<char> flat(state.triangles.size(), 0);
     for_each_index(flat.size(), [&](std::size_t i) {
-      if (i % kUnchecked == 0) watch_.check();
+      if (i % kUncheckedTriangles == 0) watch_.check();
       const auto& [a, b, c] = state.triangles[i].points;
       flat[i] = a == b || b == c || c == a || collinear(table, VertexId(a), VertexId(b), VertexId(c));
     });
@@ -228,11 +226,11 @@ class Snapper {
       const auto& [a, b, c] = t.points;
       soup.add_triangle(leaf, PointId(a), PointId(b), PointId(c), number, number);
       ++number;
-      sides.insert({key_of(a, b), key_of(b, c), key_of(c, a)});
+      sides.insert({edge_key(a, b), edge_key(b, c), edge_key(c, a)});
       held[a] = held[b] = held[c] = 1;
     }
     for (const auto& [ends, edges] : state.pieces) {
-      if (sides.contains(key_of(ends[0], ends[1]))) continue;
+      if (sides.contains(edge_key(ends[0], ends[1]))) continue;
       soup.add_wire(leaf, PointId(ends[0]), PointId(ends[1]), number++);
       held[ends[0]] = held[ends[1]] = 1;
     }
@@ -309,7 +307,7 @@ class Snapper {
     MovedDrawing result{std::move(refined.complex), {}, {}, {}, 0, false, 0};
     const Complex& complex = *result.complex;
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
-      if (f.index() % kUnchecked == 0) watch_.check();
+      if (f.index() % kUncheckedTriangles == 0) watch_.check();
       result.faces.push_back(lists_[faces_on(state, complex, f)]);
     }
     watch_.check();

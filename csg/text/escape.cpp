@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "csg/text/json_text.h"
+
 namespace cnrg {
 namespace {
 
@@ -39,6 +41,13 @@ std::string escaped(std::string_view text, std::string_view kept) {
     i = end + c.length;
   }
   return out;
+}
+
+void append_json_escape(std::string& out, std::uint32_t code) {
+  char digits[16];
+  if (code <= 0xffff) std::snprintf(digits, sizeof digits, "\\u%04x", code);
+  else std::snprintf(digits, sizeof digits, "\\u%04x\\u%04x", 0xd7c0 + (code >> 10), 0xdc00 + (code & 0x3ff));
+  out += digits;
 }
 
 }  // namespace
@@ -97,18 +106,25 @@ std::string shown_json(std::string_view json) {
   out.reserve(json.size());
   for (std::size_t i = 0; i < json.size();) {
     const Character c = first_character(json.substr(i));
-    if (c.code < 0x7f || (c.valid && !is_hostile(c.code))) {
-      out.append(json, i, c.length);
-    } else {
-      char digits[16];
-      if (c.code <= 0xffff) std::snprintf(digits, sizeof digits, "\\u%04x", c.code);
-      else
-        std::snprintf(digits, sizeof digits, "\\u%04x\\u%04x", 0xd7c0 + (c.code >> 10), 0xdc00 + (c.code & 0x3ff));
-      out += digits;
-    }
+    if (c.code < 0x7f || (c.valid && !is_hostile(c.code))) out.append(json, i, c.length);
+    else append_json_escape(out, c.code);
     i += c.length;
   }
   return out;
+}
+
+void append_json(std::string& text, std::string_view value) {
+  constexpr std::string_view kControls = "\b\t\n\f\r\"\\", kLetters = "btnfr\"\\";
+  text += '"';
+  for (std::size_t i = 0; i < value.size();) {
+    const Character c = first_character(value.substr(i));
+    if (const std::size_t k = kControls.find(value[i]); k != std::string_view::npos) (text += '\\') += kLetters[k];
+    else if (!c.valid) text += "\ufffd";
+    else if (is_hostile(c.code)) append_json_escape(text, c.code);
+    else text.append(value, i, c.length);
+    i += c.length;
+  }
+  text += '"';
 }
 
 std::size_t first_invalid(std::string_view text) {

@@ -32,7 +32,7 @@ std::optional<unsigned> hex_code(std::string_view text) {
 
 /// A character behind `\`, of which `text` is the rest: its code and the number of bytes it takes; 0 bytes if it
 /// is none. Characters beyond the 16 bits of `\u` are two of these, a high and a low surrogate.
-std::pair<unsigned, std::size_t> escaped(std::string_view text) {
+std::pair<unsigned, std::size_t> escape_code(std::string_view text) {
   static constexpr std::string_view kLetters = "\"\\/bfnrt", kMeaning = "\"\\/\b\f\n\r\t";
   if (text.empty()) return {0, 0};
   if (const auto i = kLetters.find(text[0]); i != std::string_view::npos) {
@@ -212,7 +212,7 @@ class JsonParser {
       if (c < 0x20) fail();  // the end, too
       std::size_t length = 1;
       if (c == '\\') {
-        const std::size_t taken = escaped(std::string_view(text_).substr(at_ + 1, 11)).second;
+        const std::size_t taken = escape_code(std::string_view(text_).substr(at_ + 1, 11)).second;
         length = taken == 0 ? 0 : taken + 1;
       } else if (c >= 0x80) {
         const Character character = first_character(std::string_view(text_).substr(at_, 4));
@@ -252,7 +252,7 @@ std::string JsonDocument::decoded(const Value& text) const {
   std::string out;
   for (std::size_t plain; (plain = rest.find('\\')) != std::string_view::npos;) {
     out += rest.substr(0, plain);
-    const auto [code, length] = escaped(rest.substr(plain + 1));
+    const auto [code, length] = escape_code(rest.substr(plain + 1));
     append_utf8(out, code);
     rest.remove_prefix(plain + 1 + length);
   }

@@ -24,6 +24,13 @@ void append_json(std::string& text, T value) {
   }
 }
 
+/// A text in quotation marks, hostile characters (escape.h) as escapes; U+FFFD stands for a byte that is no UTF-8.
+void append_json(std::string& text, std::string_view value);
+inline void append_json(std::string& text, const char* value) { append_json(text, std::string_view(value)); }
+inline void append_json(std::string& text, const std::string& value) {
+  append_json(text, std::string_view(value));
+}
+
 /// A list, each item by `write(item)`.
 template <class List, class Write>
 void append_json(std::string& text, const List& list, Write write) {
@@ -62,6 +69,12 @@ class JsonObject {
     *end++ = '"';
     *end++ = ':';
     return text_.append(piece, end);
+  }
+  /// The same for a key of any letters and length.
+  std::string& named(std::string_view name) {
+    if (text_.back() != '{') text_ += ',';
+    append_json(text_, name);
+    return text_ += ':';
   }
   template <class T>
   JsonObject& add(std::string_view name, const T& value) {

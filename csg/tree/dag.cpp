@@ -12,10 +12,10 @@
 namespace cnrg {
 namespace {
 
-struct Mention {
+struct UseOfNode {
   Position at;
 };
-using Adjacency = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, Mention>;
+using Adjacency = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, UseOfNode>;
 using Vertex = boost::graph_traits<Adjacency>::vertex_descriptor;
 using Edge = boost::graph_traits<Adjacency>::edge_descriptor;
 
@@ -48,7 +48,7 @@ Dag& Dag::operator=(Dag&&) noexcept = default;
 NodeId Dag::add_node() { return NodeId(add_vertex(graph_->adjacency)); }
 
 void Dag::add_operand(NodeId user, NodeId operand, Position mention) {
-  add_edge(user.index(), operand.index(), Mention{mention}, graph_->adjacency);
+  add_edge(user.index(), operand.index(), UseOfNode{mention}, graph_->adjacency);
 }
 
 std::size_t Dag::size() const { return num_vertices(graph_->adjacency); }

@@ -10,8 +10,6 @@
 namespace cnrg {
 namespace {
 
-constexpr const char* kPoint = "[x, y, z]";
-constexpr const char* kPoints = "[[x, y, z], ...]";
 constexpr const char* kRows = "[[[x, y, z], ...], ...]";
 
 /// Positive numbers, `count` of them.

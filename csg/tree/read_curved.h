@@ -5,6 +5,10 @@
 
 namespace cnrg {
 
+/// What values look like, for messages.
+inline constexpr const char* kPoint = "[x, y, z]";
+inline constexpr const char* kPoints = "[[x, y, z], ...]";
+
 Shape read_extrude(const Value& value, const LeafContext& context);
 Shape read_revolve(const Value& value, const LeafContext& context);
 Shape read_bezier(const Value& value, const LeafContext& context);

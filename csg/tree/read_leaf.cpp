@@ -14,10 +14,7 @@
 namespace cnrg {
 namespace {
 
-constexpr const char* kPoint = "[x, y, z]";
-constexpr const char* kPoints = "[[x, y, z], ...]";
-
-std::string resolve(const std::string& path, const LeafContext& context) {
+std::string path_in_folder(const std::string& path, const LeafContext& context) {
   return (std::filesystem::path(context.folder) / path).lexically_normal().string();
 }
 
@@ -149,7 +146,7 @@ Shape read_heightfield(const Value& value, const LeafContext& context) {
                               "heightfield has `file` and `" + std::string(key) + "`; remove one of them");
       }
     }
-    shape.file = resolve(file->text(f.name("file")), context);
+    shape.file = path_in_folder(file->text(f.name("file")), context);
     shape.inside = context.inside;
     return shape;
   }
@@ -215,7 +212,7 @@ Shape read_mesh(const Value& value, const LeafContext& context) {
     }
     shape.data = read_mesh_data(f);
   } else {
-    shape.file = resolve(f.at("file", "part.off").text(f.name("file")), context);
+    shape.file = path_in_folder(f.at("file", "part.off").text(f.name("file")), context);
     shape.inside = context.inside;
   }
   if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
@@ -233,7 +230,7 @@ Shape read_mesh(const Value& value, const LeafContext& context) {
 CadShape read_cad(const Fields& f, CadShape::Format format, const LeafContext& context) {
   CadShape shape;
   shape.format = format;
-  shape.file = resolve(f.at("file", "part.step").text(f.name("file")), context);
+  shape.file = path_in_folder(f.at("file", "part.step").text(f.name("file")), context);
   shape.inside = context.inside;
   shape.tessellation = read_tessellation(f);
   if (const Value* fill = f.find("fill")) {
@@ -343,7 +340,7 @@ Shape read_group(const Value& value, const LeafContext& context) {
 }
 
 Shape read_result(const Value& value, const LeafContext& context) {
-  return ResultShape{resolve(value.text("`cnrg`, the file of a result,"), context), context.inside};
+  return ResultShape{path_in_folder(value.text("`cnrg`, the file of a result,"), context), context.inside};
 }
 
 struct Reader {

@@ -19,7 +19,7 @@ bool is_color(const std::string& text) {
 }
 
 /// A material in the mixture of another one, with the place.
-struct Mention {
+struct MaterialMention {
   std::size_t by;  ///< which material of the file
   std::string name;
   Value at;
@@ -27,7 +27,7 @@ struct Mention {
 
 /// What mixtures are of: checked when all materials are known.
 struct Mentions {
-  std::vector<Mention> all{};
+  std::vector<MaterialMention> all{};
   std::size_t by = 0;  ///< the material that is read
   void add(const std::string& name, const Value& at) { all.push_back({by, name, at}); }
 };
@@ -90,11 +90,11 @@ Grade read_distance(const Value& value, const std::string& what, Mentions& menti
 }
 
 /// The material that each mention names, by its place in the file.
-std::vector<std::size_t> resolve(const std::vector<Material>& materials, const Mentions& mentions) {
+std::vector<std::size_t> materials_of(const std::vector<Material>& materials, const Mentions& mentions) {
   std::map<std::string, std::size_t, std::less<>> places;
   for (std::size_t i = 0; i < materials.size(); ++i) places.emplace(materials[i].name, i);
   std::vector<std::size_t> out;
-  for (const Mention& mention : mentions.all) {
+  for (const MaterialMention& mention : mentions.all) {
     const auto it = places.find(mention.name);
     if (it == places.end()) {
       std::vector<std::string_view> known;
@@ -112,7 +112,10 @@ std::vector<std::size_t> resolve(const std::vector<Material>& materials, const M
 class CycleSearch {
  public:
   CycleSearch(const std::vector<Material>& materials, const Mentions& mentions)
-      : materials_(materials), mentions_(mentions), named_(resolve(materials, mentions)), of_(materials.size()) {
+      : materials_(materials),
+        mentions_(mentions),
+        named_(materials_of(materials, mentions)),
+        of_(materials.size()) {
     for (std::size_t k = 0; k < mentions.all.size(); ++k) of_[mentions.all[k].by].push_back(k);
   }
 

@@ -1,11 +1,8 @@
 #include "csg/tree/read_transform.h"
 
+#include "kernel/exact/exact_vectors.h"
+
 namespace cnrg {
-namespace {
-
-bool is_zero(const RationalPoint& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
-
-}  // namespace
 
 Transform read_transform(const Value::Entry& e) {
   if (e.key == "translate") return Transform::translation(e.value.point("`translate`"));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg::welding {
@@ -22,14 +23,8 @@ std::size_t bits(const Rational& x) {
 std::size_t bits(const RationalPoint& p) { return std::max({bits(p[0]), bits(p[1]), bits(p[2])}); }
 std::size_t bits(const Plane& plane) { return std::max(bits(plane.normal), bits(plane.offset)); }
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double size(const Vector& a) { return std::sqrt(dot(a, a)); }
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Rational distance(const Plane& plane, const RationalPoint& p) {  // times the length of the normal
-  return cnrg::dot(plane.normal, p) - plane.offset;
+Rational side_of(const Plane& plane, const RationalPoint& p) {  // times the length of the normal
+  return dot(plane.normal, p) - plane.offset;
 }
 
 /// The point on up to three planes with independent normals that is nearest to p.
@@ -37,16 +32,15 @@ RationalPoint nearest_on(const std::vector<const Plane*>& planes, const Rational
   if (planes.empty()) return p;
   const RationalPoint& a = planes[0]->normal;
   if (planes.size() == 1) {
-    if (distance(*planes[0], p) == 0) return p;
-    return p - Rational(distance(*planes[0], p) / cnrg::dot(a, a)) * a;
+    if (side_of(*planes[0], p) == 0) return p;
+    return p - Rational(side_of(*planes[0], p) / dot(a, a)) * a;
   }
   const RationalPoint& b = planes[1]->normal;
-  const RationalPoint c = cnrg::cross(a, b);
+  const RationalPoint c = cross(a, b);
   const RationalPoint& third = planes.size() == 2 ? c : planes[2]->normal;
-  const Rational offset = planes.size() == 2 ? cnrg::dot(c, p) : planes[2]->offset;
-  const RationalPoint sum =
-      planes[0]->offset * cnrg::cross(b, third) + planes[1]->offset * cnrg::cross(third, a) + offset * c;
-  return Rational(1 / cnrg::dot(c, third)) * sum;
+  const Rational offset = planes.size() == 2 ? dot(c, p) : planes[2]->offset;
+  const RationalPoint sum = planes[0]->offset * cross(b, third) + planes[1]->offset * cross(third, a) + offset * c;
+  return Rational(1 / dot(c, third)) * sum;
 }
 
 /// The plane through up to three points, not on a line, that is like another one.
@@ -55,16 +49,15 @@ Plane like(const Plane& plane, const std::vector<const RationalPoint*>& points) 
   if (points.empty()) return result;
   if (points.size() == 2) {
     const RationalPoint w = *points[1] - *points[0];
-    if (cnrg::dot(plane.normal, w) != 0)
-      result.normal = plane.normal - Rational(cnrg::dot(plane.normal, w) / cnrg::dot(w, w)) * w;
+    if (dot(plane.normal, w) != 0) result.normal = plane.normal - Rational(dot(plane.normal, w) / dot(w, w)) * w;
   }
   if (points.size() == 3) {
-    result.normal = cnrg::cross(*points[1] - *points[0], *points[2] - *points[0]);
+    result.normal = cross(*points[1] - *points[0], *points[2] - *points[0]);
     Rational most = 0;
     for (const Rational& x : result.normal) most = std::max(most, Rational(abs(x)));
     result.normal = Rational(1 / most) * result.normal;
   }
-  result.offset = cnrg::dot(result.normal, *points[0]);
+  result.offset = dot(result.normal, *points[0]);
   return result;
 }
 
@@ -77,12 +70,10 @@ class Placer {
     }
     for (const auto& plane : all_.planes) {
       most_bits_ = std::max(most_bits_, kLonger * bits(plane.plane));
-      Vector n = to_doubles(plane.plane.normal);
-      const double length = size(n);
-      for (double& x : n) x /= length;
-      normal_.push_back(n);
+      const Vector n = to_doubles(plane.plane.normal);
+      normal_.push_back(unit(n));
       double extent = 0;
-      for (const Index p : plane.points) extent = std::max(extent, size(minus(at_[p], at_[plane.points[0]])));
+      for (const Index p : plane.points) extent = std::max(extent, length(minus(at_[p], at_[plane.points[0]])));
       extent_.push_back(extent);
     }
   }
@@ -129,7 +120,7 @@ class Placer {
   bool point_is_free(const std::vector<Index>& planes) const {
     if (planes.size() < 2) return true;
     const Vector line = cross(normal_[planes[0]], normal_[planes[1]]);
-    if (planes.size() == 2) return size(line) > kFlat;
+    if (planes.size() == 2) return length(line) > kFlat;
     return std::abs(dot(line, normal_[planes[2]])) > kFlat;
   }
 
@@ -137,9 +128,9 @@ class Placer {
     if (points.size() < 2) return true;
     const double least = kFlat * extent_[number];
     const Vector a = minus(at_[points[1]], at_[points[0]]);
-    if (points.size() == 2) return size(a) > least;
+    if (points.size() == 2) return length(a) > least;
     const Vector b = minus(at_[points[2]], at_[points[0]]), c = minus(b, a);
-    return size(cross(a, b)) > least * std::max({size(a), size(b), size(c)});
+    return length(cross(a, b)) > least * std::max({length(a), length(b), length(c)});
   }
 
   void take_away() {
@@ -193,7 +184,7 @@ class Placer {
         }
         obeyed.pop_back();
       }
-      if (distance(plane, at) != 0) ++broken_;
+      if (side_of(plane, at) != 0) ++broken_;
     }
     point.at = at;
     placed_point_[number] = true;
@@ -201,14 +192,14 @@ class Placer {
 
   static bool independent(const std::vector<const Plane*>& planes, const RationalPoint& normal) {
     if (planes.empty()) return true;
-    if (planes.size() == 1) return !is_zero(cnrg::cross(planes[0]->normal, normal));
-    return cnrg::dot(cnrg::cross(planes[0]->normal, planes[1]->normal), normal) != 0;
+    if (planes.size() == 1) return !is_zero(cross(planes[0]->normal, normal));
+    return dot(cross(planes[0]->normal, planes[1]->normal), normal) != 0;
   }
 
   bool is_near(const Incidence::Point& point, const RationalPoint& at) const {
     return std::all_of(point.members.begin(), point.members.end(), [&](const RationalPoint* member) {
       const RationalPoint by = at - *member;
-      return cnrg::dot(by, by) <= square_;
+      return dot(by, by) <= square_;
     });
   }
 
@@ -228,7 +219,7 @@ class Placer {
         }
         obeyed.pop_back();
       }
-      if (distance(plane, at) != 0) ++broken_;
+      if (side_of(plane, at) != 0) ++broken_;
     }
     through.plane = plane;
     placed_plane_[number] = true;
@@ -241,9 +232,9 @@ class Placer {
   }
 
   bool is_near(const Incidence::Through& through, const Plane& plane) const {
-    const Rational most = square_ * cnrg::dot(plane.normal, plane.normal);
+    const Rational most = square_ * dot(plane.normal, plane.normal);
     return std::all_of(through.corners.begin(), through.corners.end(), [&](const RationalPoint* corner) {
-      const Rational by = distance(plane, *corner);
+      const Rational by = side_of(plane, *corner);
       return by * by <= most;
     });
   }

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 
 #include "csg/weld/inside.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/union_find.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg::welding {
 namespace {
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double largest(const Vector& a) { return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])}); }
 
 /// Twice the area vector of a loop, seen from its first corner.
@@ -123,7 +123,7 @@ class PlaneFinder {
   Slab slab(const RationalPoint& normal, const std::vector<Index>& corners) const {
     Slab s;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Rational at = cnrg::dot(normal, points_[corners[i]]);
+      const Rational at = dot(normal, points_[corners[i]]);
       if (i == 0 || at < s.low) s.low = at;
       if (i == 0 || at > s.high) s.high = at;
     }
@@ -135,7 +135,7 @@ class PlaneFinder {
   /// A lower bound of the width of a slab, as a distance: cheap, to leave out what is far from flat.
   double least_width(const Vector& v, const Part& a, const Part& b) const {
     const double m = std::sqrt(dot(v, v));
-    double low = std::numeric_limits<double>::infinity(), high = -low;
+    double low = kInfinity, high = -low;
     const Vector& from = near_[a.corners[0]];
     for (const Part* part : {&a, &b}) {
       for (const Index p : part->corners) {
@@ -407,9 +407,9 @@ class PlaneFinder {
     Rational most = 0;
     for (const Rational& x : n) most = std::max(most, Rational(abs(x)));
     n = Rational(1 / most) * n;
-    const Rational offset = cnrg::dot(n, points_[c[0]]);
+    const Rational offset = dot(n, points_[c[0]]);
     for (const Index p : c) {
-      if (cnrg::dot(n, points_[p]) != offset) return false;
+      if (dot(n, points_[p]) != offset) return false;
     }
     carrier.plane = {n, offset};
     carrier.exact = true;
@@ -434,7 +434,6 @@ class PlaneFinder {
 
 Box grown(const Box& box, double by) {
   Box result = box;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
     result.lo[k] = std::nextafter(std::nextafter(box.lo[k], -kInfinity) - by, -kInfinity);
     result.hi[k] = std::nextafter(std::nextafter(box.hi[k], kInfinity) + by, kInfinity);
@@ -442,9 +441,7 @@ Box grown(const Box& box, double by) {
   return result;
 }
 
-double rounded_up(const Rational& d) {
-  return std::nextafter(to_double(d), std::numeric_limits<double>::infinity());
-}
+double rounded_up(const Rational& d) { return std::nextafter(to_double(d), kInfinity); }
 
 Planes find_planes(const WeldModel& model, const std::vector<Index>& number,
                    const std::vector<RationalPoint>& points, const std::vector<Vector>& near,

@@ -24,12 +24,12 @@ std::size_t digits(const Rational& x) {
 std::size_t digits(const RationalPoint& p) { return digits(p[0]) + digits(p[1]) + digits(p[2]); }
 std::size_t digits(const AxisLine& line) { return digits(line.direction) + digits(line.foot); }
 
-Rational distance(const RationalPoint& a, const RationalPoint& b) { return root_above(dot(a - b, a - b)); }
+Rational distance_bound(const RationalPoint& a, const RationalPoint& b) { return root_above(dot(a - b, a - b)); }
 
 RationalPoint on_line(const AxisLine& line, const Rational& place) { return line.foot + place * line.direction; }
 
-Rational distance(const RationalPoint& p, const AxisLine& line) {
-  return distance(p, on_line(line, line.place_of(p)));
+Rational distance_bound(const RationalPoint& p, const AxisLine& line) {
+  return distance_bound(p, on_line(line, line.place_of(p)));
 }
 
 /// Where two lines meet, if they do in one point.
@@ -150,7 +150,7 @@ class RoundWelder {
   /// nearest one, and circles with it.
   static Rational apart(const Line& a, const AxisLine& b) {
     Rational most = 0;
-    for (const Rational& end : a.ends) most = std::max(most, distance(on_line(a.line, end), b));
+    for (const Rational& end : a.ends) most = std::max(most, distance_bound(on_line(a.line, end), b));
     const RationalPoint normal = cross(a.line.direction, b.direction);
     const Rational lengths = dot(a.line.direction, a.line.direction) * dot(b.direction, b.direction);
     // The chord of the angle is less than 3/2 of its sine, up to a right angle.
@@ -233,12 +233,12 @@ class RoundWelder {
       } else if (parts_[i].ball != parts_[j].ball) {
         const RationalPoint& center = parts_[parts_[i].ball ? i : j].center;
         const AxisLine& line = result_.parts[parts_[i].ball ? j : i].axis;
-        if (distance(center, line) <= d_) lines[number_in(values, center)].insert(line);
+        if (distance_bound(center, line) <= d_) lines[number_in(values, center)].insert(line);
       }
     }
     std::vector<Pair> left;
     UnionFind sets = join(
-        values.size(), near, d_, [&](Index a, Index b) { return distance(values[a], values[b]); }, left);
+        values.size(), near, d_, [&](Index a, Index b) { return distance_bound(values[a], values[b]); }, left);
     for (const Pair& pair : left) result_.left.push_back(parts_of.at(pair));
     std::vector<RationalPoint> taken = agreed(values, sets);
     std::map<Index, std::vector<Index>> members;
@@ -269,7 +269,7 @@ class RoundWelder {
       RoundPlace& place = result_.parts[i];
       if (parts_[i].ball) {
         place.center = taken[number_in(values, parts_[i].center)];
-        place.moved = distance(place.center, parts_[i].center);
+        place.moved = distance_bound(place.center, parts_[i].center);
         continue;
       }
       const auto it = moved.find(place.axis);
@@ -306,7 +306,7 @@ class RoundWelder {
     std::optional<std::tuple<std::size_t, Rational, RationalPoint>> best;
     for (const RationalPoint& p : points) {
       Rational farthest = 0;
-      for (const Index i : of) farthest = std::max(farthest, distance(p, centers[i]));
+      for (const Index i : of) farthest = std::max(farthest, distance_bound(p, centers[i]));
       if (farthest > d_) continue;
       const auto on = static_cast<std::size_t>(
           std::count_if(lines.begin(), lines.end(), [&](const AxisLine& line) { return line.holds(p); }));

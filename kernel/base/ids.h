@@ -54,6 +54,11 @@ using SourceSetId = Id<struct SourceSetTag>;  ///< an interned set of soup faces
 using LabelSetId = Id<struct LabelSetTag>;    ///< an interned set of (leaf, leaf region)
 using ShellId = Id<struct ShellTag>;          ///< a connected set of half-faces
 
+constexpr int dimension_of(VertexId) { return 0; }
+constexpr int dimension_of(EdgeId) { return 1; }
+constexpr int dimension_of(FaceId) { return 2; }
+constexpr int dimension_of(RegionId) { return 3; }
+
 /// An edge with a direction: side 0 runs from the edge's first vertex to its second.
 class HalfEdge {
  public:

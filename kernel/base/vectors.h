@@ -15,6 +15,12 @@ inline double dot(const DoubleVector& a, const DoubleVector& b) { return a[0] * 
 inline DoubleVector cross(const DoubleVector& a, const DoubleVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+inline double length(const DoubleVector& a) { return std::sqrt(dot(a, a)); }
+inline double distance(const DoubleVector& a, const DoubleVector& b) { return length(minus(a, b)); }
+inline DoubleVector unit(const DoubleVector& a) {
+  const double size = length(a);
+  return {a[0] / size, a[1] / size, a[2] / size};
+}
 
 /// a b - c d with an error of two units in the last place at most, however much of it cancels (jeannerod2013).
 inline double difference_of_products(double a, double b, double c, double d) {

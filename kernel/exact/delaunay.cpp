@@ -13,7 +13,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
+using DelaunayTriangulation = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Delaunay delaunay(std::span<const std::array<double, 2>> points) {
   numbered.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i)
     numbered.emplace_back(Kernel::Point_2(points[i][0], points[i][1]), i);
-  const Triangulation made(numbered.begin(), numbered.end());
+  const DelaunayTriangulation made(numbered.begin(), numbered.end());
 
   Delaunay result;
   if (made.dimension() < 2) return result;

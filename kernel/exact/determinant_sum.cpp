@@ -44,7 +44,7 @@ Product product(i128 a, i128 b) {
   return {static_cast<i128>(a1) * b1 + (first >> 64) + (second >> 64) + (middle < lowest) + (low < middle), low};
 }
 
-Product difference(const Product& a, const Product& b) {
+Product product_difference(const Product& a, const Product& b) {
   return {a.high - b.high - (a.low < b.low ? 1 : 0), a.low - b.low};
 }
 
@@ -94,7 +94,7 @@ void DeterminantSum::add(std::size_t r, std::size_t p, std::size_t q, bool plus)
   const i128 *const a = x + 3 * r, *const b = x + 3 * p, *const c = x + 3 * q;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
-    const Product minor = difference(product(b[i], c[j]), product(b[j], c[i]));
+    const Product minor = product_difference(product(b[i], c[j]), product(b[j], c[i]));
     const i128 factor = plus ? a[k] : -a[k];
     const auto low_half = static_cast<i128>(minor.low);
     const Product high = product(factor, minor.high), low = product(factor, low_half);

@@ -35,6 +35,10 @@ inline std::array<double, 3> to_doubles(const RationalPoint& p) {
   return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
 }
 
+inline RationalPoint from_doubles(const std::array<double, 3>& p) {
+  return {from_double(p[0]), from_double(p[1]), from_double(p[2])};
+}
+
 /// a / b in lowest terms.
 inline Rational fraction(long a, long b) {
   Rational result(a, b);

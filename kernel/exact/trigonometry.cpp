@@ -87,7 +87,7 @@ Rational power_of_two(long exponent) {
 }
 
 /// The integer nearest to sqrt(square), exactly.
-Integer nearest_root(const Rational& square) {
+Integer nearest_integer_root(const Rational& square) {
   Integer root = sqrt(floor_of(square));  // floor(sqrt(square))
   const Rational middle = Rational(root) + Rational(1, 2);
   const int side = cmp(square, Rational(middle * middle));
@@ -136,10 +136,10 @@ Rational round_cosine(const Rational& degrees, const Rational& square, int expon
   const Rational scaled = square / (unit * unit);
   // The product is the root of a rational where cos(2 angle) is rational; elsewhere it is irrational.
   Integer multiple;
-  if (angle == 0) multiple = nearest_root(scaled);
-  else if (angle == 30) multiple = nearest_root(scaled * 3 / 4);
-  else if (angle == 45) multiple = nearest_root(scaled / 2);
-  else if (angle == 60) multiple = nearest_root(scaled / 4);
+  if (angle == 0) multiple = nearest_integer_root(scaled);
+  else if (angle == 30) multiple = nearest_integer_root(scaled * 3 / 4);
+  else if (angle == 45) multiple = nearest_integer_root(scaled / 2);
+  else if (angle == 60) multiple = nearest_integer_root(scaled / 4);
   else {
     const long size = static_cast<long>(mpz_sizeinbase(scaled.get_num_mpz_t(), 2)) -
                       static_cast<long>(mpz_sizeinbase(scaled.get_den_mpz_t(), 2));

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <vector>
+
+#include "kernel/base/limits.h"
 
 namespace cnrg {
 
 struct Box {
-  std::array<double, 3> lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-                           std::numeric_limits<double>::infinity()};
-  std::array<double, 3> hi{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                           -std::numeric_limits<double>::infinity()};
+  std::array<double, 3> lo{kInfinity, kInfinity, kInfinity};
+  std::array<double, 3> hi{-kInfinity, -kInfinity, -kInfinity};
   void extend(const Box& b) {
     for (int k = 0; k < 3; ++k) {
       lo[k] = b.lo[k] < lo[k] ? b.lo[k] : lo[k];

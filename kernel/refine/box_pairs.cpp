@@ -71,7 +71,7 @@ BoxPairs::BoxPairs(const std::vector<Box>& boxes) {
 
 namespace {
 
-constexpr double kMany = 16;
+constexpr double kCrowded = 16;
 
 double volume(const std::array<std::int32_t, 3>& lo, const std::array<std::int32_t, 3>& hi) {
   double product = 1;
@@ -84,7 +84,7 @@ double volume(const std::array<std::int32_t, 3>& lo, const std::array<std::int32
 /// How much of a node the boxes of its items fill, each counted as often as it is there, is in how many of them a
 /// point lies on average, and so how many others an item has to be compared with.
 void BoxPairs::find_crowded(const std::vector<Box>& boxes) {
-  constexpr double kManyBelow = 4;               // below a crowded node
+  constexpr double kCrowdedBelow = 4;            // below a crowded node
   constexpr std::uint32_t kFew = 8;              // blocks; too few for an average: they go with the node above
   std::vector<double> filled(nodes_.size(), 0);  // sums of volumes
   for_each_index(blocks_.size(), [&](std::size_t b) {
@@ -102,7 +102,7 @@ void BoxPairs::find_crowded(const std::vector<Box>& boxes) {
     if (node > 1 && (node & (node - 1)) == 0) blocks_below /= 2;
     if (is_empty(node)) continue;
     const bool above = node > 1 && crowded_[node / 2] != 0;
-    const double least = (above ? kManyBelow : kMany) * volume(nodes_[node].lo, nodes_[node].hi);
+    const double least = (above ? kCrowdedBelow : kCrowded) * volume(nodes_[node].lo, nodes_[node].hi);
     crowded_[node] = blocks_below < kFew ? above : filled[node] > least;
     any = any || crowded_[node] != 0;
   }
@@ -122,7 +122,7 @@ void BoxPairs::orient(const std::vector<Box>& boxes, const Describe& describe) {
     upright_[of_place(place)] = boxes[items_[place]];
     // Also what is as large among few as others are among many.
     const GridBox box = item_box(place / kBlock, place % kBlock);
-    const bool large = n * volume(box.lo, box.hi) > kMany * volume(nodes_[1].lo, nodes_[1].hi);
+    const bool large = n * volume(box.lo, box.hi) > kCrowded * volume(nodes_[1].lo, nodes_[1].hi);
     if (large || crowded_[leaves_ + place / kBlock] != 0) numbers[of_place(place)] = count++;
   }
   turned_ = std::move(numbers);

@@ -14,7 +14,7 @@ namespace {
 
 // Each bit stands for a property that a vertex does not have: all normals around it are negative along x, y, z
 // (bits 0..2) or positive (bits 3..5), all fans are closed (bit 6).
-constexpr std::uint8_t kOpen = 1 << 6, kNone = 0x7f;
+constexpr std::uint8_t kOpen = 1 << 6, kNoBits = 0x7f;
 
 class Fans {
  public:
@@ -39,7 +39,7 @@ class Fans {
   void exclude(SourceId f) {
     const auto corners = in_.corners[f];
     const auto sides = in_.sides[f];
-    std::uint8_t bits = kNone;
+    std::uint8_t bits = kNoBits;
     if (corners.size() == 3) {
       bits = 0;
       for (int k = 0; k < 3; ++k) {
@@ -51,7 +51,7 @@ class Fans {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (!corners[i].valid()) continue;
       std::uint8_t here = bits;
-      if (bits != kNone && !(in_.paired[sides[i]] && in_.paired[sides[(i + 2) % 3]])) here |= kOpen;
+      if (bits != kNoBits && !(in_.paired[sides[i]] && in_.paired[sides[(i + 2) % 3]])) here |= kOpen;
       const std::atomic_ref entry(excluded_[corners[i].index()]);
       if ((entry.load(std::memory_order_relaxed) | here) != entry.load(std::memory_order_relaxed)) {
         entry.fetch_or(here, std::memory_order_relaxed);

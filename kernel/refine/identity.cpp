@@ -19,7 +19,7 @@ namespace cnrg {
 
 namespace {
 
-struct Item {
+struct VertexBox {
   std::array<double, 3> lo, hi;
   VertexId vertex;
 };
@@ -29,17 +29,17 @@ struct Item {
 class Strips {
  public:
   /// Around two lists of items.
-  Strips(const std::vector<Item>& items, const std::vector<Item>& more)
+  Strips(const std::vector<VertexBox>& items, const std::vector<VertexBox>& more)
       : bits_(std::min<int>(16, 4 + std::bit_width(items.size() + more.size()))) {
     Box all;
-    for (const Item& i : items) all.extend(i.lo, i.hi);
-    for (const Item& i : more) all.extend(i.lo, i.hi);
+    for (const VertexBox& i : items) all.extend(i.lo, i.hi);
+    for (const VertexBox& i : more) all.extend(i.lo, i.hi);
     grid_ = Grid(all);
     for (std::size_t k = 0; k < 3; ++k) {
       held_[k].assign(std::size_t{1} << bits_, 0);
       lo_[k] = all.lo[k];
       hi_[k] = all.hi[k];
-      const auto hold = [&](const Item& i) {
+      const auto hold = [&](const VertexBox& i) {
         std::fill(held_[k].begin() + strip(i.lo[k], k), held_[k].begin() + strip(i.hi[k], k) + 1, 1);
       };
       std::for_each(items.begin(), items.end(), hold);
@@ -71,14 +71,14 @@ class Clusters {
       : table_(table), first_new_(first_new), identity_(identity) {}
 
   /// `settled` axes in a row did not separate the items.
-  void split(Item* begin, Item* end, int axis, int settled) {
+  void split(VertexBox* begin, VertexBox* end, int axis, int settled) {
     if (end - begin < 2) return;
-    if (std::none_of(begin, end, [&](const Item& i) { return i.vertex >= first_new_; })) return;
+    if (std::none_of(begin, end, [&](const VertexBox& i) { return i.vertex >= first_new_; })) return;
     if (settled == 3) {
       resolve(begin, end);
       return;
     }
-    const auto before = [axis](const Item& a, const Item& b) {
+    const auto before = [axis](const VertexBox& a, const VertexBox& b) {
       return a.lo[axis] != b.lo[axis] ? a.lo[axis] < b.lo[axis] : a.vertex < b.vertex;
     };
     if (end - begin > 4096) {
@@ -86,9 +86,9 @@ class Clusters {
     } else {
       std::sort(begin, end, before);
     }
-    Item* start = begin;
+    VertexBox* start = begin;
     double reach = begin->hi[axis];
-    for (Item* i = begin + 1; i != end; ++i) {
+    for (VertexBox* i = begin + 1; i != end; ++i) {
       if (i->lo[axis] > reach) {
         split(start, i, (axis + 1) % 3, 0);
         start = i;
@@ -101,12 +101,12 @@ class Clusters {
   }
 
  private:
-  void resolve(Item* begin, Item* end) {
-    std::sort(begin, end, [&](const Item& a, const Item& b) {
+  void resolve(VertexBox* begin, VertexBox* end) {
+    std::sort(begin, end, [&](const VertexBox& a, const VertexBox& b) {
       const int order = compare_lex(table_, a.vertex, b.vertex);
       return order != 0 ? order < 0 : a.vertex < b.vertex;
     });
-    for (Item* i = begin + 1; i != end; ++i) {
+    for (VertexBox* i = begin + 1; i != end; ++i) {
       if (compare_lex(table_, (i - 1)->vertex, i->vertex) == 0) {
         identity_.unite((i - 1)->vertex.value(), i->vertex.value());
       }
@@ -119,10 +119,10 @@ class Clusters {
 };
 
 /// Unites exact items with equal coordinates; returns one of each.
-std::vector<Item> unite_exact(const std::vector<Item>& items, UnionFind& identity) {
+std::vector<VertexBox> unite_exact(const std::vector<VertexBox>& items, UnionFind& identity) {
   NumberTable numbers(items.size());
-  std::vector<Item> distinct;
-  for (const Item& item : items) {
+  std::vector<VertexBox> distinct;
+  for (const VertexBox& item : items) {
     std::uint32_t& number =
         numbers.slot(hash_of_point(item.lo.data()), [&](std::uint32_t k) { return distinct[k].lo == item.lo; });
     if (number == NumberTable::kNone) {
@@ -139,7 +139,7 @@ std::vector<Item> unite_exact(const std::vector<Item>& items, UnionFind& identit
 
 void unite_coincident(const PointTable& table, VertexId first_new, UnionFind& identity) {
   if (first_new.index() == table.size()) return;
-  std::vector<Item> exact, vague;  // an enclosure of one point is the point
+  std::vector<VertexBox> exact, vague;  // an enclosure of one point is the point
   const auto add = [&](VertexId v) {
     if (identity.find(v.value()) != v.value()) return;  // its representative is added
     const PointView p = table.view(v);
@@ -153,7 +153,7 @@ void unite_coincident(const PointTable& table, VertexId first_new, UnionFind& id
   exact = unite_exact(exact, identity);
   if (vague.empty()) return;
   near = Strips(vague, {});
-  for (const Item& item : exact) {
+  for (const VertexBox& item : exact) {
     if (near.meet(table, item.vertex)) vague.push_back(item);
   }
   Clusters(table, first_new, identity).split(vague.data(), vague.data() + vague.size(), 0, 0);

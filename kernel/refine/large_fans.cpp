@@ -17,7 +17,7 @@ namespace cnrg {
 
 namespace {
 
-constexpr std::uint32_t kMany = 64;  // triangles
+constexpr std::uint32_t kLargeFan = 64;  // triangles
 
 /// The fan of all faces at a vertex.
 class Fan {
@@ -113,7 +113,7 @@ LargeFans::LargeFans(const RefineInput& input, std::vector<char>& fans) : in_(in
   }
   std::vector<VertexId> open;
   for (std::size_t v = 0; v < fans.size(); ++v) {
-    if (count[v] <= kMany) continue;
+    if (count[v] <= kLargeFan) continue;
     large_[v] = fans[v];
     if (fans[v] == 0) open.push_back(VertexId(v));
   }
@@ -121,7 +121,7 @@ LargeFans::LargeFans(const RefineInput& input, std::vector<char>& fans) : in_(in
   std::vector<std::pair<VertexId, SourceId>> around;
   for (const SourceId f : IdRange<SourceId>(in_.corners.size())) {
     for (const VertexId v : in_.corners[f]) {
-      if (v.valid() && count[v.index()] > kMany && fans[v.index()] == 0) around.push_back({v, f});
+      if (v.valid() && count[v.index()] > kLargeFan && fans[v.index()] == 0) around.push_back({v, f});
     }
   }
   std::sort(around.begin(), around.end());

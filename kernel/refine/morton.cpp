@@ -13,10 +13,10 @@ namespace cnrg {
 
 namespace {
 
-struct Item {
+struct CodedBox {
   std::uint64_t code;
   std::uint32_t box;
-  friend bool operator<(const Item& a, const Item& b) {
+  friend bool operator<(const CodedBox& a, const CodedBox& b) {
     return a.code != b.code ? a.code < b.code : a.box < b.box;
   }
 };
@@ -33,18 +33,18 @@ std::uint64_t spread(std::uint64_t x) {
 }
 
 /// Sorts by the highest bits into buckets, then each bucket by itself, in parallel.
-void sort(std::vector<Item>& items) {
+void sort(std::vector<CodedBox>& items) {
   if (items.size() < 4096) {
     std::sort(items.begin(), items.end());
     return;
   }
   constexpr std::size_t kBits = 15, kShift = 63 - kBits, kBuckets = std::size_t{1} << kBits;
   std::vector<std::uint32_t> begin(kBuckets + 1, 0);
-  for (const Item& i : items) ++begin[(i.code >> kShift) + 1];
+  for (const CodedBox& i : items) ++begin[(i.code >> kShift) + 1];
   for (std::size_t b = 0; b < kBuckets; ++b) begin[b + 1] += begin[b];
-  std::vector<Item> sorted(items.size());
+  std::vector<CodedBox> sorted(items.size());
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (const Item& i : items) sorted[next[i.code >> kShift]++] = i;
+  for (const CodedBox& i : items) sorted[next[i.code >> kShift]++] = i;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, kBuckets, 256), [&](const auto& range) {
     for (std::size_t b = range.begin(); b < range.end(); ++b) {
       if (begin[b + 1] - begin[b] > 1) std::sort(sorted.begin() + begin[b], sorted.begin() + begin[b + 1]);
@@ -65,7 +65,7 @@ Grid::Grid(const Box& all) {
 }
 
 std::vector<std::uint32_t> morton_order(const std::vector<Box>& boxes, const Grid& grid) {
-  std::vector<Item> items(boxes.size());
+  std::vector<CodedBox> items(boxes.size());
   for_each_index(boxes.size(), [&](std::size_t i) {
     std::uint64_t code = 0;
     for (std::size_t k = 0; k < 3; ++k) {

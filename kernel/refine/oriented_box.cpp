@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/base/limits.h"
+
 namespace cnrg {
 
 namespace {
 
 using Vector = std::array<double, 3>;
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vector cross(const Vector& a, const Vector& b) {
@@ -84,7 +84,7 @@ double extent(const OrientedBox& box, const Vector& direction) {
 }
 
 /// An upper bound, infinite if it is none.
-double at_least(double bound) { return bound <= std::numeric_limits<double>::max() ? bound : kInfinite; }
+double at_least(double bound) { return bound <= std::numeric_limits<double>::max() ? bound : kInfinity; }
 
 }  // namespace
 

@@ -17,7 +17,6 @@ namespace {
 
 using Index = std::uint32_t;
 using Numbers = ShortList<Index, 4>;
-constexpr Index kNowhere = SimplifiedComplex::kNowhere;
 
 // The beginning of a key as one number: where it differs, it orders as the key does.
 std::uint64_t head(Index key) { return key; }
@@ -94,12 +93,13 @@ class Ordering {
     maps[3] = order_by(region_keys(), s_.regions);
     for (SimplifiedComplex::Face& face : s_.faces) {
       for (Index& region : face.regions) {
-        if (region != kNowhere) region = maps[3][region];
+        if (region != SimplifiedComplex::kNowhere) region = maps[3][region];
       }
     }
     for (auto* places : {&s_.vertex_place, &s_.edge_place, &s_.face_place, &s_.region_place}) {
       for_each_of(*places, [&](SimplifiedComplex::Place& place) {
-        if (place.index != kNowhere) place.index = maps[static_cast<std::size_t>(place.dimension)][place.index];
+        if (place.index != SimplifiedComplex::kNowhere)
+          place.index = maps[static_cast<std::size_t>(place.dimension)][place.index];
       });
     }
     s_.in_order = true;

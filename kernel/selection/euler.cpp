@@ -14,10 +14,6 @@
 namespace cnrg {
 namespace {
 
-long rings(const Complex& complex, FaceId f) {
-  return static_cast<long>(complex.face_loops[f].size() - 1 + complex.face_vertices[f].size());
-}
-
 // The cells of all dimensions as 0 .. n-1, for union-find.
 struct Numbering {
   explicit Numbering(const Complex& c)
@@ -171,7 +167,7 @@ EulerTerms euler_terms(const Complex& complex, const CellSet& set) {
   t.v = static_cast<long>(set.vertices.size());
   t.e = static_cast<long>(set.edges.size());
   t.f = static_cast<long>(set.faces.size());
-  for (FaceId f : set.faces) t.r += rings(complex, f);
+  for (FaceId f : set.faces) t.r += ring_count(complex, f);
   t.volumes = static_cast<long>(set.regions.size());
   t.pieces = count_pieces(complex, set);
   t.cavities = count_cavities(complex, set);

@@ -70,10 +70,6 @@ struct BettiCounter::Members {
 
 namespace {
 
-long rings(const Complex& complex, FaceId f) {
-  return static_cast<long>(complex.face_loops[f].size() - 1 + complex.face_vertices[f].size());
-}
-
 /// The boundary of regions, faces and edges, with what lies on the frame.
 struct FullClosure {
   std::vector<FaceId> faces;
@@ -112,7 +108,7 @@ RegionId sector_region(const Complex& complex, const FaceUse& use) {
 }
 
 template <class Members>
-long count_pieces(const Complex& complex, const CellSet& set, const Members& in) {
+long count_joined(const Complex& complex, const CellSet& set, const Members& in) {
   UnionFind sets(set.size() + 1);
   auto pieces = static_cast<long>(set.size());
   const auto join = [&](std::uint32_t cell, const auto& others) {
@@ -187,7 +183,7 @@ class Counting {
     if (infinity) surfaces_ += 2;
     require(surfaces_ % 2 == 0, "homology: the surfaces inside of regions have an odd Euler characteristic");
     const long euler = sum_ + surfaces_ / 2;
-    const long b0 = count_pieces(complex_, set_, in_);
+    const long b0 = count_joined(complex_, set_, in_);
     const long b2 = frontier_.pieces() + (infinity ? 1 : 0) - b0;
     out.z2 = {b0, b0 + b2 - euler, b2};
     require(b2 >= 0 && out.z2[1] >= 0, "homology: a negative Betti number");
@@ -205,7 +201,7 @@ class Counting {
   }
   long weight(FaceId f) const {
     if (!has(f)) return 0;
-    long w = 1 - rings(complex_, f);
+    long w = 1 - ring_count(complex_, f);
     for (LoopId l : complex_.face_loops[f]) {
       for (HalfEdge h : complex_.loop[l]) w -= weight(h.edge()) + (has(complex_.target(h)) ? 1 : 0);
     }
@@ -271,7 +267,7 @@ class Counting {
     const long w = weight(f);
     sum_ += w;
     for (RegionId r : complex_.face_regions[f]) {
-      if (has(r)) surfaces_ += 1 - rings(complex_, f), sum_ -= w;
+      if (has(r)) surfaces_ += 1 - ring_count(complex_, f), sum_ -= w;
     }
   }
 
@@ -333,7 +329,7 @@ std::vector<long> inner_surfaces(const Complex& complex, const std::vector<Regio
   set.regions = regions;
   const FullClosure boundary = full_closure(complex, set);
   for (FaceId f : boundary.faces) {
-    for (RegionId r : complex.face_regions[f]) add(r, 1 - rings(complex, f));
+    for (RegionId r : complex.face_regions[f]) add(r, 1 - ring_count(complex, f));
   }
   for (EdgeId e : boundary.edges) {
     for (const FaceUse& use : complex.edge_uses[e]) add(sector_region(complex, use), -1);

@@ -19,6 +19,11 @@
 
 namespace cnrg {
 
+/// The rings of a face: loops but one, and vertices isolated in it.
+inline long ring_count(const Complex& complex, FaceId f) {
+  return static_cast<long>(complex.face_loops[f].size() - 1 + complex.face_vertices[f].size());
+}
+
 /// Ranks of the homology groups of a point set: b0, b1, b2.
 struct BettiNumbers {
   std::array<long, 3> z2{}, q{};

@@ -9,7 +9,7 @@ namespace cnrg {
 namespace {
 
 /// Of longer rings few triangulations are positive, and all have to be looked at.
-constexpr std::size_t kLongest = 12;
+constexpr std::size_t kLongestFlip = 12;
 constexpr int kNever = std::numeric_limits<int>::max() / 4;
 
 /// The corners of a tetrahedron other than a and b, so that a, b and they are turned as it is.
@@ -32,8 +32,8 @@ std::array<VertexId, 2> others(const Tetrahedra::Corners& corners, VertexId a, V
 bool Flips::find_ring(VertexId a, VertexId b) {
   ring_.clear();
   tetrahedra_.around(a, b, hole_);
-  if (hole_.size() < 3 || hole_.size() > kLongest) return false;
-  std::array<std::array<VertexId, 2>, kLongest> sides;
+  if (hole_.size() < 3 || hole_.size() > kLongestFlip) return false;
+  std::array<std::array<VertexId, 2>, kLongestFlip> sides;
   for (std::size_t i = 0; i < hole_.size(); ++i) sides[i] = others(tetrahedra_.corners(hole_[i]), a, b);
   ring_.push_back(sides[0][0]);
   VertexId next = sides[0][1];
@@ -67,8 +67,8 @@ bool Flips::remove(VertexId a, VertexId b, const InTheWay& in_the_way, int more)
   for (const VertexId v : ring_) before += in_the_way(std::array{a, b, v});
   for (const Index t : hole_) before += in_the_way(tetrahedra_.corners(t));
   // The triangulation of the ring with the least in the way: of what is between i and j by that of parts of it.
-  int least[kLongest][kLongest];
-  std::size_t by[kLongest][kLongest];
+  int least[kLongestFlip][kLongestFlip];
+  std::size_t by[kLongestFlip][kLongestFlip];
   for (std::size_t i = 0; i + 1 < n; ++i) least[i][i + 1] = 0;
   for (std::size_t length = 2; length < n; ++length) {
     for (std::size_t i = 0; i + length < n; ++i) {

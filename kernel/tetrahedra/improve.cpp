@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/bounds.h"
 #include "kernel/tetrahedra/insertion.h"
@@ -21,7 +22,6 @@ using Index = Stars::Index;
 using Point = Stars::Point;
 
 double cube(double x) { return x * x * x; }
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// While points are added, moves are tried on what is worse than this part of a good shape.
 constexpr double kRough = 0.5;
 /// Rounds of moves, of refinement to length, of refinement to shape, of pulling short edges together.
@@ -57,7 +57,7 @@ constexpr double kGood = 0.01;
 /// vertices between.
 constexpr double kMuch = 0.5;
 /// New vertices are put in while a part is bad that is so much smaller than a round before.
-constexpr double kLess = 0.95;
+constexpr double kFewerBad = 0.95;
 constexpr int kInsertRounds = 30;
 /// Moves that cost less end when so large a part of what was bad is left.
 constexpr double kFewer = 0.98;
@@ -182,8 +182,8 @@ class Improver {
     if (moved) return true;
     for (const auto& [i, j] : Stars::kEdges) {
       const Index a = corners[std::size_t(i)], b = corners[std::size_t(j)];
-      const double longest = options_.size ? lengths_.most(a, b) : kInfinite;
-      if (moves_.collapse(a, b, kInfinite, longest) || moves_.collapse(b, a, kInfinite, longest)) return true;
+      const double longest = options_.size ? lengths_.most(a, b) : kInfinity;
+      if (moves_.collapse(a, b, kInfinity, longest) || moves_.collapse(b, a, kInfinity, longest)) return true;
     }
     return false;
   }
@@ -221,7 +221,7 @@ class Improver {
     const Lengths::Ends ends_halving = [this](Index at) { return over(at) || ends_refining(); };
     begin("mesh: lengths");
     sweep(cube(kRough * options_.good), Bad::notably);  // halves of flat ones would be points that nearly coincide
-    double longer = kInfinite;
+    double longer = kInfinity;
     std::size_t fewest = std::numeric_limits<std::size_t>::max();  // halves of a round
     int patience = kPatience;
     for (int round = 0; round < kSizeRounds && !over(); ++round) {
@@ -232,7 +232,8 @@ class Improver {
       begin("mesh: lengths, moves of round " + of_rounds(round, kSizeRounds));
       sweep(cube(kRough * options_.good), Bad::notably);
       if (longer > Lengths::kLong) continue;
-      patience = double(done) < kLess * double(fewest) ? kPatience : patience - 1;  // moves may undo what it does
+      patience =
+          double(done) < kFewerBad * double(fewest) ? kPatience : patience - 1;  // moves may undo what it does
       fewest = std::min(fewest, done);
       if (patience == 0 || done * kFewDone < mesh_.size()) break;
     }
@@ -450,7 +451,7 @@ class Improver {
       if (!insert(left, on_lines)) break;
       const double bad = bad_shapes();
       if (bad > least) set_mesh(before);
-      if (bad > kLess * least) break;
+      if (bad > kFewerBad * least) break;
       least = bad;
     }
   }
@@ -494,7 +495,7 @@ class Improver {
 
   double shortest_edge(Index t) const {
     const auto& c = mesh_.at(t).corners;
-    double shortest = kInfinite;
+    double shortest = kInfinity;
     for (const auto& [i, j] : Stars::kEdges)
       shortest = std::min(shortest, moves_.squared(c[std::size_t(i)], c[std::size_t(j)]));
     return std::sqrt(shortest);
@@ -504,7 +505,7 @@ class Improver {
   void halve_on(std::size_t left) {
     set_halvings();
     ConformingTetrahedra best;
-    double least = kInfinite, saved = kInfinite;  // parts that are bad, of all rounds and of `best`
+    double least = kInfinity, saved = kInfinity;  // parts that are bad, of all rounds and of `best`
     std::size_t size = 0;                         // of `best`
     int patience = kPatience;
     for (int round = 0;; ++round) {

@@ -15,7 +15,7 @@ using Tetrahedron = Stars::Tetrahedron;
 /// No hole has more tetrahedra, and no way to a place leads through more.
 constexpr std::size_t kMost = 4000, kFar = 400;
 /// A triangle of a facet must keep at least this part of a right angle's turn to the facet's normal.
-constexpr double kFlat = 0.9;
+constexpr double kFlatTurn = 0.9;
 
 Point plus(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
@@ -255,7 +255,7 @@ bool Insertion::set_facets(Index v, std::int32_t facet) {
   for (const auto& [a, b] : once) {
     const Point m = cross(minus(mesh_.point(a), p), minus(mesh_.point(b), p));
     const double up = dot(m, n);
-    if (!(up * up > kFlat * kFlat * dot(m, m))) return false;
+    if (!(up * up > kFlatTurn * kFlatTurn * dot(m, m))) return false;
   }
   for (Tetrahedron& t : fresh_) {
     const int at = t.place(v);

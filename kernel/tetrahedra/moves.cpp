@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/per_thread.h"
 #include "kernel/base/vectors.h"
 
@@ -19,7 +20,6 @@ using Tetrahedron = Stars::Tetrahedron;
 constexpr std::size_t kLongest = 12;
 /// A triangle of a facet must keep at least this part of a right angle's turn to the facet's normal.
 constexpr double kFlat = 0.9;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Costs fall by at least so much, as for one bad shape that gets better by a twentieth: there is nearly always a
 /// little to gain, which helps nobody.
 constexpr double kLess = 0.05;
@@ -29,7 +29,7 @@ constexpr std::size_t kBadOnes = 6, kPulls = 2;
 }  // namespace
 
 double Moves::worst(std::span<const Index> tetrahedra) const {
-  double worst = kInfinite;
+  double worst = kInfinity;
   for (const Index t : tetrahedra) worst = std::min(worst, mesh_.at(t).shape);
   return worst;
 }
@@ -44,7 +44,7 @@ double Moves::value(std::span<const Index> tetrahedra) const {
 double Moves::value(const std::array<Index, 4>& corners, std::int32_t region, double bar) const {
   Tetrahedron t{.corners = corners, .region = region};
   t.shape = mesh_.measure(corners, region, aim_ ? 0 : bar);
-  return t.shape > 0 ? value(t) : -kInfinite;
+  return t.shape > 0 ? value(t) : -kInfinity;
 }
 
 /// Where costs count: what a move would put in the place of what it would take away.
@@ -140,9 +140,9 @@ bool Moves::fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool
   for (std::size_t length = 2; length < count; ++length) {
     for (std::size_t i = 0; i + length < count; ++i) {
       const std::size_t j = i + length;
-      best[i][j] = -kInfinite, by[i][j] = i + 1;
+      best[i][j] = -kInfinity, by[i][j] = i + 1;
       const bool fresh = closing || length + 1 < count;
-      if (fresh && longest < kInfinite && squared(p(i), p(j)) >= longest) continue;
+      if (fresh && longest < kInfinity && squared(p(i), p(j)) >= longest) continue;
       for (std::size_t k = i + 1; k < j; ++k) {
         double good = both(best[i][k], best[k][j]);
         const double least = std::max(bar, best[i][j]);
@@ -468,7 +468,7 @@ bool Moves::smooth(Index v, double gain) {
   // First to the middle of what is around.
   Point middle{};
   std::size_t n = 0;
-  double near = kInfinite;
+  double near = kInfinity;
   for (const Index i : mesh_.star(v)) {
     for (const Index w : mesh_.at(i).corners) {
       if (w == v) continue;

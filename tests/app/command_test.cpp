@@ -28,10 +28,6 @@ nodes:
 result: r
 )";
 
-std::size_t lines_in(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
-
 /// The words of the row that begins with a name.
 std::vector<std::string> row(const std::string& text, const std::string& name) {
   std::istringstream lines(text);

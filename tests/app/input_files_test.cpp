@@ -15,10 +15,6 @@ const char* const kOff = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 std::string tree_with(const std::string& leaf) { return "cnrg: 1\nnodes:\n  a: {" + leaf + "}\nresult: a\n"; }
 
-std::size_t lines_in(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
-
 TEST_CASE("only regular files are read", "[app][inputs]") {
   const Workshop w;
   w.shell("mkfifo pipe.off pipe.json; mkdir folder.off; ln -s /dev/zero zero.off; ln -s /dev/zero zero.asc");

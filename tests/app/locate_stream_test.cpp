@@ -11,12 +11,12 @@ namespace {
 using Catch::Contains;
 using Catch::StartsWith;
 
-const char* const kTree = "cnrg: 1\nnodes: {a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}}\nresult: a\n";
+const char* const kBoxTree = "cnrg: 1\nnodes: {a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}}\nresult: a\n";
 const std::string kLocate = "'" CNRG_PROGRAM "' locate t.yaml";
 
 TEST_CASE("locate answers while it reads", "[app][locate]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kBoxTree);
   const Outcome endless = w.shell("yes '1 1 1' | " + kLocate + " 2>.err | head -1 >.out");
   CHECK(endless.out == "3 r0 1 a\n");
   CHECK(endless.err.empty());
@@ -33,7 +33,7 @@ TEST_CASE("locate answers while it reads", "[app][locate]") {
 
 TEST_CASE("a reader that leaves ends locate without a word", "[app][locate]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kBoxTree);
   const Outcome o = w.shell("{ trap '' PIPE; yes '1 1 1' 2>/dev/null | " + kLocate +
                             " 2>.err; echo $? >status; } | head -1 >.out; sleep 0.3");
   CHECK(o.out == "3 r0 1 a\n");
@@ -43,7 +43,7 @@ TEST_CASE("a reader that leaves ends locate without a word", "[app][locate]") {
 
 TEST_CASE("memory of locate does not grow with the points", "[app][locate]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kBoxTree);
   // With as much memory as a few points need.
   const Outcome bounded = w.shell("yes '1 1 1' | head -500000 | ( ulimit -d 60000; " + kLocate +
                                   " --threads 1 2>.err ) | wc -l >.out");
@@ -53,7 +53,7 @@ TEST_CASE("memory of locate does not grow with the points", "[app][locate]") {
 
 TEST_CASE("input that cannot be read is no end of input", "[app][locate][errors]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kBoxTree);
   const Outcome o = w.shell(kLocate + " <. >.out 2>.err");
   CHECK(o.status == 3);
   CHECK(o.out.empty());
@@ -65,7 +65,7 @@ TEST_CASE("input that cannot be read is no end of input", "[app][locate][errors]
 
 TEST_CASE("answers before a fault are given, and the last line needs no end", "[app][locate][errors]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kBoxTree);
   const Outcome o = w.run("locate t.yaml", "1 1 1\r\n\n1 one 1\n1 1 1\n");
   CHECK(o.status == 2);
   CHECK(o.out == "3 r0 1 a\n\n");
@@ -82,7 +82,7 @@ TEST_CASE("answers before a fault are given, and the last line needs no end", "[
 
 TEST_CASE("a byte order mark before the points is no part of them", "[app][locate]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kBoxTree);
   const Outcome o = w.run("locate t.yaml",
                           "\xef\xbb\xbf"
                           "1 1 1\n3 3 3\n");

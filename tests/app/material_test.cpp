@@ -13,7 +13,7 @@ namespace {
 
 using Catch::Contains;
 
-const std::string kTree = R"(cnrg: 1
+const std::string kMaterialTree = R"(cnrg: 1
 materials:
   steel: {color: "#667788"}
   ceramic: {}
@@ -43,7 +43,7 @@ std::array<double, 3> expected(int region, double x, double y, double z) {
 
 TEST_CASE("graded materials are sampled in .vtu, kept in .json, and told by locate", "[app][material]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kMaterialTree);
   const Outcome o = w.run("eval t.yaml --quiet -o t.json -o t.vtu");
   INFO(o.err);
   REQUIRE(o.status == 0);
@@ -91,7 +91,7 @@ TEST_CASE("graded materials are sampled in .vtu, kept in .json, and told by loca
 TEST_CASE("graded materials are sampled at the corners of tetrahedra in .msh, and Gmsh reads them",
           "[app][material][mesh]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kMaterialTree);
   REQUIRE(w.run("mesh t.yaml --quiet --max-volume 0.05 -o t.msh -o t.vtu").status == 0);
   const std::string text = w.read("t.msh");
   const test::MeshFile mesh = test::read_msh(text);
@@ -135,7 +135,7 @@ TEST_CASE("graded materials are sampled at the corners of tetrahedra in .msh, an
 
 TEST_CASE("broken grades in a result are refused at their place", "[app][material]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kMaterialTree);
   REQUIRE(w.run("eval t.yaml --quiet -o t.json").status == 0);
   w.write("back.yaml", "cnrg: 1\nnodes: {r: {cnrg: t.json}}\nresult: r\n");
   const std::string good = w.read("t.json");

@@ -9,7 +9,7 @@ namespace {
 
 using Catch::Contains;
 
-const char* const kTree = R"(cnrg: 1
+const char* const kCurvedTree = R"(cnrg: 1
 nodes:
   can: {cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 8}}
   pin: {cone: {from: [0, 0, 1], to: [0, 0, 3], radius: 1/2, segments: 4}}
@@ -23,7 +23,7 @@ result: all
 
 TEST_CASE("locate tells patches and parameters when asked", "[app]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kCurvedTree);
   // On the seam; a quarter round at half height; in the tip's side, which the difference made the can's; on the
   // cap at its corner; a wire; inside.
   const std::string points = "1 0 1/2\n0 1 1\n1/8 1/8 2\n1/4 0 2\n1 0 2\n11/2 0 1/4\n0 0 0.5\n\n9 9 9\n";
@@ -48,7 +48,7 @@ TEST_CASE("locate tells patches and parameters when asked", "[app]") {
 
 TEST_CASE("explain tells the place on patches and curves", "[app]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kCurvedTree);
   const auto said = [&](const std::string& arguments) {
     const Outcome o = w.run("explain t.yaml " + arguments);
     INFO(o.err);
@@ -64,7 +64,7 @@ TEST_CASE("explain tells the place on patches and curves", "[app]") {
 
 TEST_CASE("files have parameters with --parameters only", "[app]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kCurvedTree);
   REQUIRE(w.run("eval t.yaml -o a.json -o a.vtu --quiet").status == 0);
   REQUIRE(w.run("eval t.yaml -o b.json -o b.vtu --quiet --parameters").status == 0);
   for (const char* name : {"a.json", "a.vtu"})

@@ -10,7 +10,7 @@ namespace {
 using Catch::Contains;
 using Catch::StartsWith;
 
-const std::string kTree = R"(cnrg: 1
+const std::string kTwoBoxes = R"(cnrg: 1
 nodes:
   a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}
   b: {box: {min: [1, 1, 1], max: [3, 3, 3]}}
@@ -22,17 +22,17 @@ const std::string kReader = "cnrg: 1\nnodes: {m: {mesh: {file: parts/t.off}}}\nr
 
 TEST_CASE("a tree on standard input is what it is in a file", "[app][stdin]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kTwoBoxes);
   REQUIRE(w.run("eval t.yaml -o file.json --quiet").status == 0);
-  REQUIRE(w.run("eval - -o input.json --quiet", kTree).status == 0);
+  REQUIRE(w.run("eval - -o input.json --quiet", kTwoBoxes).status == 0);
   CHECK(w.read("input.json") == w.read("file.json"));
-  CHECK(w.run("check -", kTree).out == "<stdin>: 3 nodes, 2 of them leaves; no faults\n");
-  CHECK(w.run("explain - --point 1,1,1", kTree).out == w.run("explain t.yaml --point 1,1,1").out);
+  CHECK(w.run("check -", kTwoBoxes).out == "<stdin>: 3 nodes, 2 of them leaves; no faults\n");
+  CHECK(w.run("explain - --point 1,1,1", kTwoBoxes).out == w.run("explain t.yaml --point 1,1,1").out);
   REQUIRE(w.run("mesh t.yaml -o file.msh --quiet").status == 0);
-  REQUIRE(w.run("mesh - -o input.msh --quiet", kTree).status == 0);
+  REQUIRE(w.run("mesh - -o input.msh --quiet", kTwoBoxes).status == 0);
   CHECK(w.read("input.msh") == w.read("file.msh"));
-  CHECK(w.run("compare t.yaml -", kTree).status == 0);
-  CHECK_THAT(w.run("compare - t.yaml", kTree).out, Contains("A: `u` of <stdin>\n") && Contains("the same"));
+  CHECK(w.run("compare t.yaml -", kTwoBoxes).status == 0);
+  CHECK_THAT(w.run("compare - t.yaml", kTwoBoxes).out, Contains("A: `u` of <stdin>\n") && Contains("the same"));
   const Outcome piped = w.shell("cat t.yaml | '" CNRG_PROGRAM "' check - >.out 2>.err");
   CHECK(piped.status == 0);
 }
@@ -41,7 +41,7 @@ TEST_CASE("faults of a tree on standard input have a line and a column", "[app][
   const Workshop w;
   for (const std::string command : {"eval -", "check -", "explain - --point 0,0,0", "mesh - -o m.msh",
                                     "view - -o v.html", "compare t.yaml -"}) {
-    w.write("t.yaml", kTree);
+    w.write("t.yaml", kTwoBoxes);
     const Outcome o =
         w.run(command, "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, nan]}}\nresult: a\n");
     INFO(command);
@@ -70,9 +70,9 @@ TEST_CASE("files that a tree on standard input names are looked for in the curre
 
 TEST_CASE("what standard input cannot be is refused", "[app][stdin][errors]") {
   const Workshop w;
-  w.write("t.yaml", kTree);
+  w.write("t.yaml", kTwoBoxes);
   const auto refused = [&](const std::string& arguments, const std::string& message) {
-    const Outcome o = w.run(arguments, kTree);
+    const Outcome o = w.run(arguments, kTwoBoxes);
     INFO(arguments << ": " << o.err);
     CHECK(o.status == 2);
     CHECK(o.out.empty());

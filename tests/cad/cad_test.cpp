@@ -75,9 +75,9 @@ class Folder {
 };
 
 /// A model in both formats.
-class Part : public Folder {
+class CadPart : public Folder {
  public:
-  explicit Part(const TopoDS_Shape& shape) {
+  explicit CadPart(const TopoDS_Shape& shape) {
     write_brep(shape, file("part.brep"));
     write_step(shape, file("part.step"));
   }
@@ -91,7 +91,7 @@ class Part : public Folder {
 };
 
 TEST_CASE("a box with a bore has the faces, edges and vertices of the model", "[cad]") {
-  const Part part(bored_box());
+  const CadPart part(bored_box());
   const double exact = 32 - 2 * kPi;
   for (const double chord : {0.2, 0.01}) {
     const NodeRow row = part.leaf(", chord: " + std::to_string(chord));
@@ -118,7 +118,7 @@ TEST_CASE("seams and poles are no cells unless they are asked for", "[cad]") {
       {BRepPrimAPI_MakeCone(2, 0, 3).Shape(), {1, 1, 2, 1}, {2, 2, 2, 1}, 4 * kPi, 2 * kPi * std::sqrt(13.0)},
       {BRepPrimAPI_MakeCone(2, 1, 3).Shape(), {2, 2, 3, 1}, {2, 3, 3, 1}, 7 * kPi, 3 * kPi * std::sqrt(10.0)}};
   for (const Case& c : cases) {
-    const Part part(c.shape);
+    const CadPart part(c.shape);
     CHECK(part.leaf(", seams: true").cells == c.with_seams);
     std::vector<double> off;
     for (const double chord : {0.4, 0.01}) {
@@ -133,7 +133,7 @@ TEST_CASE("seams and poles are no cells unless they are asked for", "[cad]") {
 
 TEST_CASE("solids that share a face, that touch, that have a cavity", "[cad]") {
   SECTION("shared") {
-    const Part part(glued({box({0, 0, 0}, {1, 2, 3}), box({1, 0, 0}, {3, 2, 3})}));
+    const CadPart part(glued({box({0, 0, 0}, {1, 2, 3}), box({1, 0, 0}, {3, 2, 3})}));
     const NodeRow row = part.leaf("");
     CHECK(row.cells == Cells{12, 20, 11, 2});
     CHECK(*row.volume() == 18);
@@ -142,13 +142,13 @@ TEST_CASE("solids that share a face, that touch, that have a cavity", "[cad]") {
     CHECK(part.leaf(", fill: none").cells == Cells{12, 20, 11, 0});
   }
   SECTION("touching in a part of a face, which the file does not know") {
-    const Part part(compound({box({0, 0, 0}, {1, 2, 3}), box({1, 0.5, 0.5}, {2, 1.5, 1})}));
+    const CadPart part(compound({box({0, 0, 0}, {1, 2, 3}), box({1, 0.5, 0.5}, {2, 1.5, 1})}));
     const NodeRow row = part.leaf("");
     CHECK(row.cells == Cells{16, 24, 12, 2});
     CHECK(*row.volume() == Rational(13, 2));
   }
   SECTION("a cavity") {
-    const Part part(cut(box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 3})));
+    const CadPart part(cut(box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 3})));
     CHECK(part.leaf("").cells == Cells{16, 24, 12, 1});
     CHECK(*part.leaf("").volume() == 62);
     CHECK(*part.leaf(", fill: winding").volume() == 62);
@@ -156,13 +156,13 @@ TEST_CASE("solids that share a face, that touch, that have a cavity", "[cad]") {
   }
   SECTION("a solid in the cavity of another") {
     const TopoDS_Shape inner = box({1, 1, 1}, {2, 2, 3});
-    const Part part(compound({cut(box({0, 0, 0}, {4, 4, 4}), inner), moved(inner, 0, 0, 0)}));
+    const CadPart part(compound({cut(box({0, 0, 0}, {4, 4, 4}), inner), moved(inner, 0, 0, 0)}));
     const NodeRow row = part.leaf("");
     CHECK(row.regions == 2);
     CHECK(*row.volume() == 64);
   }
   SECTION("overlapping") {
-    const Part part(compound({box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})}));
+    const CadPart part(compound({box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})}));
     CHECK_THROWS_WITH(part.row("  part: {brep: {file: part.brep}}"),
                       StartsWith(part.file("t.yaml") + ":3:10: error: solid 1, solid 2 of `part` (line 3): these "
                                                        "solids overlap; "));
@@ -174,7 +174,7 @@ TEST_CASE("solids that share a face, that touch, that have a cavity", "[cad]") {
 
 TEST_CASE("shells, wires and vertices keep their dimension", "[cad]") {
   SECTION("an open shell") {
-    const Part part(shell_of(box({0, 0, 0}, {1, 1, 1}), {5}));
+    const CadPart part(shell_of(box({0, 0, 0}, {1, 1, 1}), {5}));
     CHECK(part.leaf("").cells == Cells{8, 12, 5, 0});
     CHECK_THROWS_WITH(part.row("  part: {step: {file: part.step, fill: winding}}"),
                       Contains("t.yaml:3:10: error: step: ") &&
@@ -185,7 +185,7 @@ TEST_CASE("shells, wires and vertices keep their dimension", "[cad]") {
                       Contains("there are no solids"));
   }
   SECTION("a closed shell that is no solid") {
-    const Part part(shell_of(box({0, 0, 0}, {1, 1, 1}), {}));
+    const CadPart part(shell_of(box({0, 0, 0}, {1, 1, 1}), {}));
     CHECK(part.leaf("").cells == Cells{8, 12, 6, 0});
     CHECK(part.leaf(", fill: winding").cells == Cells{8, 12, 6, 1});
     CHECK(part.leaf(", fill: cells").cells == Cells{8, 12, 6, 1});
@@ -216,7 +216,7 @@ TEST_CASE("shells, wires and vertices keep their dimension", "[cad]") {
 }
 
 TEST_CASE("CAD leaves meet other leaves exactly", "[cad]") {
-  const Part part(box({0, 0, 0}, {2, 2, 2}));
+  const CadPart part(box({0, 0, 0}, {2, 2, 2}));
   const std::string nodes =
       "  part: {step: {file: part.step}}\n  other: {box: {min: [1, 1, 1], max: [3, 3, 3]}}\n"
       "  same: {box: {min: [0, 0, 0], max: [2, 2, 2]}}\n  m: ";
@@ -227,7 +227,7 @@ TEST_CASE("CAD leaves meet other leaves exactly", "[cad]") {
   CHECK(part.row(nodes + "{union: [part, same], regularize: true}", "m").cells == Cells{8, 12, 6, 1});
   CHECK(*part.row("  part: {brep: {file: part.brep}, scale: [1, 2, -3], translate: [1/3, 0, 0]}").volume() == 48);
 
-  const Part bored(bored_box());
+  const CadPart bored(bored_box());
   const NodeRow sliced = bored.row(
       "  part: {step: {file: part.step, chord: 1/50}}\n"
       "  half: {box: {min: [-1, -1, -1], max: [5, 2, 3]}}\n"
@@ -237,7 +237,7 @@ TEST_CASE("CAD leaves meet other leaves exactly", "[cad]") {
 }
 
 TEST_CASE("every facet has the number of its face in the file", "[cad]") {
-  const Part part(bored_box());
+  const CadPart part(bored_box());
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(bored_box(), TopAbs_FACE, faces);
   CadShape shape;
@@ -351,7 +351,7 @@ TEST_CASE("solids of a file by number or name", "[cad]") {
   CHECK(both.regions == 3);
   CHECK(*both.volume() == Rational(9, 2));
 
-  const Part glue(glued({box({0, 0, 0}, {1, 2, 3}), box({1, 0, 0}, {3, 2, 3})}));
+  const CadPart glue(glued({box({0, 0, 0}, {1, 2, 3}), box({1, 0, 0}, {3, 2, 3})}));
   CHECK(glue.leaf(", solids: [2]").cells == Cells{8, 12, 6, 1});
   CHECK(*glue.leaf(", solids: [2]").volume() + *glue.leaf(", solids: [1]").volume() == 18);
 }
@@ -420,7 +420,7 @@ TEST_CASE("what OpenCASCADE does to its process is one error", "[cad]") {
 }
 
 TEST_CASE("files that are none", "[cad]") {
-  const Part part(bored_box());
+  const CadPart part(bored_box());
   const auto tree = [&](const std::string& leaf) {
     return parse_tree("cnrg: 1\nnodes:\n  part: {" + leaf + "}\nresult: part\n", part.file("t.yaml"));
   };
@@ -456,7 +456,7 @@ TEST_CASE("files that are none", "[cad]") {
 }
 
 TEST_CASE("OpenCASCADE says nothing on its own", "[cad]") {
-  const Part part(bored_box());
+  const CadPart part(bored_box());
   part.write("t.yaml", "cnrg: 1\nnodes:\n  part: {step: {file: part.step}}\nresult: part\n");
   part.write("u.yaml", "cnrg: 1\nnodes:\n  part: {step: {file: cut.step}}\nresult: part\n");
   const std::string step = part.read("part.step");

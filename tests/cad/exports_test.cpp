@@ -46,7 +46,7 @@ namespace {
 
 using namespace cad;
 using Catch::Contains;
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 /// A tree in a folder that goes afterwards.
 class Scene {
@@ -123,14 +123,16 @@ std::multiset<std::string> surfaces(const TopoDS_Shape& shape) {
 
 TEST_CASE("round solids are one face on their surface", "[exports]") {
   const auto [leaf, kind, exact] = GENERATE(
-      std::tuple("sphere: {center: [1, 2, 3], radius: 2, segments: 12}", "Geom_SphericalSurface", 32 * kPi / 3),
+      std::tuple("sphere: {center: [1, 2, 3], radius: 2, segments: 12}", "Geom_SphericalSurface",
+                 32 * kHalfTurn / 3),
       std::tuple("torus: {center: [1, 0, 0], axis: [1, 1, 0], radius: 3, tube: 1}", "Geom_ToroidalSurface",
-                 6 * kPi * kPi),
+                 6 * kHalfTurn * kHalfTurn),
       std::tuple("cylinder: {from: [0, 0, 0], to: [1, 2, 2], radius: 1, segments: 7}", "Geom_CylindricalSurface",
-                 3 * kPi),
-      std::tuple("cone: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, segments: 9}", "Geom_ConicalSurface", kPi),
+                 3 * kHalfTurn),
+      std::tuple("cone: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, segments: 9}", "Geom_ConicalSurface",
+                 kHalfTurn),
       std::tuple("cone: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, top: 2, segments: 9}", "Geom_ConicalSurface",
-                 7 * kPi),
+                 7 * kHalfTurn),
       std::tuple("revolve: {profile: [[1, 0], [2, 0], {bezier: [[3, 1]]}, [2, 2], [1, 2]], segments: 12}",
                  "Geom_SurfaceOfRevolution", 0.0),
       std::tuple("extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 1, 0]]}, [2, 2, 0], [0, 2, 0]], vector: "
@@ -141,13 +143,13 @@ TEST_CASE("round solids are one face on their surface", "[exports]") {
                  "scale: 1/2}",
                  "Geom_BSplineSurface", (4 + 2.0 / 3) * 7 / 4),
       std::tuple("sphere: {center: [1, 2, 3], radius: 2, segments: 12}, scale: [1, 2, 3]", "Geom_BSplineSurface",
-                 64 * kPi),
+                 64 * kHalfTurn),
       std::tuple("cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 8}, scale: [1, 2, 1]",
-                 "Geom_BSplineSurface", 4 * kPi),
+                 "Geom_BSplineSurface", 4 * kHalfTurn),
       std::tuple("sphere: {center: [1, 2, 3], radius: 2, segments: 12}, scale: [-2, 2, 2]",
-                 "Geom_SphericalSurface", 256 * kPi / 3),
+                 "Geom_SphericalSurface", 256 * kHalfTurn / 3),
       std::tuple("torus: {center: [1, 0, 0], axis: [1, 1, 0], radius: 3, tube: 1}, mirror: {normal: [1, 0, 0]}",
-                 "Geom_ToroidalSurface", 6 * kPi * kPi));
+                 "Geom_ToroidalSurface", 6 * kHalfTurn * kHalfTurn));
   CAPTURE(leaf);
   Scene scene("nodes: {model: {" + std::string(leaf) + "}}");
   for (const bool step : {false, true}) {
@@ -172,7 +174,7 @@ TEST_CASE("a seam takes a vertex and an edge, all else is as in the result", "[e
   CHECK(count(shape, TopAbs_FACE) == 7);
   CHECK(count(shape, TopAbs_EDGE) == 14 + 1);
   CHECK(count(shape, TopAbs_VERTEX) == 8 + 2);
-  CHECK(volume(shape) == Approx(32 - 2 * kPi).epsilon(1e-12));
+  CHECK(volume(shape) == Approx(32 - 2 * kHalfTurn).epsilon(1e-12));
 }
 
 TEST_CASE("regions share the faces between them, and a wall has two solids", "[exports]") {
@@ -190,8 +192,8 @@ TEST_CASE("regions share the faces between them, and a wall has two solids", "[e
   for (int i = 1; i <= solids.Extent(); ++i) walls += solids(i).Extent() == 2;
   CHECK(walls == 1);
   const std::vector<double> found = volumes(shape);
-  CHECK(found[0] == Approx(32 * kPi / 3).epsilon(1e-9));
-  CHECK(found[1] == Approx(108 - 16 * kPi / 3).epsilon(1e-9));
+  CHECK(found[0] == Approx(32 * kHalfTurn / 3).epsilon(1e-9));
+  CHECK(found[1] == Approx(108 - 16 * kHalfTurn / 3).epsilon(1e-9));
 }
 
 /// The volume of the tetrahedra that Gmsh makes of a CAD model.
@@ -241,7 +243,7 @@ TEST_CASE("Gmsh meshes the files", "[exports]") {
       "  bead: {difference: [ball, bore]}\n  box: {box: {min: [0, -3, -3], max: [3, 3, 3]}}\n"
       "  model: {union: [bead, box], dominance: left}");
   // What the bore leaves of the ball is 4/3 pi (4 - 1)^(3/2), half of it in the box.
-  const double bead = 4 * kPi * std::sqrt(3.0), in_box = bead / 2;
+  const double bead = 4 * kHalfTurn * std::sqrt(3.0), in_box = bead / 2;
   for (const std::string name : {"m.step", "m.brep"}) {
     INFO(name);
     scene.write(name);
@@ -260,8 +262,8 @@ TEST_CASE("curves of intersection are splines within the tolerance, which the no
   double exact = 0;
   constexpr int kSteps = 200000;
   for (int i = 0; i < kSteps; ++i) {
-    const double t = (i + 0.5) / kSteps * kPi - kPi / 2, z = 0.75 * std::sin(t);  // z = r sin t
-    exact += 4 * std::sqrt(1 - z * z) * 0.75 * std::cos(t) * 0.75 * std::cos(t) * kPi / kSteps;
+    const double t = (i + 0.5) / kSteps * kHalfTurn - kHalfTurn / 2, z = 0.75 * std::sin(t);  // z = r sin t
+    exact += 4 * std::sqrt(1 - z * z) * 0.75 * std::cos(t) * 0.75 * std::cos(t) * kHalfTurn / kSteps;
   }
   CHECK(volume(shape) == Approx(exact).epsilon(1e-6));
   REQUIRE(scene.notices.size() == 1);
@@ -346,7 +348,7 @@ TEST_CASE("a CAD model that went through a tree has its surfaces", "[exports]") 
       "nodes:\n  ball: {sphere: {center: [0, 0, 0], radius: 2, segments: 24}}\n"
       "  hole: {cylinder: {from: [0, 0, -3], to: [0, 0, 3], radius: 1, segments: 24}}\n"
       "  model: {difference: [ball, hole]}");
-  const double exact = 4 * kPi / 3 * std::pow(3, 1.5);
+  const double exact = 4 * kHalfTurn / 3 * std::pow(3, 1.5);
   CHECK(volume(scene.step()) == Approx(exact).epsilon(1e-9));
   for (const std::string form : {"step", "brep"}) {
     if (form == "brep") scene.brep();
@@ -418,14 +420,14 @@ TEST_CASE("files are right where OpenCASCADE's own Booleans are not", "[exports]
   SECTION("a ball that fills the tube of a torus is cut out of it") {
     const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(3, 1).Shape();
     const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(3, 0, 0), 1).Shape();
-    CHECK(volume(BRepAlgoAPI_Cut(torus, ball).Shape()) == Approx(6 * kPi * kPi));
+    CHECK(volume(BRepAlgoAPI_Cut(torus, ball).Shape()) == Approx(6 * kHalfTurn * kHalfTurn));
     Scene scene(leaves + "  model:   {difference: [ring, ball]}");
     for (const bool step : {false, true}) {
       const TopoDS_Shape shape = step ? scene.step() : scene.brep();
       CHECK(valid(shape));
       CHECK(count(shape, TopAbs_SOLID) == 1);
       CHECK(count(shape, TopAbs_SHELL) == 2);
-      CHECK(volume(shape) == Approx(6 * kPi * kPi - 4 * kPi / 3));
+      CHECK(volume(shape) == Approx(6 * kHalfTurn * kHalfTurn - 4 * kHalfTurn / 3));
     }
   }
   SECTION("a sheet parts a solid and goes on outside of it") {
@@ -437,7 +439,7 @@ TEST_CASE("files are right where OpenCASCADE's own Booleans are not", "[exports]
     const TopoDS_Shape shape = scene.brep();
     CHECK(valid(shape));
     REQUIRE(volumes(shape).size() == 2);
-    for (const double v : volumes(shape)) CHECK(v == Approx(2 * kPi));
+    for (const double v : volumes(shape)) CHECK(v == Approx(2 * kHalfTurn));
     CHECK(count(shape, TopAbs_FACE) == scene.result().cells().faces.size());
     CHECK(valid(scene.step()));
   }

@@ -95,7 +95,7 @@ const std::vector<Nest> nests{
      {0, 1, 2, 1}},
 };
 
-std::string tree_of(const Nest& nest, std::mt19937_64& random, const std::string& at) {
+std::string nest_tree(const Nest& nest, std::mt19937_64& random, const std::string& at) {
   std::uniform_int_distribution<int> segments(4, 30);
   std::vector<std::string> lines;
   std::string names, others;
@@ -119,7 +119,7 @@ const NodeRow& row_of(const Evaluation& evaluation, const std::string& name) {
                        [&](const NodeRow& row) { return row.name == name; });
 }
 
-Rational volume_of(const Evaluation& evaluation, const std::string& name) {
+Rational volume_of_nest(const Evaluation& evaluation, const std::string& name) {
   return row_of(evaluation, name).volume().value();
 }
 
@@ -130,12 +130,12 @@ TEST_CASE("what touches from inside is inside, and touches where it does, at any
       static const std::array<std::string, 6> more{
           "", "", ", scale: 0.3", ", mirror: {normal: [1, 2, 0]}", ", scale: [2, 1, 0.7]", ", scale: [1, 3, 1]"};
       const std::string at = i == 0 ? "" : placed(random) + more[static_cast<std::size_t>(i)];
-      const std::string nodes = tree_of(nest, random, at);
+      const std::string nodes = nest_tree(nest, random, at);
       INFO(nest.name << "\n" << nodes);
       const Evaluation found = evaluated(nodes);
       CHECK(row_of(found, "all").cells == nest.all);
       CHECK(row_of(found, "rest").cells == nest.rest);
-      if (nest.within) CHECK(volume_of(found, "all") == volume_of(found, "n0"));
+      if (nest.within) CHECK(volume_of_nest(found, "all") == volume_of_nest(found, "n0"));
       const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml");
       CHECK(certify(tree, found).places == 0);
     }
@@ -167,7 +167,7 @@ TEST_CASE("of what is left between a pin and its bore the volume is what one has
         "  bore: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 3, segments: 20}}\n"
         "  pin: {cylinder: {from: [1, 0, 0], to: [1, 0, 4], radius: 2, segments: " +
         number(segments) + "}}\n  model: {difference: [bore, pin]}\n");
-    CHECK(volume_of(found, "model") == volume_of(found, "bore") - volume_of(found, "pin"));
+    CHECK(volume_of_nest(found, "model") == volume_of_nest(found, "bore") - volume_of_nest(found, "pin"));
     CHECK(found.rows.back().regions == 1);
   }
 }
@@ -194,7 +194,7 @@ TEST_CASE("surfaces that each are inside of the next one, in a circle, are evalu
       "  d: {cylinder: {from: [1, 0, 0], to: [1, 0, 2], radius: 2, segments: 10}}\n"
       "  model: {union: [a, b, c, d]}\n";
   const Evaluation found = evaluated(nodes);
-  CHECK(volume_of(found, "model") >= volume_of(found, "b"));
+  CHECK(volume_of_nest(found, "model") >= volume_of_nest(found, "b"));
   const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml");
   CHECK(certify(tree, found).places > 0);
 }

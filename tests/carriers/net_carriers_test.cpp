@@ -37,7 +37,7 @@ BezierPatch patch(const Net4& net) {
   return result;
 }
 
-constexpr int kNone = 0, kX = 1, kY = 2, kZ = 3, kW = 4;
+constexpr int kNoAxis = 0, kX = 1, kY = 2, kZ = 3, kW = 4;
 /// Coefficients that are one coordinate each.
 std::vector<std::vector<Point4>> powers(const std::vector<std::vector<std::vector<int>>>& which) {
   std::vector<std::vector<Point4>> c;
@@ -46,7 +46,7 @@ std::vector<std::vector<Point4>> powers(const std::vector<std::vector<std::vecto
     for (const auto& coordinates : row) {
       Point4 h{0, 0, 0, 0};
       for (const int k : coordinates) {
-        if (k != kNone) h[static_cast<std::size_t>(k - 1)] += 1;
+        if (k != kNoAxis) h[static_cast<std::size_t>(k - 1)] += 1;
       }
       c.back().push_back(h);
     }

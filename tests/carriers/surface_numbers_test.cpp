@@ -7,6 +7,7 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/prepared_leaves.h"
+#include "tests/carriers/rows.h"
 
 namespace cnrg {
 namespace {
@@ -15,12 +16,6 @@ using Cells = std::array<std::size_t, 4>;
 
 Tree tree_of(const std::string& nodes) {
   return parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml");
-}
-
-NodeRow row(const std::string& nodes) {
-  EvaluateOptions options;
-  options.validate = true;
-  return evaluate(tree_of(nodes), options).rows.back();
 }
 
 /// Of each leaf, the numbers of its curved patches in their order.

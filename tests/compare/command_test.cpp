@@ -6,8 +6,8 @@
 namespace cnrg {
 namespace {
 
-const std::string kBox = "cnrg: 1\nnodes:\n  box: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n";
-const std::string kTree = kBox + "  low: {box: {min: [0, 0, 0], max: [1, 1, 1/2]}}\nresult: box\n";
+const std::string kUnitBox = "cnrg: 1\nnodes:\n  box: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n";
+const std::string kTree = kUnitBox + "  low: {box: {min: [0, 0, 0], max: [1, 1, 1/2]}}\nresult: box\n";
 
 TEST_CASE("compare prints what differs and ends with 4, or with 0", "[compare][command]") {
   const Workshop w;

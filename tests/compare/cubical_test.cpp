@@ -209,17 +209,17 @@ Cell cell_of(const RationalPoint& p) {
 }
 
 /// Holds pieces of a comparison against a set of cells.
-void check_pieces(const std::vector<Piece>& pieces, const Set& set) {
+void check_pieces(const std::vector<SetPiece>& pieces, const Set& set) {
   const Count expected = count(set);
   CHECK(pieces.size() == expected.pieces);
   Size size;
-  for (const Piece& piece : pieces) size.add(piece.size);
+  for (const SetPiece& piece : pieces) size.add(piece.size);
   REQUIRE(size.volume);
   CHECK(*size.volume == Rational(expected.cells[3]));
   CHECK(size.area.sum.text() == std::to_string(expected.cells[2]));
   CHECK(size.length.sum.text() == std::to_string(expected.cells[1]));
   CHECK(size.points == expected.cells[0]);
-  for (const Piece& piece : pieces) CHECK(set.contains(cell_of(piece.at)));
+  for (const SetPiece& piece : pieces) CHECK(set.contains(cell_of(piece.at)));
   for (std::size_t i = 1; i < pieces.size(); ++i) CHECK(*pieces[i - 1].size.volume >= *pieces[i].size.volume);
 }
 

@@ -128,8 +128,8 @@ bool check(const Workshop& shop, const RandomDag& a, const RandomDag& b) {
   const Evaluation evaluation = evaluate(tree, options);
   for (std::size_t side = 0; side < 2; ++side) {
     Size size, back;
-    for (const Piece& piece : comparison.only[side]) size.add(piece.size);
-    for (const Piece& piece : mirrored.only[1 - side]) back.add(piece.size);
+    for (const SetPiece& piece : comparison.only[side]) size.add(piece.size);
+    for (const SetPiece& piece : mirrored.only[1 - side]) back.add(piece.size);
     CHECK(mirrored.only[1 - side].size() == comparison.only[side].size());
     CHECK(mirrored.features[1 - side].size() == comparison.features[side].size());
     CHECK(size.area.sum.text() == back.area.sum.text());

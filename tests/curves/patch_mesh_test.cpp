@@ -4,14 +4,13 @@
 #include <algorithm>
 
 #include "csg/curves/control_nets.h"
+#include "tests/exact/rational_text.h"
 #include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
 using namespace cnrg::test;
 
 namespace {
-
-Rational r(const char* text) { return *parse_rational(text); }
 
 Rational ratio(std::size_t a, std::size_t b) { return Rational(a) / Rational(b); }
 

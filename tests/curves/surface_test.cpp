@@ -11,12 +11,11 @@
 #include "csg/curves/surface_math.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/parameters.h"
+#include "tests/exact/rational_text.h"
 
 using namespace cnrg;
 
 namespace {
-
-Rational r(const char* text) { return *parse_rational(text); }
 
 struct Made {
   Soup soup;
@@ -31,15 +30,15 @@ struct Made {
   }
 };
 
-double norm(const Vector<double>& v) { return std::hypot(v[0], v[1], v[2]); }
+double norm(const Vector3<double>& v) { return std::hypot(v[0], v[1], v[2]); }
 
 bool holds(const Interval& x, double value, double slack) {
   return x.inf() <= value + slack && value - slack <= x.sup();
 }
 
 /// The cross product points the way of `normal`, or one of them is zero as far as can be told.
-void check_direction(const Vector<double>& normal, const Vector<double>& u, const Vector<double>& v) {
-  const Vector<double> n = surface_math::cross(u, v);
+void check_direction(const Vector3<double>& normal, const Vector3<double>& u, const Vector3<double>& v) {
+  const Vector3<double> n = surface_math::cross(u, v);
   const double a = norm(n), b = norm(normal);
   if (a < 1e-9 * (norm(u) * norm(v) + 1e-30) || norm(u) < 1e-9 || norm(v) < 1e-9 || b < 1e-9) return;
   for (std::size_t k = 0; k < 3; ++k) CHECK(n[k] / a == Approx(normal[k] / b).margin(1e-7));
@@ -66,7 +65,7 @@ std::size_t check(const Shape& shape, double size, const std::set<std::uint32_t>
       double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
       for (const PatchCorner& corner : cell) {
         const double u = to_double(corner.at[0]), v = to_double(corner.at[1]);
-        const Vector<double> p = surface->at(u, v).point;
+        const Vector3<double> p = surface->at(u, v).point;
         for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(p[k] - to_double(corner.point[k])) < 1e-12 * size);
         for (std::size_t d = 0; d < 2; ++d) {
           low[d] = std::min(low[d], d == 0 ? u : v), high[d] = std::max(high[d], d == 0 ? u : v);
@@ -97,7 +96,7 @@ std::size_t check(const Shape& shape, double size, const std::set<std::uint32_t>
   return count;
 }
 
-bool holds_zero(const Vector<Interval>& n) {
+bool holds_zero(const Vector3<Interval>& n) {
   return std::all_of(n.begin(), n.end(), [](const Interval& x) { return x.inf() <= 0 && x.sup() >= 0; });
 }
 
@@ -195,7 +194,7 @@ TEST_CASE("curves of wires are where their ends are") {
     const double a = to_double(wire.at[0]), b = to_double(wire.at[1]), m = a + 0.3 * (b - a), h = 1e-6;
     const CurveJet<Interval> box = curve->over({a, b});
     const CurveJet<double> middle = curve->at(m);
-    const Vector<double> before = curve->at(m - h).point, after = curve->at(m + h).point;
+    const Vector3<double> before = curve->at(m - h).point, after = curve->at(m + h).point;
     for (std::size_t k = 0; k < 3; ++k) {
       CHECK(std::abs(curve->at(a).point[k] - to_double(wire.ends[0][k])) < 1e-12);
       CHECK(holds(box.point[k], middle.point[k], 1e-13));
@@ -210,7 +209,7 @@ TEST_CASE("normals are those of the forms that people know") {
   for (const double u : {0.0, 0.1, 0.6}) {
     for (const double v : {0.0, 0.2, 0.5, 1.0}) {
       const SurfaceJet<double> at = ball.surfaces->patch(0)->at(u, v);
-      const Vector<double> out{at.point[0] - 1, at.point[1] - 2, at.point[2] - 3};
+      const Vector3<double> out{at.point[0] - 1, at.point[1] - 2, at.point[2] - 3};
       for (std::size_t k = 0; k < 3; ++k)
         CHECK(at.normal[k] / norm(at.normal) == Approx(out[k] / 2).margin(1e-12));
     }
@@ -220,7 +219,7 @@ TEST_CASE("normals are those of the forms that people know") {
   const Made cone(ConeShape{{0, 0, 0}, {0, 0, 4}, 3, 0, 8});
   CHECK(cone.surfaces->patch(2)->over({0, 1}, {0.9, 1}).normal[2].inf() > 0);
   CHECK(!holds_zero(cone.surfaces->patch(2)->over({0, 0.125}, {0, 0.875}).normal));
-  const Vector<double> slope = cone.surfaces->patch(2)->at(0.25, 0.5).normal;
+  const Vector3<double> slope = cone.surfaces->patch(2)->at(0.25, 0.5).normal;
   CHECK(slope[1] / slope[2] == Approx(4.0 / 3));
   CHECK(slope[0] == Approx(0).margin(1e-12));
   // A net with a pole.

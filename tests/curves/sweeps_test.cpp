@@ -1,4 +1,5 @@
 // Extrusions and revolutions: volumes against integrals, faces as people count them, what is refused.
+#include "tests/exact/rational_text.h"
 #include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
@@ -7,8 +8,6 @@ using namespace cnrg::test;
 namespace {
 
 constexpr double kPi = 3.14159265358979;
-
-Rational r(const char* text) { return *parse_rational(text); }
 
 CurveNet line(const RationalPoint& a, const RationalPoint& b) { return {{a, b}, {}, 0, {}}; }
 

@@ -14,13 +14,13 @@
 namespace cnrg {
 namespace {
 
-struct Run {
+struct BlendRun {
   Tree tree;
   Evaluation evaluation;
 };
 
-Run run(const std::string& text, bool keep_all = false) {
-  Run r{parse_tree(text, "t.yaml"), {}};
+BlendRun run_blend(const std::string& text, bool keep_all = false) {
+  BlendRun r{parse_tree(text, "t.yaml"), {}};
   EvaluateOptions options;
   options.validate = true;
   options.keep_all = keep_all;
@@ -28,16 +28,16 @@ Run run(const std::string& text, bool keep_all = false) {
   return r;
 }
 
-const Group& group_of(const Run& r) { return r.evaluation.value(r.tree.result).value->group(); }
+const Group& group_of(const BlendRun& r) { return r.evaluation.value(r.tree.result).value->group(); }
 
-const RegionAttributes* region_at(const Run& r, const RationalPoint& p) {
+const RegionAttributes* region_at(const BlendRun& r, const RationalPoint& p) {
   const Location at = Locator(*r.evaluation.complex).locate(p);
   REQUIRE(at.dimension == 3);
   const std::uint32_t region = group_of(r).region_of(at.region);
   return region == 0 ? nullptr : &group_of(r).regions[region - 1];
 }
 
-Mixture mixture_at(const Run& r, const RationalPoint& p) {
+Mixture mixture_at(const BlendRun& r, const RationalPoint& p) {
   const RegionAttributes* region = region_at(r, p);
   return region == nullptr ? Mixture() : MaterialSampler(region->material).at(p);
 }
@@ -56,10 +56,10 @@ struct Box {
   bool holds(const RationalPoint& p) const { return depth(p) > 0; }
 };
 
-const std::string kHead =
+const std::string kBlendHead =
     "cnrg: 1\nmaterials: {steel: {}, ceramic: {}, rubber: {},\n"
     "  up: {linear: {from: [0, 0, 0], to: [0, 0, 4], stops: [[0, steel], [1, rubber]]}}}\nnodes:\n";
-const std::string kBoxes =
+const std::string kTwoBoxes =
     "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel}\n"
     "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}, material: ceramic}\n";
 const Box kA{{0, 0, 0}, {4, 4, 4}}, kB{{2, 1, 1}, {8, 7, 6}};
@@ -77,7 +77,7 @@ std::vector<RationalPoint> points(int count) {
 }
 
 TEST_CASE("what two boxes share is mixed by the distances to their boundaries", "[blend]") {
-  const Run r = run(kHead + kBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  const BlendRun r = run_blend(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
   CHECK(group_of(r).regions.size() == 3);
   CHECK(r.evaluation.rows.back().removals.empty());
   CHECK(r.evaluation.diagnostics.empty());
@@ -106,16 +106,16 @@ TEST_CASE("what two boxes share is mixed by the distances to their boundaries", 
 }
 
 TEST_CASE("every wall of both operands stays, and touching without overlap blends nothing", "[blend]") {
-  const Run r = run(kHead + kBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
-  const Run all = run(kHead + kBoxes + "  r: {sum: [{unify: a}, {unify: b}]}\nresult: r\n");
+  const BlendRun r = run_blend(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  const BlendRun all = run_blend(kBlendHead + kTwoBoxes + "  r: {sum: [{unify: a}, {unify: b}]}\nresult: r\n");
   const NodeValue& value = *r.evaluation.value(r.tree.result).value;
   const NodeValue& sum = *all.evaluation.value(all.tree.result).value;
   CHECK(group_of(r).faces.size() == selection_of(*all.evaluation.complex, sum).faces.size());
   CHECK(simplified_counts(*r.evaluation.complex, value, selection_of(*r.evaluation.complex, value))[3] == 3);
-  const Run beside = run(kHead +
-                         "  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}, material: steel}\n"
-                         "  b: {box: {min: [1, 0, 0], max: [2, 1, 1]}, material: ceramic}\n"
-                         "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  const BlendRun beside = run_blend(kBlendHead +
+                                    "  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}, material: steel}\n"
+                                    "  b: {box: {min: [1, 0, 0], max: [2, 1, 1]}, material: ceramic}\n"
+                                    "  r: {union: [a, b], blend: linear}\nresult: r\n");
   CHECK(group_of(beside).regions.size() == 2);
   CHECK(mixture_at(beside, {Rational(1, 2), Rational(1, 2), Rational(1, 2)}) == Mixture{{"steel", 1}});
   CHECK(mixture_at(beside, {Rational(3, 2), Rational(1, 2), Rational(1, 2)}) == Mixture{{"ceramic", 1}});
@@ -125,7 +125,7 @@ TEST_CASE("a graded material is blended as it is at the point", "[blend]") {
   const std::string boxes =
       "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: up}\n"
       "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}, material: ceramic}\n";
-  const Run r = run(kHead + boxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  const BlendRun r = run_blend(kBlendHead + boxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
   for (const RationalPoint& p : points(400)) {
     if (!kA.holds(p) || !kB.holds(p)) continue;
     const Rational a = kA.depth(p), b = kB.depth(p), t = b / (a + b), up = p[2] / 4;
@@ -138,14 +138,15 @@ TEST_CASE("transforms above a blend move it along, and stretch its distances", "
       "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: up}\n"
       "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}, material: ceramic}\n";
   const std::string moves = "translate: [1, 2, 3], rotate: {axis: [0, 0, 1], degrees: 90}, scale: [2, 1, 3]";
-  const Run here = run(kHead + boxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
-  const Run there =
-      run(kHead + boxes + "  u: {union: [a, b], blend: linear}\n  r: {simplify: u, " + moves + "}\nresult: r\n");
+  const BlendRun here = run_blend(kBlendHead + boxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  const BlendRun there = run_blend(
+      kBlendHead + boxes + "  u: {union: [a, b], blend: linear}\n  r: {simplify: u, " + moves + "}\nresult: r\n");
   const Transform move = Transform::scaling({2, 1, 3}) * Transform::rotation({0, 0, 1}, 90, {0, 0, 0}) *
                          Transform::translation({1, 2, 3});
   for (const RationalPoint& p : points(200)) CHECK(mixture_at(here, p) == mixture_at(there, move.apply(p)));
   // The node's own transform is done: distances are those of what is stretched.
-  const Run own = run(kHead + kBoxes + "  r: {union: [a, b], blend: linear, scale: [1/2, 1, 1]}\nresult: r\n");
+  const BlendRun own =
+      run_blend(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear, scale: [1/2, 1, 1]}\nresult: r\n");
   const Box a{{0, 0, 0}, {2, 4, 4}}, b{{1, 1, 1}, {4, 7, 6}};
   const RationalPoint p{Rational(5, 4), 2, 3};
   const Rational t = b.depth(p) / (a.depth(p) + b.depth(p));
@@ -153,9 +154,9 @@ TEST_CASE("transforms above a blend move it along, and stretch its distances", "
 }
 
 TEST_CASE("operands are taken from left to right", "[blend]") {
-  const Run r = run(kHead + kBoxes +
-                    "  c: {box: {min: [1, 2, 2], max: [3, 6, 5]}, material: rubber}\n"
-                    "  r: {union: [a, b, c], blend: linear}\nresult: r\n");
+  const BlendRun r = run_blend(kBlendHead + kTwoBoxes +
+                               "  c: {box: {min: [1, 2, 2], max: [3, 6, 5]}, material: rubber}\n"
+                               "  r: {union: [a, b, c], blend: linear}\nresult: r\n");
   const Box c{{1, 2, 2}, {3, 6, 5}}, both{{2, 1, 1}, {4, 4, 4}};
   const RationalPoint p{Rational(5, 2), 3, Rational(7, 2)};
   const Rational t = kB.depth(p) / (kA.depth(p) + kB.depth(p));
@@ -168,12 +169,12 @@ TEST_CASE("operands are taken from left to right", "[blend]") {
 TEST_CASE("one material, and none, have nothing to blend", "[blend]") {
   for (const std::string material : {", material: steel", ""}) {
     INFO(material);
-    const Run r = run(kHead +
-                      "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel}\n"
-                      "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}" +
-                      material +
-                      "}\n"
-                      "  r: {union: [a, b], blend: linear}\nresult: r\n");
+    const BlendRun r = run_blend(kBlendHead +
+                                 "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel}\n"
+                                 "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}" +
+                                 material +
+                                 "}\n"
+                                 "  r: {union: [a, b], blend: linear}\nresult: r\n");
     CHECK(group_of(r).regions.size() == 3);
     CHECK(region_at(r, {3, 2, 2})->material == RegionMaterial("steel"));
   }
@@ -181,16 +182,17 @@ TEST_CASE("one material, and none, have nothing to blend", "[blend]") {
 
 TEST_CASE("what is said besides of a material is not blended", "[blend]") {
   const auto boxes = [&](const std::string& of_a, const std::string& of_b) {
-    return run(kHead + "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel, attributes: {" + of_a +
-               "}}\n" + "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}, material: ceramic, attributes: {" + of_b +
-               "}}\n" + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+    return run_blend(kBlendHead + "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel, attributes: {" +
+                     of_a + "}}\n" +
+                     "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}, material: ceramic, attributes: {" + of_b +
+                     "}}\n" + "  r: {union: [a, b], blend: linear}\nresult: r\n");
   };
-  const Run apart = boxes("phase: 1", "porosity: 1/2");
+  const BlendRun apart = boxes("phase: 1", "porosity: 1/2");
   CHECK(apart.evaluation.diagnostics.empty());
   CHECK(region_at(apart, {3, 2, 2})->properties ==
         Properties{{"phase", Rational(1)}, {"porosity", Rational(1, 2)}});
   CHECK(region_at(apart, {1, 2, 2})->properties == Properties{{"phase", Rational(1)}});
-  const Run at_odds = boxes("phase: 1", "phase: 2");
+  const BlendRun at_odds = boxes("phase: 1", "phase: 2");
   REQUIRE(at_odds.evaluation.diagnostics.size() == 1);
   CHECK_THAT(at_odds.evaluation.diagnostics[0].message, Catch::Contains("phase"));
   CHECK(region_at(at_odds, {3, 2, 2})->properties == Properties{{"phase", Rational(1)}});
@@ -199,20 +201,19 @@ TEST_CASE("what is said besides of a material is not blended", "[blend]") {
 TEST_CASE("a region without a bounded boundary cannot blend", "[blend]") {
   const std::string below = "  below: {halfspace: {point: [0, 0, 2], normal: [0, 0, 1]}, material: ceramic}\n";
   CHECK_THROWS_WITH(
-      run(kHead + kBoxes + below + "  r: {union: [a, below], blend: linear}\nresult: r\n"),
+      run_blend(kBlendHead + kTwoBoxes + below + "  r: {union: [a, below], blend: linear}\nresult: r\n"),
       Catch::Contains("t.yaml:8:7: error:") &&
           Catch::Contains("the distance to the boundary of the region `below`, which overlaps `a` and "
                           "has an unbounded one; cut it with a box first"));
   // Where it overlaps nothing it need not.
   const std::string far = "  far: {halfspace: {point: [0, 0, -2], normal: [0, 0, 1]}, material: ceramic}\n";
-  CHECK(
-      group_of(run(kHead + kBoxes + far + "  r: {union: [a, far], blend: linear}\nresult: r\n")).regions.size() ==
-      2);
+  CHECK(group_of(run_blend(kBlendHead + kTwoBoxes + far + "  r: {union: [a, far], blend: linear}\nresult: r\n"))
+            .regions.size() == 2);
 }
 
 TEST_CASE("what `blend` is for", "[blend]") {
   const auto refused = [&](const std::string& node) {
-    return [=] { parse_tree(kHead + kBoxes + "  r: {" + node + "}\nresult: r\n", "t.yaml"); };
+    return [=] { parse_tree(kBlendHead + kTwoBoxes + "  r: {" + node + "}\nresult: r\n", "t.yaml"); };
   };
   CHECK_THROWS_WITH(refused("union: [a, b], blend: smooth")(),
                     Catch::Contains("t.yaml:7:29: error: ") && Catch::Contains("linear"));
@@ -224,7 +225,7 @@ TEST_CASE("what `blend` is for", "[blend]") {
 }
 
 TEST_CASE("explain says that a blend keeps what is of either operand", "[blend]") {
-  const Run r = run(kHead + kBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n", true);
+  const BlendRun r = run_blend(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n", true);
   const auto told = [&](const RationalPoint& p) {
     return explanation_text(r.tree, r.evaluation, explain(r.tree, r.evaluation, r.tree.result, p));
   };

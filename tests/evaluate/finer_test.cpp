@@ -13,10 +13,10 @@
 namespace cnrg {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kHalfTurn = 3.14159265358979323846;
 
 /// One of each curved leaf; curves of none are straight.
-const char* const kLeaves = R"(cnrg: 1
+const char* const kLeafOfEachKind = R"(cnrg: 1
 nodes:
   cylinder: {cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 8}}
   cone: {cone: {from: [9, 0, 0], to: [9, 0, 3], radius: 1, segments: 6}}
@@ -30,11 +30,15 @@ result: all
 )";
 
 /// What the exact shapes have.
-const std::map<std::string, double> kExact{{"cylinder", 2 * kPi}, {"cone", kPi},           {"sphere", 4 * kPi / 3},
-                                           {"odd", 4 * kPi / 3},  {"torus", 6 * kPi* kPi}, {"turned", kPi},
-                                           {"by_chord", kPi}};
+const std::map<std::string, double> kExact{{"cylinder", 2 * kHalfTurn},
+                                           {"cone", kHalfTurn},
+                                           {"sphere", 4 * kHalfTurn / 3},
+                                           {"odd", 4 * kHalfTurn / 3},
+                                           {"torus", 6 * kHalfTurn* kHalfTurn},
+                                           {"turned", kHalfTurn},
+                                           {"by_chord", kHalfTurn}};
 
-std::vector<NodeRow> rows_of(Tree tree, int times) {
+std::vector<NodeRow> finer_rows(Tree tree, int times) {
   make_finer(tree, times);
   EvaluateOptions options;
   options.validate = true;
@@ -70,11 +74,11 @@ TEST_CASE("segments and rings are multiplied, a chord is divided by the square",
 }
 
 TEST_CASE("curved leaves made finer keep their counts and approach the exact volume", "[evaluate][finer]") {
-  const std::vector<NodeRow> coarse = rows_of(parse_tree(kLeaves, "t.yaml"), 1);
+  const std::vector<NodeRow> coarse = finer_rows(parse_tree(kLeafOfEachKind, "t.yaml"), 1);
   std::map<std::string, Rational> last;
   for (const NodeRow& row : coarse) last[row.name] = *row.volume();
   for (const int times : {2, 4, 8}) {
-    const std::vector<NodeRow> fine = rows_of(parse_tree(kLeaves, "t.yaml"), times);
+    const std::vector<NodeRow> fine = finer_rows(parse_tree(kLeafOfEachKind, "t.yaml"), times);
     REQUIRE(fine.size() == coarse.size());
     for (std::size_t i = 0; i < fine.size(); ++i) {
       INFO(fine[i].name << " made " << times << " times finer");
@@ -105,9 +109,9 @@ TEST_CASE("trees of the papers keep their counts when they are made finer", "[ev
     const bool is_curved = has({"cylinder", "bspline", "sphere"});
     if (!is_curved) continue;
     ++curved;
-    const std::vector<NodeRow> coarse = rows_of(std::move(tree), 1);
+    const std::vector<NodeRow> coarse = finer_rows(std::move(tree), 1);
     for (const int times : {2, 3}) {
-      const std::vector<NodeRow> fine = rows_of(read_tree(entry.path().string()), times);
+      const std::vector<NodeRow> fine = finer_rows(read_tree(entry.path().string()), times);
       REQUIRE(fine.size() == coarse.size());
       for (std::size_t i = 0; i < fine.size(); ++i) {
         INFO(entry.path() << ": " << fine[i].name << " made " << times << " times finer");

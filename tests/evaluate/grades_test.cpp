@@ -23,13 +23,13 @@ nodes:
   plain: {box: {min: [2, 0, 0], max: [6, 4, 4]}, material: rubber}
 )";
 
-struct Run {
+struct GradeRun {
   Tree tree;
   Evaluation evaluation;
 };
 
-Run run(const std::string& nodes) {
-  Run r{parse_tree(kHead + nodes + "result: r\n", "t.yaml"), {}};
+GradeRun run_grades(const std::string& nodes) {
+  GradeRun r{parse_tree(kHead + nodes + "result: r\n", "t.yaml"), {}};
   EvaluateOptions options;
   options.validate = true;
   r.evaluation = evaluate(r.tree, options);
@@ -37,7 +37,7 @@ Run run(const std::string& nodes) {
 }
 
 /// What the component that holds the point is made of there.
-std::string material_at(const Run& r, const RationalPoint& p) {
+std::string mixture_text_at(const GradeRun& r, const RationalPoint& p) {
   const KeptValue& kept = r.evaluation.value(r.tree.result);
   const Locator locator(*r.evaluation.complex);
   const auto place = kept.simplified->place(*r.evaluation.complex, locator.locate(p));
@@ -50,38 +50,43 @@ TEST_CASE("graded materials are combined by dominance, through every operator", 
   const RationalPoint in_both{Rational(3, 2), 2, 1}, in_body{Rational(1, 2), 2, 1};
   for (const std::string op : {"union: [body, sleeve]", "sum: [body, sleeve]"}) {
     INFO(op);
-    const Run r = run("  r: {" + op + "}\n");
-    CHECK(material_at(r, in_body) == "steel 3/4, ceramic 1/4");
-    CHECK(material_at(r, in_both) == "ceramic 3/4, rubber 1/4");  // half a unit from the bolt
+    const GradeRun r = run_grades("  r: {" + op + "}\n");
+    CHECK(mixture_text_at(r, in_body) == "steel 3/4, ceramic 1/4");
+    CHECK(mixture_text_at(r, in_both) == "ceramic 3/4, rubber 1/4");  // half a unit from the bolt
   }
   for (const std::string op : {"intersection: [body, sleeve]", "product: [body, sleeve]"}) {
     INFO(op);
-    CHECK(material_at(run("  r: {" + op + "}\n"), in_both) == "ceramic 3/4, rubber 1/4");
+    CHECK(mixture_text_at(run_grades("  r: {" + op + "}\n"), in_both) == "ceramic 3/4, rubber 1/4");
   }
   for (const std::string op : {"difference: [body, sleeve]", "subtract: [body, sleeve]"}) {
     INFO(op);
-    const Run r = run("  r: {" + op + "}\n");
-    CHECK(material_at(r, in_body) == "steel 3/4, ceramic 1/4");
-    CHECK(material_at(r, in_both) == "outside");
+    const GradeRun r = run_grades("  r: {" + op + "}\n");
+    CHECK(mixture_text_at(r, in_body) == "steel 3/4, ceramic 1/4");
+    CHECK(mixture_text_at(r, in_both) == "outside");
   }
-  CHECK(material_at(run("  r: {union: [body, sleeve], dominance: left}\n"), in_both) == "steel 3/4, ceramic 1/4");
-  CHECK(material_at(run("  r: {regularize: {closure: {interior: body}}}\n"), in_body) == "steel 3/4, ceramic 1/4");
-  CHECK(material_at(run("  r: {unify: {difference: [body, sleeve]}}\n"), in_body) == "steel 3/4, ceramic 1/4");
-  CHECK(material_at(run("  r: {union: [body, sleeve], material: coat}\n"), in_body) == "rubber 3/4, ceramic 1/4");
+  CHECK(mixture_text_at(run_grades("  r: {union: [body, sleeve], dominance: left}\n"), in_both) ==
+        "steel 3/4, ceramic 1/4");
+  CHECK(mixture_text_at(run_grades("  r: {regularize: {closure: {interior: body}}}\n"), in_body) ==
+        "steel 3/4, ceramic 1/4");
+  CHECK(mixture_text_at(run_grades("  r: {unify: {difference: [body, sleeve]}}\n"), in_body) ==
+        "steel 3/4, ceramic 1/4");
+  CHECK(mixture_text_at(run_grades("  r: {union: [body, sleeve], material: coat}\n"), in_body) ==
+        "rubber 3/4, ceramic 1/4");
 }
 
 TEST_CASE("equal dominance keeps the left grade and says so", "[grades]") {
-  const Run r = run("  r: {union: [body, plain]}\n");
+  const GradeRun r = run_grades("  r: {union: [body, plain]}\n");
   REQUIRE(r.evaluation.diagnostics.size() == 1);
   CHECK_THAT(r.evaluation.diagnostics[0].message,
              Catch::Contains("keeps the material `blend` where `rubber` has"));
-  CHECK(material_at(r, {3, 1, 1}) == "steel 3/4, ceramic 1/4");
+  CHECK(mixture_text_at(r, {3, 1, 1}) == "steel 3/4, ceramic 1/4");
 }
 
 TEST_CASE("one grade placed twice is two materials", "[grades]") {
-  const Run same = run("  r: {union: [body, {box: {min: [1, 1, 1], max: [5, 3, 3]}, material: blend}]}\n");
+  const GradeRun same =
+      run_grades("  r: {union: [body, {box: {min: [1, 1, 1], max: [5, 3, 3]}, material: blend}]}\n");
   CHECK(same.evaluation.diagnostics.empty());
-  const Run r = run("  up: {simplify: body, translate: [0, 0, 1]}\n  r: {union: [body, up]}\n");
+  const GradeRun r = run_grades("  up: {simplify: body, translate: [0, 0, 1]}\n  r: {union: [body, up]}\n");
   REQUIRE(r.evaluation.diagnostics.size() == 1);
   CHECK_THAT(r.evaluation.diagnostics[0].message,
              Catch::Contains("keeps the material `blend` where `blend` placed otherwise has equal dominance"));
@@ -89,12 +94,12 @@ TEST_CASE("one grade placed twice is two materials", "[grades]") {
 
 TEST_CASE("transforms of nodes above move a grade, the node's own do not", "[grades]") {
   const std::string box = "{box: {min: [0, 0, 0], max: [4, 4, 4]}, material: blend, translate: [0, 0, 1]}";
-  CHECK(material_at(run("  r: " + box + "\n"), {1, 1, 2}) == "ceramic 1/2, steel 1/2");
-  const Run r = run("  a: " + box + "\n  r: {simplify: a, translate: [0, 0, 1]}\n");
-  CHECK(material_at(r, {1, 1, 3}) == "ceramic 1/2, steel 1/2");
+  CHECK(mixture_text_at(run_grades("  r: " + box + "\n"), {1, 1, 2}) == "ceramic 1/2, steel 1/2");
+  const GradeRun r = run_grades("  a: " + box + "\n  r: {simplify: a, translate: [0, 0, 1]}\n");
+  CHECK(mixture_text_at(r, {1, 1, 3}) == "ceramic 1/2, steel 1/2");
   // A bolt that stands with its own transform is measured as it stands.
-  const Run s = run("  r: {simplify: sleeve, rotate: {axis: [1, 0, 0], degrees: 90}}\n");
-  CHECK(material_at(s, {Rational(3, 2), -1, 2}) == "ceramic 3/4, rubber 1/4");
+  const GradeRun s = run_grades("  r: {simplify: sleeve, rotate: {axis: [1, 0, 0], degrees: 90}}\n");
+  CHECK(mixture_text_at(s, {Rational(3, 2), -1, 2}) == "ceramic 3/4, rubber 1/4");
 }
 
 TEST_CASE("a distance is measured to faces, also of solids, and to points", "[grades]") {
@@ -102,9 +107,9 @@ TEST_CASE("a distance is measured to faces, also of solids, and to points", "[gr
       "cnrg: 1\nmaterials: {a: {}, b: {}, g: {distance: {to: t, stops: [[0, a], [4, b]]}}}\nnodes:\n"
       "  body: {box: {min: [-9, -9, -9], max: [9, 9, 9]}, material: g}\n";
   const auto at = [&](const std::string& target, const RationalPoint& p) {
-    Run r{parse_tree(materials + "  t: {" + target + "}\nresult: body\n", "t.yaml"), {}};
+    GradeRun r{parse_tree(materials + "  t: {" + target + "}\nresult: body\n", "t.yaml"), {}};
     r.evaluation = evaluate(r.tree);
-    return material_at(r, p);
+    return mixture_text_at(r, p);
   };
   CHECK(at("box: {min: [0, 0, 0], max: [4, 4, 4]}", {2, 2, 1}) == "a 3/4, b 1/4");  // inside of it, from its skin
   CHECK(at("box: {min: [0, 0, 0], max: [4, 4, 4]}", {2, 2, 5}) == "a 3/4, b 1/4");

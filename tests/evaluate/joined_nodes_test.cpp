@@ -17,7 +17,7 @@ Tree parse(const std::string& nodes, const std::string& result) {
   return parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: " + result + "\n", "t.yaml");
 }
 
-Evaluation evaluated(const Tree& tree, const std::vector<std::string>& nodes) {
+Evaluation evaluation_of(const Tree& tree, const std::vector<std::string>& nodes) {
   EvaluateOptions options;
   options.validate = true;
   for (const std::string& name : nodes) options.nodes.push_back(tree.find(name));
@@ -54,7 +54,7 @@ const char* const kGaps = R"(
 
 TEST_CASE("a joined node is the joined result of its operand", "[joined]") {
   const Tree tree = parse(kGaps, "both");
-  const Evaluation e = evaluated(tree, {"joined", "moved", "cut"});
+  const Evaluation e = evaluation_of(tree, {"joined", "moved", "cut"});
   JoinReport report;
   const Result by_hand = join(alone(tree, "model"), Rational(1, 1000), &report);
   const Result joined = e.result("joined");
@@ -100,7 +100,7 @@ TEST_CASE("a joined node in which nothing is near is its operand", "[joined]") {
   empty: {simplify: {of: none, within: 1}}
 )",
                           "one");
-  const Evaluation e = evaluated(tree, {"all", "two", "open", "inner", "empty"});
+  const Evaluation e = evaluation_of(tree, {"all", "two", "open", "inner", "empty"});
   for (const auto& [before, after] :
        std::vector<std::pair<std::string, std::string>>{{"all", "one"}, {"all", "two"}, {"open", "inner"}}) {
     INFO(after);
@@ -150,7 +150,7 @@ TEST_CASE("joined nodes of random boxes", "[joined][random]") {
              "1]}}]}\n";
     INFO("seed " << seed << "\n" << nodes);
     const Tree tree = parse(nodes, "far");
-    const Evaluation e = evaluated(tree, {"joined"});
+    const Evaluation e = evaluation_of(tree, {"joined"});
     JoinReport report;
     const Result by_hand = join(alone(tree, "model"), Rational(1, 100), &report);
     CHECK(volumes(e.result("joined")) == volumes(by_hand));

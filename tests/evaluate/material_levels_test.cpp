@@ -14,13 +14,13 @@
 namespace cnrg {
 namespace {
 
-struct Run {
+struct LevelRun {
   Tree tree;
   Evaluation evaluation;
 };
 
-Run run(const std::string& text, bool keep_all = false) {
-  Run r{parse_tree(text, "t.yaml"), {}};
+LevelRun run_levels(const std::string& text, bool keep_all = false) {
+  LevelRun r{parse_tree(text, "t.yaml"), {}};
   EvaluateOptions options;
   options.validate = true;
   options.keep_all = keep_all;
@@ -32,15 +32,15 @@ const std::string kMaterials =
     "cnrg: 1\nmaterials: {steel: {dominance: 3}, rock: {}, clay: {dominance: 1}, air: "
     "{dominance: -1}}\nnodes:\n";
 
-const NodeValue& value_of(const Run& r) { return *r.evaluation.value(r.tree.result).value; }
+const NodeValue& value_of(const LevelRun& r) { return *r.evaluation.value(r.tree.result).value; }
 
 /// Counts of the simplified result: vertices, edges, faces, regions.
-std::array<std::size_t, 4> counts(const Run& r) {
+std::array<std::size_t, 4> counts(const LevelRun& r) {
   const NodeValue& value = value_of(r);
   return simplified_counts(*r.evaluation.complex, value, selection_of(*r.evaluation.complex, value));
 }
 
-std::string material_at(const Run& r, const RationalPoint& p) {
+std::string material_at(const LevelRun& r, const RationalPoint& p) {
   const Location at = Locator(*r.evaluation.complex).locate(p);
   REQUIRE(at.dimension == 3);
   const std::uint32_t region = value_of(r).group().region_of(at.region);
@@ -53,7 +53,7 @@ TEST_CASE("of two regions the one with the dominant material wins, wherever it s
                             "  beam: {box: {min: [2, 1, 1], max: [6, 3, 3]}, material: steel}\n";
   const std::array<std::size_t, 4> beam_first{20, 32, 16, 2};  // as `b_first` of SEMANTICS.md
   for (const std::string operands : {"[block, beam]", "[beam, block]"}) {
-    const Run r = run(nodes + "  r: {union: " + operands + "}\nresult: r\n");
+    const LevelRun r = run_levels(nodes + "  r: {union: " + operands + "}\nresult: r\n");
     CHECK(counts(r) == beam_first);
     CHECK(material_at(r, {3, 2, 2}) == "steel");
     CHECK(material_at(r, {1, 2, 2}) == "rock");
@@ -61,14 +61,14 @@ TEST_CASE("of two regions the one with the dominant material wins, wherever it s
     CHECK(r.evaluation.rows.back().removals.total() == 1);
   }
   // What the node or the numbers say comes first.
-  CHECK(material_at(run(nodes + "  r: {union: [block, beam], dominance: left}\nresult: r\n"), {3, 2, 2}) ==
+  CHECK(material_at(run_levels(nodes + "  r: {union: [block, beam], dominance: left}\nresult: r\n"), {3, 2, 2}) ==
         "rock");
-  CHECK(material_at(run(nodes + "  r: {union: [{simplify: block, dominance: 1}, beam]}\nresult: r\n"),
+  CHECK(material_at(run_levels(nodes + "  r: {union: [{simplify: block, dominance: 1}, beam]}\nresult: r\n"),
                     {3, 2, 2}) == "rock");
-  const Run equal = run(nodes + "  r: {union: [block, beam], dominance: equal}\nresult: r\n");
+  const LevelRun equal = run_levels(nodes + "  r: {union: [block, beam], dominance: equal}\nresult: r\n");
   CHECK(counts(equal)[3] == 1);
   CHECK(equal.evaluation.diagnostics.size() == 1);
-  const Run common = run(nodes + "  r: {intersection: [block, beam]}\nresult: r\n");
+  const LevelRun common = run_levels(nodes + "  r: {intersection: [block, beam]}\nresult: r\n");
   CHECK(counts(common) == std::array<std::size_t, 4>{8, 12, 6, 1});
   CHECK(material_at(common, {3, 2, 2}) == "steel");
 }
@@ -83,7 +83,7 @@ TEST_CASE("one operand wins here and loses there", "[material-levels]") {
                             "  head: {box: {min: [1, 1, 1], max: [3, 3, 5]}, material: air}\n"
                             "  bar: {union: [foot, head], dominance: left}\n";
   for (const std::string operands : {"[ground, bar]", "[bar, ground]"}) {
-    const Run r = run(nodes + "  r: {union: " + operands + "}\nresult: r\n");
+    const LevelRun r = run_levels(nodes + "  r: {union: " + operands + "}\nresult: r\n");
     CHECK(material_at(r, {2, 2, Rational(1, 2)}) == "steel");
     CHECK(material_at(r, {2, 2, Rational(3, 2)}) == "clay");
     CHECK(material_at(r, {2, 2, 3}) == "rock");
@@ -92,7 +92,7 @@ TEST_CASE("one operand wins here and loses there", "[material-levels]") {
     // Both layers; the foot, cut in two by the ring in which it leaves them; the stump of the head and its foot.
     CHECK(counts(r) == std::array<std::size_t, 4>{12 + 8 + 4 + 8, 20 + 12 + 8 + 12, 11 + 6 + 4 + 1 + 5, 4});
   }
-  const Run r = run(nodes + "  r: {intersection: [ground, bar]}\nresult: r\n");
+  const LevelRun r = run_levels(nodes + "  r: {intersection: [ground, bar]}\nresult: r\n");
   CHECK(material_at(r, {2, 2, Rational(1, 2)}) == "steel");
   CHECK(material_at(r, {2, 2, Rational(3, 2)}) == "clay");
   CHECK(material_at(r, {2, 2, 3}) == "rock");
@@ -104,8 +104,9 @@ TEST_CASE("where all is of one level, and where nothing has a dominance, nothing
       "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: one}\n"
       "  b: {box: {min: [2, 1, 1], max: [6, 3, 3]}, material: two}\n"
       "  r: {union: [a, b]}\nresult: r\n";
-  const Run plain = run("cnrg: 1\nmaterials: {one: {}, two: {}}\nnodes:\n" + nodes);
-  const Run same = run("cnrg: 1\nmaterials: {one: {dominance: 1/2}, two: {dominance: 0.5}}\nnodes:\n" + nodes);
+  const LevelRun plain = run_levels("cnrg: 1\nmaterials: {one: {}, two: {}}\nnodes:\n" + nodes);
+  const LevelRun same =
+      run_levels("cnrg: 1\nmaterials: {one: {dominance: 1/2}, two: {dominance: 0.5}}\nnodes:\n" + nodes);
   CHECK(counts(plain) == counts(same));
   CHECK(plain.evaluation.rows.back().removals == same.evaluation.rows.back().removals);
   CHECK(same.evaluation.diagnostics.size() == 1);
@@ -118,14 +119,15 @@ TEST_CASE("a sheet, a wire and a point are of the level of the region around the
                             "  sheet: {polygon: [[-1, -1, 2], [11, -1, 2], [11, 5, 2], [-1, 5, 2]]}\n"
                             "  cut: {polygon: [[6, 0, 1], [10, 0, 1], [10, 4, 1], [6, 4, 1]]}\n"
                             "  both: {union: [rock, steel]}\n";
-  const Run r = run(nodes + "  r: {union: [both, sheet]}\nresult: r\n");
+  const LevelRun r = run_levels(nodes + "  r: {union: [both, sheet]}\nresult: r\n");
   CHECK(material_at(r, {8, 2, 1}) == "steel");
   // The sheet stays in rock, of its own level, and parts it; it goes from the steel.
   CHECK(value_of(r).group().regions.size() == 3);
-  const Run inside = run(nodes +
-                         "  parted: {union: [cut, steel], dominance: left}\n"
-                         "  r: {union: [parted, {box: {min: [7, 1, -1], max: [9, 3, 3]}, material: rock}]}\n"
-                         "result: r\n");
+  const LevelRun inside =
+      run_levels(nodes +
+                 "  parted: {union: [cut, steel], dominance: left}\n"
+                 "  r: {union: [parted, {box: {min: [7, 1, -1], max: [9, 3, 3]}, material: rock}]}\n"
+                 "result: r\n");
   CHECK(value_of(inside).group().regions.size() == 3);  // two of steel, and what of the rock sticks out
 }
 
@@ -138,7 +140,9 @@ TEST_CASE("a sheet has the level of its own material, where that is greater", "[
     return "  sheet: {polygon: [[2, 0, 0], [2, 4, 0], [2, 4, 4], [2, 0, 4]], material: " + material + "}\n";
   };
   const auto regions = [&](const std::string& material, const std::string& node) {
-    return value_of(run(nodes + sheet(material) + "  r: {" + node + "}\nresult: r\n")).group().regions.size();
+    return value_of(run_levels(nodes + sheet(material) + "  r: {" + node + "}\nresult: r\n"))
+        .group()
+        .regions.size();
   };
   CHECK(regions("clay", "union: [steel, sheet]") == 1);
   CHECK(regions("steel", "union: [steel, sheet]") == 2);  // of equals a sheet stays
@@ -150,7 +154,7 @@ TEST_CASE("a sheet has the level of its own material, where that is greater", "[
   CHECK(regions("rock", lined) == 2);
   CHECK(regions("air", lined) == 2);
   CHECK(regions("steel", lined) == 3);
-  const Run r = run(nodes + sheet("steel") + "  r: {" + lined + "}\nresult: r\n", true);
+  const LevelRun r = run_levels(nodes + sheet("steel") + "  r: {" + lined + "}\nresult: r\n", true);
   CHECK_THAT(
       explanation_text(r.tree, r.evaluation, explain(r.tree, r.evaluation, r.tree.result, RationalPoint{2, 1, 1})),
       Catch::Contains("their dominance here is 3 in A and 1 in B: A > B"));
@@ -162,17 +166,17 @@ TEST_CASE("ties of components are decided by their materials", "[material-levels
                             "  b: {unify: {box: {min: [1, 0, 0], max: [3, 2, 2]}, material: steel}}\n"
                             "  c: {unify: {box: {min: [1, 0, 0], max: [4, 2, 2]}, material: clay}}\n";
   for (const std::string op : {"product: [a, b]", "product: [b, a]", "product: [c, b, a]"}) {
-    const Run r = run(nodes + "  r: {" + op + "}\nresult: r\n");
+    const LevelRun r = run_levels(nodes + "  r: {" + op + "}\nresult: r\n");
     CHECK(value_of(r).attributes(1).material.name() == "steel");
     CHECK(value_of(r).attributes(1).name == "b/1");
     CHECK(r.evaluation.diagnostics.empty());
   }
-  const Run many = run(nodes + "  r: {sum: [a, b, c]}\nresult: r\n");
+  const LevelRun many = run_levels(nodes + "  r: {sum: [a, b, c]}\nresult: r\n");
   CHECK(many.evaluation.diagnostics.empty());
-  CHECK(value_of(run(nodes + "  r: {product: [a, b], dominance: left}\nresult: r\n"))
+  CHECK(value_of(run_levels(nodes + "  r: {product: [a, b], dominance: left}\nresult: r\n"))
             .attributes(1)
             .material.name() == "rock");
-  const Run one = run(nodes + "  r: {unify: {sum: [a, b]}}\nresult: r\n");
+  const LevelRun one = run_levels(nodes + "  r: {unify: {sum: [a, b]}}\nresult: r\n");
   CHECK(value_of(one).attributes(1).material.name() == "steel");
   CHECK(one.evaluation.diagnostics.empty());
 }
@@ -184,16 +188,16 @@ TEST_CASE("materials that tie are still at odds, but not where a third one wins"
       "  b: {box: {min: [2, 0, 0], max: [6, 4, 4]}, material: ore}\n"
       "  s: {box: {min: [2, 0, 0], max: [6, 4, 4]}, material: steel}\n"
       "  bs: {union: [b, s], dominance: right}\n";
-  CHECK(run(nodes + "  r: {union: [a, b, s]}\nresult: r\n").evaluation.diagnostics.size() == 1);
-  CHECK(run(nodes + "  r: {union: [a, bs]}\nresult: r\n").evaluation.diagnostics.empty());
+  CHECK(run_levels(nodes + "  r: {union: [a, b, s]}\nresult: r\n").evaluation.diagnostics.size() == 1);
+  CHECK(run_levels(nodes + "  r: {union: [a, bs]}\nresult: r\n").evaluation.diagnostics.empty());
 }
 
 TEST_CASE("explain says which materials decided", "[material-levels]") {
-  const Run r = run(kMaterials +
-                        "  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: rock}\n"
-                        "  beam: {box: {min: [2, 1, 1], max: [6, 3, 3]}, material: steel}\n"
-                        "  r: {union: [block, beam]}\nresult: r\n",
-                    true);
+  const LevelRun r = run_levels(kMaterials +
+                                    "  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: rock}\n"
+                                    "  beam: {box: {min: [2, 1, 1], max: [6, 3, 3]}, material: steel}\n"
+                                    "  r: {union: [block, beam]}\nresult: r\n",
+                                true);
   const std::string text =
       explanation_text(r.tree, r.evaluation, explain(r.tree, r.evaluation, r.tree.result, RationalPoint{4, 2, 2}));
   CHECK_THAT(text, Catch::Contains("A = beam"));
@@ -306,7 +310,7 @@ TEST_CASE("unions and intersections by material, face by face of a grid", "[mate
     const bool is_union = random() % 2 == 0;
     text += std::string("  r: {") + (is_union ? "union" : "intersection") + ": [a, b]}\nresult: r\n";
     INFO(text);
-    const Run r = run(text);
+    const LevelRun r = run_levels(text);
     const Group& group = value_of(r).group();
     const Locator locator(*r.evaluation.complex);
     const auto point = [](int x, int y, int z, int axis, bool face) {
@@ -393,7 +397,7 @@ TEST_CASE("point sets are right and groups whole with sheets and wires of any le
     }
     text += "none: {}}\nnodes: {r: " + random_node(random, 2) + "}\nresult: r\n";
     INFO("seed " << seed << "\n" << text);
-    const Run r = run(text);  // each step is checked against the identities of its point sets
+    const LevelRun r = run_levels(text);  // each step is checked against the identities of its point sets
     for (const NodeRow& row : r.evaluation.rows) {
       for (const auto& [rule, count] : row.removals) CHECK(table_rows()[rule].condition != Condition::never);
     }

@@ -9,25 +9,25 @@
 namespace cnrg {
 namespace {
 
-struct Run {
+struct NestedRun {
   Tree tree;
   Evaluation evaluation;
 };
 
-Run run(const std::string& text) {
-  Run r{parse_tree(text, "t.yaml"), {}};
+NestedRun run_nested(const std::string& text) {
+  NestedRun r{parse_tree(text, "t.yaml"), {}};
   EvaluateOptions options;
   options.validate = true;
   r.evaluation = evaluate(r.tree, options);
   return r;
 }
 
-RegionMaterial material_of(const Run& r, Component component = 1) {
+RegionMaterial material_of(const NestedRun& r, Component component = 1) {
   return r.evaluation.value(r.tree.result).value->attributes(component).material;
 }
 
 TEST_CASE("fractions of nested gradients are products at the point", "[grades]") {
-  const Run r = run(R"(cnrg: 1
+  const NestedRun r = run_nested(R"(cnrg: 1
 materials:
   outer: {linear: {from: [0, 0, 0], to: [4, 0, 0], stops: [[0, alloy], [1, {glaze: 1/2, alloy: 1/4, rubber: 1/4}]]}}
   alloy: {linear: {from: [0, 0, 0], to: [0, 4, 0], stops: [[0, steel], [1, tin]]}}
@@ -71,7 +71,8 @@ nodes:
   a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: outer}
 )";
   const std::string move = "translate: [1, 2, 3], rotate: {axis: [0, 0, 1], degrees: 90}, scale: [2, 3, 1]";
-  const Run here = run(head + "result: a\n"), there = run(head + "  r: {simplify: a, " + move + "}\nresult: r\n");
+  const NestedRun here = run_nested(head + "result: a\n"),
+                  there = run_nested(head + "  r: {simplify: a, " + move + "}\nresult: r\n");
   const Transform moved = Transform::scaling({2, 3, 1}) * Transform::rotation({0, 0, 1}, 90, {0, 0, 0}) *
                           Transform::translation({1, 2, 3});
   const RegionMaterial at_home = material_of(here), away = material_of(there);
@@ -91,7 +92,7 @@ TEST_CASE("a chain of many gradients, each named twice, costs no more than its l
   }
   text += "  top: {linear: {from: [0, 0, 0], to: [0, 0, 1], stops: [[0, m" + std::to_string(kDepth) +
           "], [1, other]]}}\nnodes:\n  r: {box: {min: [0, 0, 0], max: [1, 1, 1]}, material: top}\nresult: r\n";
-  const RegionMaterial material = material_of(run(text));
+  const RegionMaterial material = material_of(run_nested(text));
   CHECK(MaterialSampler(material).at({0, 0, Rational(1, 3)}) ==
         Mixture{{"m0", Rational(2, 3)}, {"other", Rational(1, 3)}});
 }

@@ -15,7 +15,7 @@ namespace {
 
 using Cells = std::array<std::size_t, 4>;
 
-Evaluation evaluated(const std::string& text, bool each = true) {
+Evaluation evaluated_text(const std::string& text, bool each = true) {
   const Tree tree = parse_tree(text, "t.yaml");
   EvaluateOptions options;
   options.validate = true;
@@ -83,7 +83,7 @@ TEST_CASE("cylinders and cones are what revolve makes of their profiles", "[eval
        {std::tuple{kCylinder, "[[0, 0], [1, 0], [1, 2], [0, 2]]", Cells{0, 2, 3, 1}},
         std::tuple{kCone, "[[0, 0], [1, 0], [0, 2]]", Cells{0, 1, 2, 1}}}) {
     const std::string swept = std::string("revolve: {profile: ") + profile + ", segments: 12}";
-    const Evaluation evaluation = evaluated(
+    const Evaluation evaluation = evaluated_text(
         "cnrg: 1\nnodes:\n  a: {" + shape + "}\n  b: {" + swept +
         "}\n  less: {subtract: [a, b]}\n  more: {subtract: [b, a]}\n  u: {union: [a, b], dominance: equal}\n"
         "  all: {aggregate: [less, more]}\nresult: all\n");
@@ -119,8 +119,8 @@ TEST_CASE("spheres and tori have the cells and the topology of rational patches 
        {std::tuple{kSphere, turned(kHalf), 4.18879020478639}, std::tuple{kSphere, arc, 4.18879020478639},
         std::tuple{kTorus, turned(tube), 59.2176264065361}}) {
     INFO(same);
-    const Evaluation evaluation = evaluated("cnrg: 1\nnodes:\n  a: {" + shape + "}\n  b: {" + same +
-                                            ", translate: [9, 0, 0]}\n  all: {union: [a, b]}\nresult: all\n");
+    const Evaluation evaluation = evaluated_text("cnrg: 1\nnodes:\n  a: {" + shape + "}\n  b: {" + same +
+                                                 ", translate: [9, 0, 0]}\n  all: {union: [a, b]}\nresult: all\n");
     for (const char* name : {"a", "b"}) {
       CHECK(row(evaluation, name).cells == Cells{0, 0, 1, 1});
       CHECK(std::abs(to_double(*row(evaluation, name).volume()) / volume - 1) < 0.06);
@@ -151,9 +151,9 @@ TEST_CASE("a quarter of a cylinder as a rational patch lies on the cylinder", "[
       "bezier: {patch: {points: [[[1, 0, 0], [1, 1, 0], [0, 1, 0]], [[1, 0, 2], [1, 1, 2], [0, 1, 2]]], "
       "weights: [[1, 1, 2], [1, 1, 2]]}, chord: 1/500}";
   const Evaluation evaluation =
-      evaluated("cnrg: 1\nnodes:\n  a: {" + quarter +
-                "}\n  b: {cylinder: {from: [0, 0, 0], "
-                "to: [0, 0, 2], radius: 2, segments: 8}}\n  u: {union: [a, b]}\nresult: u\n");
+      evaluated_text("cnrg: 1\nnodes:\n  a: {" + quarter +
+                     "}\n  b: {cylinder: {from: [0, 0, 0], "
+                     "to: [0, 0, 2], radius: 2, segments: 8}}\n  u: {union: [a, b]}\nresult: u\n");
   CHECK(row(evaluation, "a").cells == Cells{4, 4, 1, 0});
   const Complex& complex = *evaluation.complex;
   const LeafId leaf(0);
@@ -179,7 +179,7 @@ const char* const kSheet =
     "[[-2, 2, 0], [0, 2, 1], [2, 2, 0]]]";
 
 Evaluation scene(const std::string& chord) {
-  return evaluated(
+  return evaluated_text(
       std::string("cnrg: 1\nnodes:\n  sheet: {bezier: {patch: ") + kSheet + ", chord: " + chord +
           "}}\n  vase: {revolve: {profile: [[0, -1], [1, -1], {bezier: [[2, 1]], weights: [1, 2, 1]}, [1, 3], "
           "[0, 3]], chord: " +
@@ -268,7 +268,7 @@ TEST_CASE("where patches meet a vertex has parameters on both, exact in every fa
 }
 
 TEST_CASE("parameters follow a leaf through its transforms, curves too", "[evaluate][curved]") {
-  const Evaluation evaluation = evaluated(
+  const Evaluation evaluation = evaluated_text(
       "cnrg: 1\nnodes:\n  w: {bezier: {curve: [[0, 0, -3], [1, 2, -3], [2, 0, -3]], segments: 4}}\n"
       "  c: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 8}}\n"
       "  m: {union: [w, c], mirror: {normal: [1, 2, 2], point: [1, 0, 0]}, scale: [1, 2, 3]}\n"

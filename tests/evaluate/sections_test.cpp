@@ -24,7 +24,7 @@ Tree tree_of(const std::string& nodes, const std::string& materials = "{}") {
   return parse_tree("cnrg: 1\nmaterials: " + materials + "\nnodes:\n" + nodes + "result: r\n", "t.yaml");
 }
 
-Evaluation evaluated(const Tree& tree, Refining refining, std::vector<NodeId> nodes = {}) {
+Evaluation refined(const Tree& tree, Refining refining, std::vector<NodeId> nodes = {}) {
   EvaluateOptions options;
   options.refining = refining;
   options.nodes = std::move(nodes);
@@ -42,7 +42,7 @@ std::string bytes_of(const Result& result, const std::string& ending) {
 
 /// Refined apart and together the result has the same files; returns both evaluations.
 std::pair<Evaluation, Evaluation> same(const Tree& tree) {
-  std::pair<Evaluation, Evaluation> both{evaluated(tree, Refining::apart), evaluated(tree, Refining::together)};
+  std::pair<Evaluation, Evaluation> both{refined(tree, Refining::apart), refined(tree, Refining::together)};
   for (const char* ending : {"json", "vtu"})
     CHECK(bytes_of(both.first.result(), ending) == bytes_of(both.second.result(), ending));
   REQUIRE(both.first.rows.size() == both.second.rows.size());
@@ -72,7 +72,7 @@ std::string cut_balls(int count, int segments) {
 
 TEST_CASE("what dies before it meets others is refined apart, and meets nothing", "[sections]") {
   const Tree tree = tree_of(cut_balls(9, 24));
-  const Evaluation chosen = evaluated(tree, Refining::chosen), together = evaluated(tree, Refining::together);
+  const Evaluation chosen = refined(tree, Refining::chosen), together = refined(tree, Refining::together);
   CHECK(bytes_of(chosen.result(), "json") == bytes_of(together.result(), "json"));
   CHECK(chosen.complex->face_count() * 4 < together.complex->face_count());
   CHECK(chosen.refine.contacts[0] * 2 < together.refine.contacts[0]);
@@ -88,7 +88,7 @@ TEST_CASE("where little dies all is refined together", "[sections]") {
     last = "d" + n;
   }
   const Tree tree = tree_of(nodes + "  r: {simplify: " + last + "}\n");
-  const Evaluation chosen = evaluated(tree, Refining::chosen), together = evaluated(tree, Refining::together);
+  const Evaluation chosen = refined(tree, Refining::chosen), together = refined(tree, Refining::together);
   CHECK(chosen.complex->face_count() == together.complex->face_count());
   CHECK(chosen.refine.candidates == together.refine.candidates);
   same(tree);
@@ -149,8 +149,8 @@ TEST_CASE("faces keep their planes however often they are carried", "[sections]"
 
 TEST_CASE("a node that was asked for is on the complex of the result", "[sections]") {
   const Tree tree = tree_of(cut_balls(4, 12));
-  const Evaluation asked = evaluated(tree, Refining::apart, {tree.find("cut2")});
-  const Evaluation together = evaluated(tree, Refining::together, {tree.find("cut2")});
+  const Evaluation asked = refined(tree, Refining::apart, {tree.find("cut2")});
+  const Evaluation together = refined(tree, Refining::together, {tree.find("cut2")});
   CHECK(bytes_of(asked.result("cut2"), "json") == bytes_of(together.result("cut2"), "json"));
   CHECK(bytes_of(asked.result(), "json") == bytes_of(together.result(), "json"));
 }
@@ -182,12 +182,11 @@ TEST_CASE("steps of one intersection are kept where another one is formed at onc
   const std::string one = balls("one", 0, {"rock", "rock", "rock"}),
                     two = balls("two", 90, {"rock", "sand", "ore"});
   const std::string materials = "{rock: {}, sand: {}, ore: {}}";
-  const Evaluation kept =
-      evaluated(tree_of(one + two + "  r: {union: [one, two]}\n", materials), Refining::chosen);
+  const Evaluation kept = refined(tree_of(one + two + "  r: {union: [one, two]}\n", materials), Refining::chosen);
   const Evaluation turned =
-      evaluated(tree_of(two + one + "  r: {union: [two, one]}\n", materials), Refining::chosen);
+      refined(tree_of(two + one + "  r: {union: [two, one]}\n", materials), Refining::chosen);
   const Evaluation together =
-      evaluated(tree_of(one + two + "  r: {union: [one, two]}\n", materials), Refining::together);
+      refined(tree_of(one + two + "  r: {union: [one, two]}\n", materials), Refining::together);
   CHECK(kept.refine.candidates == turned.refine.candidates);
   CHECK(kept.complex->face_count() == turned.complex->face_count());
   CHECK(kept.complex->face_count() < together.complex->face_count());
@@ -232,7 +231,7 @@ std::string random_boxes(std::mt19937_64& random) {
 }
 
 /// What is said of each region, without its number.
-std::vector<std::tuple<Rational, std::string, std::string>> told(const Result& result) {
+std::vector<std::tuple<Rational, std::string, std::string>> words_of(const Result& result) {
   std::vector<std::tuple<Rational, std::string, std::string>> out;
   for (Component c = 1; c <= result.component_count(); ++c) {
     const RegionAttributes& attributes = result.attributes(c);
@@ -249,8 +248,8 @@ TEST_CASE("which of the regions that melt keeps its name does not depend on the 
     const std::string nodes = random_boxes(random);
     INFO("seed " << seed << "\n" << nodes);
     const Tree tree = tree_of(nodes, "{rock: {}, sand: {}, ore: {}}");
-    const Evaluation apart = evaluated(tree, Refining::apart), together = evaluated(tree, Refining::together);
-    REQUIRE(told(apart.result()) == told(together.result()));
+    const Evaluation apart = refined(tree, Refining::apart), together = refined(tree, Refining::together);
+    REQUIRE(words_of(apart.result()) == words_of(together.result()));
     REQUIRE(apart.diagnostics.size() == together.diagnostics.size());
     for (std::size_t i = 0; i < apart.diagnostics.size(); ++i)
       REQUIRE(apart.diagnostics[i].message == together.diagnostics[i].message);

@@ -11,7 +11,7 @@
 namespace cnrg {
 namespace {
 
-Evaluation evaluated(const Tree& tree, const std::vector<std::string>& nodes, bool raw = false) {
+Evaluation evaluated_nodes(const Tree& tree, const std::vector<std::string>& nodes, bool raw = false) {
   EvaluateOptions options;
   options.raw = raw;
   options.validate = true;
@@ -52,7 +52,7 @@ result: model
 TEST_CASE("leaves are asked for by nodes, in all places where these are used", "[select]") {
   const Tree tree = parse_tree(kBolts, "t.yaml");
   const Evaluation e =
-      evaluated(tree, {"all", "one", "two", "moved", "thick", "deep", "loose", "again", "first", "none"});
+      evaluated_nodes(tree, {"all", "one", "two", "moved", "thick", "deep", "loose", "again", "first", "none"});
   CHECK(counts_of(e, "all") == Counts{6, 3, 0, 0, 0});
   CHECK(counts_of(e, "one") == Counts{2, 1, 0, 0, 0});
   CHECK(counts_of(e, "two") == Counts{4, 2, 0, 0, 0});
@@ -76,9 +76,9 @@ TEST_CASE("a selection may be added to a tree that was read", "[select]") {
       add_selection(tree, tree.find("model"), "{dimension: 1, touching: {points: [[3, 1, 12]]}}", "words");
   CHECK(tree.nodes[one].name == "model/select");
   tree.result = one;
-  CHECK(counts_of(evaluated(tree, {}), "model/select") == Counts{2, 1, 0, 0, 0});
+  CHECK(counts_of(evaluated_nodes(tree, {}), "model/select") == Counts{2, 1, 0, 0, 0});
   tree.result = near;
-  CHECK(counts_of(evaluated(tree, {}), "model/select") == Counts{2, 1, 0, 0, 0});
+  CHECK(counts_of(evaluated_nodes(tree, {}), "model/select") == Counts{2, 1, 0, 0, 0});
   CHECK_THROWS_WITH(add_selection(tree, one, "{dimension: 5}", "words"), Catch::StartsWith("words:1:13: error: "));
   CHECK_THROWS_WITH(add_selection(tree, one, "{of: rock}", "words"), Catch::Contains("unknown key `of`"));
   CHECK_THROWS_WITH(add_selection(tree, one, "{from: one}", "words"),
@@ -111,13 +111,13 @@ TEST_CASE("what is listed is what can be picked", "[select][random]") {
     text += "  model: {union: [" + list + "], dominance: right}\nresult: model\n";
     Tree tree = parse_tree(text, "t.yaml");
     const NodeId model = tree.result;
-    const std::vector<Selectable> listed = selectables(evaluated(tree, {}, true).result(model));
+    const std::vector<Selectable> listed = selectables(evaluated_nodes(tree, {}, true).result(model));
     REQUIRE(listed.size() > 8);
     for (const Selectable& s : listed) {
       if (s.key == "dimension") continue;
       for (const int dimension : {2, 3}) {
         tree.result = add_selection(tree, model, words(s) + std::to_string(dimension) + "}", "words");
-        const Evaluation e = evaluated(tree, {}, true);
+        const Evaluation e = evaluated_nodes(tree, {}, true);
         const NodeRow& picked = e.rows.back();
         CAPTURE(seed, s.key, s.value, dimension);
         if (dimension == 3) CHECK(picked.raw_cells[3] == s.cells[3]);

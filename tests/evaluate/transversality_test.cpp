@@ -168,7 +168,7 @@ TEST_CASE("leaves that are drawn on common lines have their true surfaces", "[ev
         for (const PatchCorner& corner : cell) {
           ++corners;
           const RationalPoint p = parameters.transform(face.leaf).apply(corner.point);
-          const Vector<double> q = surface.at(to_double(corner.at[0]), to_double(corner.at[1])).point;
+          const Vector3<double> q = surface.at(to_double(corner.at[0]), to_double(corner.at[1])).point;
           for (std::size_t k = 0; k < 3; ++k) REQUIRE(std::abs(q[k] - to_double(p[k])) < 1e-11);
         }
       }

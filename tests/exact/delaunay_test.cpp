@@ -37,7 +37,7 @@ Rational in_circle(const Plane& a, const Plane& b, const Plane& c, const Plane& 
          p[2] * (q[0] * r[1] - q[1] * r[0]);
 }
 
-void check(const Points& points) {
+void check_delaunay(const Points& points) {
   const Delaunay made = delaunay(points);
   Rational covered = 0;
   for (const auto& [i, j, k] : made.triangles) {
@@ -88,7 +88,7 @@ TEST_CASE("Delaunay triangulations are what they are called") {
     for (Points* points : {&any, &lattice, &far}) {
       std::sort(points->begin(), points->end());
       points->erase(std::unique(points->begin(), points->end()), points->end());
-      check(*points);
+      check_delaunay(*points);
     }
   }
 }

@@ -17,7 +17,7 @@ double coordinate(std::mt19937_64& random, int lowest, int highest) {
   return (random() % 2 == 0 ? 1 : -1) * (random() % 9 == 0 ? 0 : std::ldexp(mantissa, exponent - bits + 1));
 }
 
-Rational determinant(const double* r, const double* p, const double* q) {
+Rational exact_determinant(const double* r, const double* p, const double* q) {
   Rational sum = 0;
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -61,7 +61,7 @@ TEST_CASE("sums of determinants of doubles are exact, however many bits they spa
         const std::size_t r = random() % 12, p = random() % 12, q = random() % 12;
         const bool plus = random() % 2 == 0;
         (term % 3 == 0 ? first : second).add(r, p, q, plus);
-        const Rational one = determinant(xyz[r].data(), xyz[p].data(), xyz[q].data());
+        const Rational one = exact_determinant(xyz[r].data(), xyz[p].data(), xyz[q].data());
         if (plus) sum += one;
         else sum -= one;
       }
@@ -82,9 +82,9 @@ TEST_CASE("the largest numbers of fixed size add up without loss", "[determinant
   CHECK(points.exponent() == 0);
   DeterminantSum sum(points);
   for (int i = 0; i < 1000000; ++i) sum.add(0, 1, 2, true);
-  CHECK(scaled(sum.value(), 0) == determinant(xyz[0], xyz[1], xyz[2]) * 1000000);
+  CHECK(scaled(sum.value(), 0) == exact_determinant(xyz[0], xyz[1], xyz[2]) * 1000000);
   for (int i = 0; i < 2000000; ++i) sum.add(0, 1, 2, false);
-  CHECK(scaled(sum.value(), 0) == -determinant(xyz[0], xyz[1], xyz[2]) * 1000000);
+  CHECK(scaled(sum.value(), 0) == -exact_determinant(xyz[0], xyz[1], xyz[2]) * 1000000);
 }
 
 }  // namespace

@@ -95,8 +95,8 @@ class RandomTree {
   std::mt19937_64 random_;
 };
 
-std::vector<Piece> all_pieces(const Complex& complex) {
-  std::vector<Piece> out;
+std::vector<CellSide> all_pieces(const Complex& complex) {
+  std::vector<CellSide> out;
   const CellSet all = all_cells(complex);
   for (const VertexId v : all.vertices) out.push_back({{0, v, {}, {}, {}}, 0});
   for (const EdgeId e : all.edges) out.push_back({{1, {}, e, {}, {}}, 0});
@@ -198,7 +198,7 @@ std::string check_boolean_facts(const BooleanFacts& f) {
 /// Everything told of every cell at every node, against the kept values and the counts of the rows.
 std::string check(const Run& r, std::set<std::string>& rows) {
   const Complex& complex = *r.evaluation.complex;
-  const std::vector<Piece> pieces = all_pieces(complex);
+  const std::vector<CellSide> pieces = all_pieces(complex);
   const std::vector<Life> lives = Lives(r.tree, r.evaluation, r.tree.result).of(pieces, false);
   std::map<std::string, std::size_t> place;
   for (std::size_t i = 0; i < r.evaluation.rows.size(); ++i) place[r.evaluation.rows[i].name] = i;
@@ -313,7 +313,7 @@ TEST_CASE("n points to the side that is told first, on every facet of a curved f
   const Complex& complex = *r.evaluation.complex;
   const Locator locator(complex);
   const SimplifiedComplex& simplified = *r.evaluation.value(r.tree.result).simplified;
-  std::vector<Piece> pieces;
+  std::vector<CellSide> pieces;
   for (const SimplifiedComplex::Face& face : simplified.faces) {
     for (const HalfFace h : face.cells) {
       pieces.push_back({{2, {}, {}, h.face(), {}}, h.side()});

@@ -59,7 +59,7 @@ struct Glb {
   }
 };
 
-std::uint32_t number_at(const std::string& bytes, std::size_t at) {
+std::uint32_t number4_at(const std::string& bytes, std::size_t at) {
   std::uint32_t n = 0;
   for (int k = 4; k-- > 0;) n = n << 8 | std::uint8_t(bytes.at(at + std::size_t(k)));
   return n;
@@ -74,9 +74,9 @@ Point by_quaternion(const nlohmann::json& q, const Point& p) {
 
 Glb read_glb(const std::string& bytes) {
   REQUIRE(bytes.substr(0, 4) == "glTF");
-  CHECK(number_at(bytes, 4) == 2);
-  CHECK(number_at(bytes, 8) == bytes.size());
-  const std::size_t length = number_at(bytes, 12);
+  CHECK(number4_at(bytes, 4) == 2);
+  CHECK(number4_at(bytes, 8) == bytes.size());
+  const std::size_t length = number4_at(bytes, 12);
   CHECK(length % 4 == 0);
   REQUIRE(bytes.substr(16, 4) == "JSON");
   Glb glb;
@@ -84,7 +84,7 @@ Glb read_glb(const std::string& bytes) {
   const auto& d = glb.document;
   std::size_t begin = 20 + length;
   if (begin < bytes.size()) {
-    CHECK(number_at(bytes, begin) == bytes.size() - begin - 8);
+    CHECK(number4_at(bytes, begin) == bytes.size() - begin - 8);
     REQUIRE(bytes.substr(begin + 4, 4) == std::string("BIN\0", 4));
     CHECK(d["buffers"][0]["byteLength"] == bytes.size() - begin - 8);
     begin += 8;
@@ -95,7 +95,7 @@ Glb read_glb(const std::string& bytes) {
     std::size_t at = begin + view["byteOffset"].get<std::size_t>() + a.value("byteOffset", std::size_t(0));
     std::vector<decltype(kind)> all;
     for (std::size_t i = 0; i < a["count"].get<std::size_t>() * parts; ++i, at += 4) {
-      all.push_back(std::bit_cast<decltype(kind)>(number_at(bytes, at)));
+      all.push_back(std::bit_cast<decltype(kind)>(number4_at(bytes, at)));
     }
     return all;
   };
@@ -139,9 +139,9 @@ Glb read_glb(const std::string& bytes) {
   return glb;
 }
 
-Result evaluated(const std::string& tree) { return evaluate(parse_tree(tree, "t.yaml")).result(); }
+Result glb_result(const std::string& tree) { return evaluate(parse_tree(tree, "t.yaml")).result(); }
 
-std::string written(const Result& result, RoundingReport* report = nullptr) {
+std::string glb_bytes(const Result& result, RoundingReport* report = nullptr) {
   const Scratch dir;
   const RoundingReport said = write(dir / "m.glb", result);
   if (report != nullptr) *report = said;
@@ -164,7 +164,7 @@ result: model
 }  // namespace
 
 TEST_CASE("glb: regions, sheets, wires and points with names and colours") {
-  const Glb glb = read_glb(written(evaluated(kSlope)));
+  const Glb glb = read_glb(glb_bytes(glb_result(kSlope)));
   CHECK(glb.document["asset"]["version"] == "2.0");
   CHECK(glb.parts.size() == 5);
   double volume = 0;
@@ -208,7 +208,7 @@ nodes:
   model: {intersection: [drum, half]}
 result: model
 )";
-  const Glb glb = read_glb(written(evaluated(tree)));
+  const Glb glb = read_glb(glb_bytes(glb_result(tree)));
   REQUIRE(glb.parts.size() == 1);
   const GlbPart& part = glb.parts.begin()->second[0];
   std::size_t round = 0, flat = 0;
@@ -240,8 +240,8 @@ result: model
 
   // Without true surfaces facets are what is meant.
   const Scratch dir;
-  write(dir / "m.json", evaluated(tree));
-  const Glb plain = read_glb(written(read_result(dir / "m.json")));
+  write(dir / "m.json", glb_result(tree));
+  const Glb plain = read_glb(glb_bytes(read_result(dir / "m.json")));
   for (const Vertex& v : plain.parts.begin()->second[0].corners) {
     CHECK((std::abs(v.normal[2]) == Approx(1).margin(1e-6) || v.normal[2] == Approx(0).margin(1e-6)));
   }
@@ -258,7 +258,7 @@ nodes:
   model: {unify: {union: [rest, top]}}
 result: model
 )";
-  const Glb glb = read_glb(written(evaluated(tree)));
+  const Glb glb = read_glb(glb_bytes(glb_result(tree)));
   REQUIRE(glb.parts.size() == 1);
   const GlbPart& part = glb.parts.begin()->second[0];
   CHECK(part.corners.size() > 300);
@@ -281,11 +281,11 @@ nodes:
   steel:  {union: [model, pin], material: steel}
 result: )";
   // Each region has a colour of its own: a mesh each, on the same numbers.
-  const Glb colored = read_glb(written(evaluated(pins + "model\n")));
+  const Glb colored = read_glb(glb_bytes(glb_result(pins + "model\n")));
   CHECK(colored.document["meshes"].size() == 4);
   CHECK(colored.document["accessors"].size() == 6);
 
-  const Glb glb = read_glb(written(evaluated(pins + "steel\n")));
+  const Glb glb = read_glb(glb_bytes(glb_result(pins + "steel\n")));
   CHECK(glb.document["meshes"].size() == 2);
   std::map<std::size_t, int> uses;
   std::multiset<int> x;
@@ -313,14 +313,14 @@ nodes:
 result: a
 )";
   RoundingReport report;
-  const Glb glb = read_glb(written(evaluated(tree), &report));
+  const Glb glb = read_glb(glb_bytes(glb_result(tree), &report));
   CHECK(report.notices.empty());
   for (const Vertex& v : glb.one("a").corners) {
     CHECK((v.at[0] == Approx(4000000).epsilon(1e-14) || v.at[0] == Approx(4000001).epsilon(1e-14)));
     CHECK((v.at[1] == Approx(6000000).epsilon(1e-14) || v.at[1] == Approx(6000003).epsilon(1e-14)));
   }
-  const Result thirds = evaluated("cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1/3]}}\nresult: a\n");
-  written(thirds, &report);
+  const Result thirds = glb_result("cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1/3]}}\nresult: a\n");
+  glb_bytes(thirds, &report);
   REQUIRE(report.notices.size() == 1);
   CHECK_THAT(report.notices[0], Catch::Contains("32 bits: they are off by 5e-09 at most"));
 }
@@ -333,30 +333,31 @@ nodes:
   inner: {interior: a}
   rest:  {complement: a}
 )";
-  const Glb glb = read_glb(written(evaluated(head + "result: none\n")));
+  const Glb glb = read_glb(glb_bytes(glb_result(head + "result: none\n")));
   CHECK(glb.parts.empty());
   CHECK_FALSE(glb.document.contains("buffers"));
   const Scratch dir;
-  CHECK_THROWS_WITH(write(dir / "m.glb", evaluated(head + "result: inner\n")), Catch::Contains("apply `closure`"));
-  CHECK_THROWS_WITH(write(dir / "m.glb", evaluated(head + "result: rest\n")), Catch::Contains("without bounds"));
+  CHECK_THROWS_WITH(write(dir / "m.glb", glb_result(head + "result: inner\n")),
+                    Catch::Contains("apply `closure`"));
+  CHECK_THROWS_WITH(write(dir / "m.glb", glb_result(head + "result: rest\n")), Catch::Contains("without bounds"));
 }
 
 TEST_CASE("glb: names are on one line, as they may be shown") {
-  const Glb glb = read_glb(written(evaluated(
+  const Glb glb = read_glb(glb_bytes(glb_result(
       "cnrg: 1\nnodes:\n  \"x\\n\\u202e\": {box: {min: [0, 0, 0], max: [1, 1, 1]}}\nresult: \"x\\n\\u202e\"\n")));
   CHECK(glb.parts.begin()->first == "x\\n\\u202e");
   CHECK(glb.document["nodes"][0]["name"] == "x\\n\\u202e");
 }
 
 TEST_CASE("glb: the same result gives the same bytes") {
-  CHECK(written(evaluated(kSlope)) == written(evaluated(kSlope)));
+  CHECK(glb_bytes(glb_result(kSlope)) == glb_bytes(glb_result(kSlope)));
 }
 
 TEST_CASE("glb: Khronos's validator has nothing to say", "[programs]") {
   const Scratch dir;
   std::string files;
   const auto add = [&](const std::string& name, const std::string& tree) {
-    write(dir / name, evaluated(tree));
+    write(dir / name, glb_result(tree));
     files += " " + (dir / name);
   };
   add("slope.glb", kSlope);

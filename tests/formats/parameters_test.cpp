@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 namespace {
 
 // A pierced ball, a cone through a sheet, flat patches: one affine, one whose net is not uniform, a disc swept.
-const char* const kTree = R"(cnrg: 1
+const char* const kPatchTree = R"(cnrg: 1
 nodes:
   ball: {sphere: {center: [0, 0, 0], radius: 1, segments: 12}}
   pin: {cylinder: {from: [0, 0, -2], to: [0.25, 0, 2], radius: 1/2, segments: 7}}
@@ -43,7 +43,7 @@ std::string file_of(const std::string& text, const std::string& name, bool param
 }
 
 /// Points, faces and their patches and cells; not what tells leaves apart and how regions are numbered.
-Json comparable(const std::string& text) {
+Json parts_with_patches(const std::string& text) {
   const Json json = Json::parse(text);
   Json result{{"points", json["points"]}, {"cells", json["cells"]}, {"patches", json["patches"]}};
   for (auto& patch : result["patches"]) patch.erase("leaf");
@@ -62,9 +62,9 @@ TEST_CASE("a result without curved leaves has the same file with parameters") {
   const std::string boxes = "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\nresult: a\n";
   CHECK(file_of(boxes, "a.json", true, dir) == file_of(boxes, "b.json", false, dir));
   // What is not asked for is not there.
-  const std::string without = file_of(kTree, "c.json", false, dir);
+  const std::string without = file_of(kPatchTree, "c.json", false, dir);
   CHECK(without.find("cells") == std::string::npos);
-  Json json = Json::parse(file_of(kTree, "d.json", true, dir));
+  Json json = Json::parse(file_of(kPatchTree, "d.json", true, dir));
   for (const char* key : {"patches", "cells"}) json.erase(key);
   for (auto& face : json["faces"]) face.erase("cells");
   CHECK((json == Json::parse(without)));
@@ -72,7 +72,7 @@ TEST_CASE("a result without curved leaves has the same file with parameters") {
 
 TEST_CASE("json: every facet of a curved patch has its cells, and they are kept when the file is read back") {
   const Scratch dir;
-  const std::string text = file_of(kTree, "a.json", true, dir);
+  const std::string text = file_of(kPatchTree, "a.json", true, dir);
   const Json json = Json::parse(text);
   std::map<std::size_t, std::string> names;
   for (const auto& patch : json["patches"]) names[patch["patch"]] = patch["name"];
@@ -115,7 +115,7 @@ TEST_CASE("json: every facet of a curved patch has its cells, and they are kept 
   CHECK(curved > 300);
 
   const std::string again = "cnrg: 1\nnodes:\n  r: {cnrg: " + (dir / "a.json") + "}\nresult: r\n";
-  CHECK((comparable(file_of(again, "b.json", true, dir)) == comparable(text)));
+  CHECK((parts_with_patches(file_of(again, "b.json", true, dir)) == parts_with_patches(text)));
   CHECK(file_of(again, "c.json", false, dir).find("cells") == std::string::npos);
 
   // Cut once more, the same points have the same parameters.
@@ -135,7 +135,7 @@ TEST_CASE("json: every facet of a curved patch has its cells, and they are kept 
   };
   const std::string knife =
       "  knife: {box: {min: [0, 0, 0], max: [9, 9, 0.3]}}\n  cut: {difference: [r, knife]}\nresult: cut\n";
-  std::string first = kTree;
+  std::string first = kPatchTree;
   first = first.substr(0, first.find("result:"));
   std::size_t before = 0, after = 0;
   const auto old = places(first + "  r: {simplify: all}\n" + knife, {LeafId(0), LeafId(1)}, before);
@@ -155,7 +155,7 @@ TEST_CASE("json: every facet of a curved patch has its cells, and they are kept 
 
 TEST_CASE("a file whose cells are broken is refused with its place") {
   const Scratch dir;
-  const Json good = Json::parse(file_of(kTree, "a.json", true, dir));
+  const Json good = Json::parse(file_of(kPatchTree, "a.json", true, dir));
   const auto fault = [&](const std::function<void(Json&)>& change) -> std::string {
     Json json = good;
     change(json);
@@ -190,7 +190,7 @@ TEST_CASE("a file whose cells are broken is refused with its place") {
 
 TEST_CASE("vtu: points of curved patches carry u and v, split where they differ") {
   const Scratch dir;
-  const Vtu plain{file_of(kTree, "a.vtu", false, dir)}, with{file_of(kTree, "b.vtu", true, dir)};
+  const Vtu plain{file_of(kPatchTree, "a.vtu", false, dir)}, with{file_of(kPatchTree, "b.vtu", true, dir)};
   CHECK(plain.text.find("parameters") == std::string::npos);
   CHECK(plain.text.find("\"patch ") == std::string::npos);
   const auto uv = with.array<double>("parameters"), xyz = with.array<double>("Points");

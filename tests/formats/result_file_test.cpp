@@ -26,7 +26,7 @@ nodes:
 result: both
 )";
 
-Evaluation evaluated(const std::vector<std::string>& nodes = {}) {
+Evaluation evaluation_of(const std::vector<std::string>& nodes = {}) {
   const Tree tree = parse_tree(kTree, "model.yaml");
   EvaluateOptions options;
   for (const std::string& node : nodes) options.nodes.push_back(tree.find(node));
@@ -44,7 +44,7 @@ TEST_CASE("a result outlives its evaluation") {
   const Scratch dir;
   std::optional<Result> kept;
   {
-    const Evaluation evaluation = evaluated({"rest"});
+    const Evaluation evaluation = evaluation_of({"rest"});
     kept = evaluation.result("rest");
     write(dir / "before.json", evaluation.result("rest"));
     CHECK(evaluation.result().name() == "both");
@@ -58,7 +58,7 @@ TEST_CASE("a result outlives its evaluation") {
 
 TEST_CASE("a result by hand has the file of the tree's") {
   const Scratch dir;
-  write(dir / "tree.json", evaluated().result());
+  write(dir / "tree.json", evaluation_of().result());
   std::optional<Result> by_hand;
   {
     const auto complex = two_boxes();
@@ -96,7 +96,7 @@ TEST_CASE("a selection is a result without names") {
 
 TEST_CASE("a result read back has the cells, the names and the materials of its file") {
   const Scratch dir;
-  write(dir / "both.json", evaluated().result());
+  write(dir / "both.json", evaluation_of().result());
   const Result read = read_result(dir / "both.json");
   REQUIRE(read.component_count() == 3);
   CHECK(read.attributes(1).name == "a");
@@ -104,14 +104,14 @@ TEST_CASE("a result read back has the cells, the names and the materials of its 
   CHECK(read.attributes(2).name == "b");
   CHECK(read.volume(1) == Rational(8));
   CHECK(read.volume(2) == Rational(25, 3));
-  CHECK(active_counts(read.cells()) == active_counts(evaluated().result().cells()));
+  CHECK(active_counts(read.cells()) == active_counts(evaluation_of().result().cells()));
   CHECK_THROWS(read_result(dir / "none.json"));
 }
 
 TEST_CASE("a snapped result is on doubles and needs the exact one no more") {
   const Scratch dir;
   SnapReport report;
-  std::optional<Result> snapped = snap(evaluated().result(), &report);
+  std::optional<Result> snapped = snap(evaluation_of().result(), &report);
   CHECK(report.moved == 0);  // plain rounding is right here
   CHECK(write(dir / "both.vtu", *snapped).embedded);
   snapped = snap(evaluate(parse_tree(R"(cnrg: 1
@@ -131,7 +131,7 @@ result: model
 
 TEST_CASE("pictures of a result and of an evaluation") {
   const Scratch dir;
-  const Evaluation evaluation = evaluated();
+  const Evaluation evaluation = evaluation_of();
   write(dir / "m.regions.dot", evaluation.result());
   write(dir / "m.dot", evaluation);
   CHECK(text_of(dir / "m.regions.dot") != text_of(dir / "m.dot"));

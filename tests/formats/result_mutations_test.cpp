@@ -20,18 +20,18 @@
 
 using namespace cnrg;
 using namespace cnrg::test;
-using Json = nlohmann::ordered_json;
-using Pointer = Json::json_pointer;
+using OrderedJson = nlohmann::ordered_json;
+using Pointer = OrderedJson::json_pointer;
 
 namespace {
 
-struct Model {
+struct MutatedModel {
   const char* what;
   const char* nodes;  ///< the last one is the result
   bool parameters, raw;
 };
 
-const Model kModels[] = {
+const MutatedModel kModels[] = {
     {"two regions, a graded one and a plain one; sheets, wires and points inside, outside, on faces", R"(
   left:   {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: mix}
   right:  {box: {min: [4, 0, 0], max: [6, 4, 4/3]}, material: far}
@@ -83,7 +83,7 @@ const Model kModels[] = {
      true, false},
 };
 
-std::string tree_of(const Model& model) {
+std::string tree_of(const MutatedModel& model) {
   std::string text = "cnrg: 1\nmaterials:\n  rock: {color: \"#998877\"}\n  ore: {}\n";
   if (std::string(model.nodes).find("mix") != std::string::npos) {
     text +=
@@ -94,7 +94,7 @@ std::string tree_of(const Model& model) {
 }
 
 /// What is kept when a result is read back and written again.
-Json kept(Json json) {
+OrderedJson kept(OrderedJson json) {
   json.erase("node"), json.erase("leaves");
   std::set<std::string> used;
   for (auto& c : json["components"]) {
@@ -112,15 +112,16 @@ Json kept(Json json) {
   for (const char* kind : {"vertices", "edges", "faces", "regions"}) {
     for (auto& cell : json[kind]) cell.erase("origin");
   }
-  return Json(nlohmann::json(json));  // members in the order of their names
+  return OrderedJson(nlohmann::json(json));  // members in the order of their names
 }
 
 /// Vertices, steps of edges, facets and regions with what is said of each, by coordinates: of a file that unites
 /// cells the same as of one that does not.
-std::set<std::string> broken_up(const Json& json) {
+std::set<std::string> broken_up(const OrderedJson& json) {
   std::set<std::string> all;
-  const auto at = [&](const Json& point) { return json["points"].at(point.get<std::size_t>()).dump(); };
-  const auto add = [&](const std::string& place, const Json& cell, std::initializer_list<const char*> keys) {
+  const auto at = [&](const OrderedJson& point) { return json["points"].at(point.get<std::size_t>()).dump(); };
+  const auto add = [&](const std::string& place, const OrderedJson& cell,
+                       std::initializer_list<const char*> keys) {
     std::string text = place;
     for (const char* key : keys) text += std::string(" ") + key + cell[key].dump();
     all.insert(text);
@@ -134,7 +135,7 @@ std::set<std::string> broken_up(const Json& json) {
     }
   }
   for (const auto& f : json["faces"]) {
-    const auto facets = f.contains("facets") ? f["facets"] : Json::array({f});
+    const auto facets = f.contains("facets") ? f["facets"] : OrderedJson::array({f});
     for (const auto& facet : facets) {
       std::set<std::string> points;
       for (const auto& loop : facet["loops"]) {
@@ -151,9 +152,9 @@ std::set<std::string> broken_up(const Json& json) {
 
 class Mutations {
  public:
-  explicit Mutations(const Model& model) : model_(model) {
+  explicit Mutations(const MutatedModel& model) : model_(model) {
     write(dir_ / "good.json", value_of(tree_of(model), model.raw), {.parameters = model.parameters});
-    good_ = Json::parse(text_of(dir_ / "good.json"));
+    good_ = OrderedJson::parse(text_of(dir_ / "good.json"));
   }
 
   /// Of each kind of place in the file (its path without numbers) at most `most`, spread over the file.
@@ -177,7 +178,7 @@ class Mutations {
     return evaluate(parse_tree(text, dir_ / "t.yaml"), options).result();
   }
 
-  static void collect(const Json& json, const Pointer& at, const std::string& kind,
+  static void collect(const OrderedJson& json, const Pointer& at, const std::string& kind,
                       std::map<std::string, std::vector<Pointer>>& out) {
     out[kind].push_back(at);
     if (json.is_object()) {
@@ -189,10 +190,10 @@ class Mutations {
   }
 
   void change(const Pointer& at) {
-    const Json& value = good_[at];
-    const auto put = [&](const Json& other) {
+    const OrderedJson& value = good_[at];
+    const auto put = [&](const OrderedJson& other) {
       if (other == value) return;
-      Json json = good_;
+      OrderedJson json = good_;
       json[at] = other;
       judge(json, at.to_string() + " = " + other.dump());
     };
@@ -223,37 +224,37 @@ class Mutations {
   }
 
   template <class Put>
-  void change_list(const Json& list, Put put) {
+  void change_list(const OrderedJson& list, Put put) {
     for (std::size_t i = 0; i < list.size(); i += std::max<std::size_t>(1, list.size() / 3)) {
-      Json without = list, doubled = list, twice = list;
+      OrderedJson without = list, doubled = list, twice = list;
       without.erase(i);
       doubled.insert(doubled.begin() + std::ptrdiff_t(i), list[i]);
       twice.push_back(list[i]);
       put(without), put(doubled), put(twice);
       if (i + 1 < list.size()) {
-        Json swapped = list;
+        OrderedJson swapped = list;
         std::swap(swapped[i], swapped[i + 1]);
         put(swapped);
       }
     }
-    Json turned = list;
+    OrderedJson turned = list;
     std::reverse(turned.begin(), turned.end());
-    put(turned), put(Json::array()), put(Json::object());
+    put(turned), put(OrderedJson::array()), put(OrderedJson::object());
   }
 
   template <class Put>
-  void change_object(const Json& object, Put put) {
+  void change_object(const OrderedJson& object, Put put) {
     for (const auto& [key, value] : object.items()) {
-      Json without = object;
+      OrderedJson without = object;
       without.erase(key);
       put(without);
     }
-    Json more = object;
+    OrderedJson more = object;
     more["colour"] = 1;
-    put(more), put(Json::array());
+    put(more), put(OrderedJson::array());
   }
 
-  void judge(const Json& json, const std::string& what) {
+  void judge(const OrderedJson& json, const std::string& what) {
     CAPTURE(what);
     ++tried_;
     const std::string outcome = read(json, what);
@@ -261,7 +262,7 @@ class Mutations {
   }
 
   /// "accepted" for a file that is refused as it should be, too.
-  std::string read(const Json& json, const std::string& what) {
+  std::string read(const OrderedJson& json, const std::string& what) {
     const std::string file = dir_ / "changed.json";
     std::ofstream(file) << json.dump();
     try {
@@ -276,21 +277,21 @@ class Mutations {
     }
     const std::string tree = "cnrg: 1\nnodes:\n  r: {cnrg: changed.json}\nresult: r\n";
     // Triangles that were Delaunay cover a face that has another form now as well.
-    const auto compared = [&](const Json& all) {
-      Json out = kept(all);
+    const auto compared = [&](const OrderedJson& all) {
+      OrderedJson out = kept(all);
       for (auto& face : out["faces"]) {
         if (what.starts_with("/points")) face["triangles"] = face["triangles"].size();
       }
       return out;
     };
-    const Json said = compared(json);
+    const OrderedJson said = compared(json);
     const auto again = [&](bool raw) {
       write(dir_ / "again.json", value_of(tree, raw), {.parameters = model_.parameters});
-      return compared(Json::parse(text_of(dir_ / "again.json")));
+      return compared(OrderedJson::parse(text_of(dir_ / "again.json")));
     };
     try {
       if (again(false) == said) return "accepted";
-      const Json as_it_is = again(true);
+      const OrderedJson as_it_is = again(true);
       if (as_it_is == said) return "accepted";
       // Without a feature, or with a patch in common, cells unite when the result is written simplified.
       if (what.find("/feature") == std::string::npos && what.find("/patch") == std::string::npos) {
@@ -306,9 +307,9 @@ class Mutations {
     }
   }
 
-  const Model& model_;
+  const MutatedModel& model_;
   const Scratch dir_;
-  Json good_;
+  OrderedJson good_;
   std::size_t tried_ = 0, refused_ = 0;
 };
 
@@ -317,7 +318,7 @@ class Mutations {
 TEST_CASE("result files with one change are refused, or read as what they say") {
   const char* const wanted = std::getenv("CNRG_MUTATIONS");
   const std::size_t most = wanted == nullptr ? 3 : std::strtoul(wanted, nullptr, 10);
-  for (const Model& model : kModels) {
+  for (const MutatedModel& model : kModels) {
     Mutations mutations(model);
     mutations.run(most);
     CAPTURE(model.what, mutations.tried());

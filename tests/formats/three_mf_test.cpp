@@ -165,7 +165,7 @@ std::string written(const Result& result) {
   return text_of(dir / "m.3mf");
 }
 
-std::string message_of(const Result& result) {
+std::string refusal_of(const Result& result) {
   const Scratch dir;
   try {
     write(dir / "m.3mf", result);
@@ -330,15 +330,15 @@ nodes:
   inner: {interior: block}
   rest:  {complement: block}
 )";
-  const std::string message = message_of(evaluated(head + "result: all\n"));
+  const std::string message = refusal_of(evaluated(head + "result: all\n"));
   CHECK_THAT(message, Catch::Contains("3MF holds solid regions only, and the result has"));
   for (const std::string part : {"1 face inside of a region", "1 face that bounds no region", "2 wires",
                                  "1 isolated point", "write .glb, .obj", "`regularize`"}) {
     CHECK_THAT(message, Catch::Contains(part));
   }
-  CHECK(message_of(evaluated(head + "result: solid\n")) == "");
-  CHECK_THAT(message_of(evaluated(head + "result: inner\n")), Catch::Contains("apply `closure`"));
-  CHECK_THAT(message_of(evaluated(head + "result: rest\n")), Catch::Contains("without bounds"));
+  CHECK(refusal_of(evaluated(head + "result: solid\n")) == "");
+  CHECK_THAT(refusal_of(evaluated(head + "result: inner\n")), Catch::Contains("apply `closure`"));
+  CHECK_THAT(refusal_of(evaluated(head + "result: rest\n")), Catch::Contains("without bounds"));
 }
 
 TEST_CASE("3mf: an empty result is a package without objects") {

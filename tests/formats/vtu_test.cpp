@@ -12,7 +12,7 @@ using namespace cnrg::test;
 
 namespace {
 
-Vtu written(const ResultView& view) {
+Vtu vtu_of(const ResultView& view) {
   const Scratch dir;
   write(dir / "m.vtu", view);
   return {text_of(dir / "m.vtu")};
@@ -29,7 +29,7 @@ TEST_CASE("vtu: cells by dimension, volumes by region, tables of names") {
   Case c(soup, {{{"a <&> \"b\"", "granite", {}}}, {{"core", "ore", {}}}});
   c.materials = {{"ore", ""}, {"granite", "#998877"}};
   c.show(c.unite(Dominance::right));
-  const Vtu vtu = written(c.view());
+  const Vtu vtu = vtu_of(c.view());
   const auto dimension = vtu.array<std::int32_t>("dimension");
   std::map<int, int> cells;
   for (const auto d : dimension) ++cells[d];
@@ -84,7 +84,7 @@ TEST_CASE("vtu: a closed curve has one cell number, and so has a curved patch") 
   Soup soup;
   add_drum(soup, 12, 0, 4);
   Case c(soup);
-  const Vtu vtu = written(c.view());
+  const Vtu vtu = vtu_of(c.view());
   const auto dimension = vtu.array<std::int32_t>("dimension");
   const auto cell = vtu.array<std::int32_t>("cell");
   std::map<int, int> lines, triangles;
@@ -101,7 +101,7 @@ TEST_CASE("vtu: a region without bounds is shown by its boundary") {
   add_box(soup, {0, 0, 0}, {1, 1, 1});
   Case c(soup);
   c.show(complement(*c.complex, c.group));
-  CHECK_NOTHROW(written(c.view()));
+  CHECK_NOTHROW(vtu_of(c.view()));
 }
 
 TEST_CASE("vtu: of an open set the region is drawn, its boundary is not; materials are those of components") {
@@ -111,7 +111,7 @@ TEST_CASE("vtu: of an open set the region is drawn, its boundary is not; materia
   c.materials = {{"steel", ""}, {"rock", ""}};
   const Components a = components_of(*c.complex, c.leaves[0]);
   c.show(topological_operation(*c.complex, Topological::interior, a).value);
-  Vtu vtu = written(c.view());
+  Vtu vtu = vtu_of(c.view());
   CHECK(vtu.array<std::int32_t>("dimension") == std::vector<std::int32_t>(12, 3));
   CHECK(vtu.array<std::int32_t>("component") == std::vector<std::int32_t>(12, 1));
   CHECK(vtu.array<std::int32_t>("material") == std::vector<std::int32_t>(12, 2));
@@ -121,7 +121,7 @@ TEST_CASE("vtu: of an open set the region is drawn, its boundary is not; materia
   REQUIRE(boundary.attributes.size() == 1);
   boundary.attributes[0].material = "steel";
   c.show(boundary);
-  vtu = written(c.view());
+  vtu = vtu_of(c.view());
   CHECK(vtu.array<std::int32_t>("dimension").size() == 8 + 12 + 12);
   CHECK(vtu.array<std::int32_t>("material") == std::vector<std::int32_t>(32, 1));
   CHECK(vtu.array<std::int32_t>("region") == std::vector<std::int32_t>(32, 0));
@@ -129,7 +129,7 @@ TEST_CASE("vtu: of an open set the region is drawn, its boundary is not; materia
   for (std::size_t i = 0; i < face.size(); ++i) CHECK(face[i] >= 0);
 
   c.show(c.leaves[0]);  // of a group the faces show the material of the region that they bound
-  vtu = written(c.view());
+  vtu = vtu_of(c.view());
   CHECK(vtu.names("region") == std::map<int, std::string>{{1, "a"}, {2, "entities"}});
   const auto material = vtu.array<std::int32_t>("material");
   const auto dimensions = vtu.array<std::int32_t>("dimension");

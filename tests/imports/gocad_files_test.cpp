@@ -15,7 +15,7 @@ std::string object(const std::string& type, const std::string& body, const std::
          positive + "\nEND_ORIGINAL_COORDINATE_SYSTEM\n" + body + "END\n";
 }
 
-const std::string kTetrahedron =
+const std::string kGocadTetrahedron =
     "VRTX 1 0 0 0\nPVRTX 20 1 0 0 0.25 -99999 CNXYZ\nVRTX 3 0 1 0\nPVRTX 4 0 0 1 7 8\n"
     "TRGL 1 3 20\nTRGL 1 20 4\nTRGL 20 3 4 \nTRGL 3 1 4\n";
 
@@ -28,20 +28,20 @@ TEST_CASE("GOCAD surfaces") {
   const auto soup = [&](const std::string& text) {
     return soup_of(MeshShape{files.write("a.TS", text), {}, false});
   };
-  const Soup plain = soup("# made by hand\r\n\n" + object("TSurf", "TFACE\n" + kTetrahedron));
+  const Soup plain = soup("# made by hand\r\n\n" + object("TSurf", "TFACE\n" + kGocadTetrahedron));
   CHECK(plain.fill(LeafId(0)) == Fill::winding);
   CHECK(plain.face_count() == 4);
   CHECK(volume(plain) == Rational(1, 6));
   // Words that are of no matter here, and blocks of them.
   CHECK(soup("GOCAD TSurf 1\nHEADER {name:x}\nPROPERTIES a b\nPROPERTY_CLASS_HEADER a {\nkind: b\nunit: m\n}\n"
              "PROPERTY_CLASS_HEADER b\n{\nTRGL\n}\nTFACE\n" +
-             kTetrahedron + "BSTONE 1\nBORDER 7 1 20\nEND")
+             kGocadTetrahedron + "BSTONE 1\nBORDER 7 1 20\nEND")
             .face_count() == 4);
 
   const MeshData two = read_mesh(
       files.write("two.ts",
                   object("SGrid", "VRTX of a grid\nTRGL x\n") +
-                      object("TSurf", "TFACE\n" + kTetrahedron +
+                      object("TSurf", "TFACE\n" + kGocadTetrahedron +
                                           "TFACE\nATOM 7 20\nPATOM 8 3 0.5\nVRTX 9 1 1 0\nTRGL 7 8 9\n") +
                       object("TSurf", "VRTX 1 5 0 2\nVRTX 2 6 0 2\nVRTX 3 5 1 2.1\nTRGL 1 2 3\n", "Depth") +
                       object("PLine", "ILINE\nVRTX 1 0 0 0\nVRTX 2 0 0 9\nSEG 1 2\n", "Depth")),
@@ -122,7 +122,7 @@ TEST_CASE("GOCAD files that are broken") {
   CHECK_THAT(error("GOCAD TSurf 1\nATOM 2 1\nEND\n"),
              Contains("bad.ts:2: error: the vertex 1 did not come before"));
   // Numbers of another object are not known.
-  CHECK_THAT(error(object("TSurf", kTetrahedron) + "GOCAD TSurf 1\nTRGL 1 3 4\nEND\n"),
+  CHECK_THAT(error(object("TSurf", kGocadTetrahedron) + "GOCAD TSurf 1\nTRGL 1 3 4\nEND\n"),
              Contains("bad.ts:23: error: the vertex 1 did not come before in the object of line 22"));
   CHECK_THAT(error("GOCAD TSurf 1\nVRTX 1 0 0 0\nTRGL 1 1\nEND\n"),
              Contains("bad.ts:3: error: TRGL has 2 entries: give the numbers of three vertices"));

@@ -28,7 +28,7 @@ std::string big(const std::vector<T>& values) {
   return text;
 }
 
-void check_tetrahedron(const std::string& path) {
+void check_vtk_tetrahedron(const std::string& path) {
   CAPTURE(path);
   const Soup soup = soup_of(MeshShape{path, {}, false});
   CHECK(soup.fill(LeafId(0)) == Fill::winding);
@@ -89,7 +89,7 @@ TEST_CASE("legacy VTK and its variants") {
                "3\n",
            kHead + "ASCII\nDATASET UNSTRUCTURED_GRID\n" + kPoints +
                "CELLS 4 16\n3 0 2 1\n3 0 1 3 3 1 2 3\n3 2 0 3\n" + "CELL_TYPES 4\n5 7 6 5\n"}) {
-    check_tetrahedron(files.write(std::to_string(number++) + ".vtk", text));
+    check_vtk_tetrahedron(files.write(std::to_string(number++) + ".vtk", text));
   }
   const std::string binary = kHead + "BINARY\nDATASET POLYDATA\nFIELD F 1\nw 1 2 string\n" + "\xc2x\n" +
                              std::string(1, '\xc0') + "\nPOINTS 4 float\n" +
@@ -97,7 +97,7 @@ TEST_CASE("legacy VTK and its variants") {
                              big<std::int32_t>({3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3}) +
                              "\nCELL_DATA 4\nFIELD f 2\nbits 1 4 bit\n" + std::string(1, '\x50') +
                              "\nlabel 1 4 char\n" + std::string("\1\1\2\2") + "\n";
-  check_tetrahedron(files.write("b.vtk", binary));
+  check_vtk_tetrahedron(files.write("b.vtk", binary));
   CHECK(read_mesh(files.path("b.vtk"), false).groups == std::vector<std::uint32_t>{0, 0, 1, 1});
 
   const std::string mixed =
@@ -182,8 +182,8 @@ TEST_CASE("VTK's XML and its variants") {
   const Files files;
   const std::string counts = "NumberOfPoints=\"4\" NumberOfPolys=\"4\"";
   const std::string good = piece(counts, points(kXmlPoints) + kXmlPolys);
-  check_tetrahedron(files.write("a.vtp", vtp(good)));
-  check_tetrahedron(
+  check_vtk_tetrahedron(files.write("a.vtp", vtp(good)));
+  check_vtk_tetrahedron(
       files.write("b.VTP", vtp("<FieldData><Array type=\"String\" Name=\"x\"/></FieldData>" + good, "")));
   // In two pieces, which count their points by themselves; strips come after polys.
   const MeshData two = read_mesh(
@@ -208,8 +208,8 @@ TEST_CASE("VTK's XML and its variants") {
     return vtp(piece(counts, "<Points><DataArray type=\"UInt8\" NumberOfComponents=\"3\" format=\"binary\">" +
                                  text + "</DataArray></Points>" + kXmlPolys));
   };
-  check_tetrahedron(files.write("c.vtp", binary("DAAAAA== AAAAAQAA AAEA AAAB")));
-  check_tetrahedron(files.write("d.vtp", binary("DAAAAAAAAAEAAAABAAAAAQ==")));
+  check_vtk_tetrahedron(files.write("c.vtp", binary("DAAAAA== AAAAAQAA AAEA AAAB")));
+  check_vtk_tetrahedron(files.write("d.vtp", binary("DAAAAAAAAAEAAAABAAAAAQ==")));
 }
 
 TEST_CASE("VTK's XML that is broken") {

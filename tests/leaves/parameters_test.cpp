@@ -4,6 +4,7 @@
 #include "csg/curves/control_nets.h"
 #include "csg/geometry/circle.h"
 #include "kernel/exact/trigonometry.h"
+#include "tests/exact/rational_text.h"
 #include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
@@ -12,8 +13,6 @@ using namespace cnrg::test;
 namespace {
 
 using Cell = std::vector<PatchCorner>;
-
-Rational r(const char* text) { return *parse_rational(text); }
 
 /// A leaf made by `prepare`, its soup and its parameters.
 struct Made {

@@ -3,14 +3,13 @@
 
 #include <random>
 
+#include "tests/exact/rational_text.h"
 #include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
 using namespace cnrg::test;
 
 namespace {
-
-Rational r(const char* text) { return *parse_rational(text); }
 
 ExactBox frame_of(const Soup& soup) {
   ExactBox box{{0, 0, 0}, {0, 0, 0}};

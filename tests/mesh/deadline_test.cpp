@@ -6,15 +6,12 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
+#include "tests/mesh/result_of.h"
 
 using namespace cnrg;
 
 namespace {
 
-Result result_of(const std::string& nodes) {
-  return evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml")).result();
-}
-const std::string kBlock = "  model: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n";
 const std::string kRound = R"(
   block: {box: {min: [0, 0, 0], max: [4, 4, 4]}}
   hole:  {cylinder: {from: [2, 2, -1], to: [2, 2, 5], radius: 1, segments: 24}}

@@ -7,6 +7,7 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
 #include "kernel/base/error.h"
+#include "tests/mesh/result_of.h"
 
 using namespace cnrg;
 
@@ -18,7 +19,6 @@ struct Model {
   double size, growth;
 };
 
-const std::string kBlock = "  model: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n";
 const std::string kTunnel = R"(
   rock:   {box: {min: [0, 0, 0], max: [40, 40, 40]}, size: 10}
   tunnel: {cylinder: {from: [20, -1, 20], to: [20, 41, 20], radius: 4, segments: 24}, size: 2}
@@ -65,10 +65,6 @@ const std::vector<Model>& models() {
        2, 0.4},
   };
   return all;
-}
-
-Result result_of(const std::string& nodes) {
-  return evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml")).result();
 }
 
 TetrahedraOptions sizes(double size, double growth) {

@@ -9,12 +9,12 @@
 #include "csg/result/result_data.h"
 #include "csg/result/snap.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
+#include "tests/mesh/result_of.h"
 
 using namespace cnrg;
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The sizes of a tree's result.
 struct Sized {
@@ -33,17 +33,11 @@ struct Sized {
   double at(const SizeField::Vector& p) const { return sizes.at(p, regions.at(p)); }
 };
 
-Result result_of(const std::string& nodes, Refining refining = Refining::chosen) {
-  EvaluateOptions options;
-  options.refining = refining;
-  return evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml"), options).result();
-}
-
 Sized sized(const std::string& nodes, const SizeOptions& options = {}, Refining refining = Refining::chosen) {
   return {result_of(nodes, refining), options};
 }
 
-constexpr const char* kTunnel = R"(
+constexpr const char* kSquareTunnel = R"(
   rock:   {box: {min: [0, 0, 0], max: [40, 40, 40]}, size: 8}
   tunnel: {box: {min: [18, -1, 18], max: [22, 41, 22]}, size: 1/2}
   model:  {difference: [rock, tunnel]}
@@ -62,7 +56,7 @@ TEST_CASE("nobody asks for a size: there is no field", "[size]") {
 
 TEST_CASE("a size of a leaf is that of its faces wherever they are, and of regions that lie in it", "[size]") {
   for (const Refining refining : {Refining::together, Refining::apart}) {
-    const Sized s = sized(kTunnel, {}, refining);
+    const Sized s = sized(kSquareTunnel, {}, refining);
     CHECK(s.at({18, 20, 20}) == Approx(0.5));            // a wall of the tunnel
     CHECK(s.at({13, 20, 20}) == Approx(0.5 + 0.3 * 5));  // 5 away from it
     CHECK(s.at({1, 20, 20}) == Approx(0.5 + 0.3 * 17));  // on its way up to 8

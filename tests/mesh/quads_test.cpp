@@ -43,7 +43,7 @@ double greatest(const std::vector<TrianglePair>& pairs, std::size_t at, std::uin
   return std::max(without, 1 + pairs[at].quality + greatest(pairs, at + 1, used | both));
 }
 
-double angle(const Vector& a, const Vector& b, const Vector& c) {  // at b, degrees, by the law of cosines
+double angle_at(const Vector& a, const Vector& b, const Vector& c) {  // at b, degrees, by the law of cosines
   const auto square = [](const Vector& p, const Vector& q) {
     return std::pow(p[0] - q[0], 2) + std::pow(p[1] - q[1], 2) + std::pow(p[2] - q[2], 2);
   };
@@ -114,8 +114,8 @@ TEST_CASE("quads: conforming, convex, of the same area and with the same sides o
     double least = 180, most = 0;
     for (const auto& q : mesh.quads) {
       for (std::size_t k = 0; k < 4; ++k) {
-        const double at = angle(mesh.points[q.points[(k + 3) % 4]], mesh.points[q.points[k]],
-                                mesh.points[q.points[(k + 1) % 4]]);
+        const double at = angle_at(mesh.points[q.points[(k + 3) % 4]], mesh.points[q.points[k]],
+                                   mesh.points[q.points[(k + 1) % 4]]);
         least = std::min(least, at), most = std::max(most, at);
       }
     }

@@ -20,7 +20,7 @@ namespace {
 
 using Corners = std::array<std::array<double, 3>, 4>;
 
-TetrahedralMesh meshed(const std::string& tree, const TetrahedraOptions& options = {}) {
+TetrahedralMesh mesh_of_tree(const std::string& tree, const TetrahedraOptions& options = {}) {
   Result result = evaluate(parse_tree(tree, "test.yaml")).result();
   SnapReport report;
   return snapped_tetrahedra(result, options, report);
@@ -100,8 +100,9 @@ TEST_CASE("no shape is 0.1 where a tetrahedron is as sharp as what counts as for
 
 TEST_CASE("what the model forces is counted", "[mesh][quality]") {
   const auto counts = [](const std::string& nodes) {
-    const TetrahedralMesh made = meshed("cnrg: 1\nnodes:\n  rock: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n" +
-                                        nodes + "  model: {union: [rock, a]}\nresult: model\n");
+    const TetrahedralMesh made =
+        mesh_of_tree("cnrg: 1\nnodes:\n  rock: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n" + nodes +
+                     "  model: {union: [rock, a]}\nresult: model\n");
     return std::array{made.quality.forced, made.quality.bad};
   };
   // A corner of half a degree on one sheet; the same of two degrees; none.
@@ -111,7 +112,7 @@ TEST_CASE("what the model forces is counted", "[mesh][quality]") {
   CHECK(counts("  a: {polygon: [[1, 5, 5], [9, 5, 5], [9, 5.28, 5]]}\n")[0] == 0);
   CHECK(counts("  a: {polygon: [[1, 5, 5], [9, 5, 5], [9, 9, 5]]}\n")[0] == 0);
   // A solid wedge of half a degree.
-  const TetrahedralMesh wedge = meshed(
+  const TetrahedralMesh wedge = mesh_of_tree(
       "cnrg: 1\nnodes:\n  model: {prism: {base: [[0, 0, 0], [8, 0, 0], [8, 0.07, 0]], vector: [0, 0, 1]}}\n"
       "result: model\n");
   CHECK(wedge.quality.forced > 0);
@@ -120,7 +121,7 @@ TEST_CASE("what the model forces is counted", "[mesh][quality]") {
 }
 
 TEST_CASE("what nearly touches is said to be joined where much is bad for it", "[mesh][quality]") {
-  const MeshQuality near = meshed(
+  const MeshQuality near = mesh_of_tree(
                                "cnrg: 1\nnodes:\n  rock: {box: {min: [0, 0, 0], max: [10, 10, 10]}}\n"
                                "  a: {polyline: [[5, 5, 5], [9, 4, 2]]}\n"
                                "  b: {polyline: [[5, 5.001, 5], [1, 6, 2]]}\n"
@@ -156,7 +157,7 @@ TEST_CASE("reasons tell how wide the gap is between cells that do not touch", "[
         std::pair("  a: {polyline: [[1, 1e-5, 1], [9, 1e-5, 1]]}\n",
                   " of `a` and f1 of `rock` are 1e-05 apart")}) {
     for (const TetrahedraOptions& options : {TetrahedraOptions{}, fine}) {
-      const MeshQuality quality = meshed(box + nodes + model, options).quality;
+      const MeshQuality quality = mesh_of_tree(box + nodes + model, options).quality;
       INFO(reason);
       // To sizes TetGen puts points about the end of the wire, ever closer, and no shape is bad.
       if (options.size > 0 && std::string(nodes).find("  s:") != std::string::npos) continue;
@@ -243,7 +244,7 @@ TEST_CASE("flat tetrahedra are measured exactly", "[mesh][quality]") {
 }
 
 TEST_CASE("a long bore gets tetrahedra of good shape, and the table counts them right", "[mesh][quality]") {
-  const TetrahedralMesh made = meshed(R"(cnrg: 1
+  const TetrahedralMesh made = mesh_of_tree(R"(cnrg: 1
 nodes:
   rock: {box: {min: [0, 0, 0], max: [60, 60, 60]}, name: rock}
   bore: {cylinder: {from: [30, -5, 30], to: [30, 65, 30], radius: 3, segments: 24}}
@@ -305,7 +306,7 @@ TEST_CASE("triangles are counted by their smallest angles, the worst first", "[m
 }
 
 TEST_CASE("what is nearly touched is named where shapes are bad", "[mesh][quality]") {
-  const TetrahedralMesh made = meshed(R"(cnrg: 1
+  const TetrahedralMesh made = mesh_of_tree(R"(cnrg: 1
 nodes:
   rock:  {box: {min: [0, 0, 0], max: [10, 10, 10]}}
   fault: {polygon: [[0, 0, 0], [10, 0, 0.05], [10, 10, 0.05], [0, 10, 0]]}
@@ -363,7 +364,7 @@ TEST_CASE("wires that end beside the sides of a sheet need no joining", "[mesh][
     options.constrained = true;
     TetrahedralMesh made;
     try {
-      made = meshed(tree.str(), options);
+      made = mesh_of_tree(tree.str(), options);
     } catch (const InputError& e) {  // the three points are on one line
       REQUIRE(std::string(e.what()).find("line") != std::string::npos);
       continue;
@@ -400,7 +401,7 @@ TEST_CASE("what no doubles fit between is joined, and that is said", "[mesh][qua
     tree << "  model: {union: [rock, w0, w1, w2, w3, w4, w5]}\nresult: model\n";
     TetrahedraOptions options;
     options.constrained = true;
-    const TetrahedralMesh made = meshed(tree.str(), options);
+    const TetrahedralMesh made = mesh_of_tree(tree.str(), options);
     REQUIRE(made.regions.size() == 1);
     CHECK(std::fabs(to_double(made.regions[0].volume) - 27) < 1e-9);
     joined += made.notice.find("joined") != std::string::npos;
@@ -459,7 +460,7 @@ result: model
   for (const FaceTriangles& of : surface.groups) CHECK(of.why[std::size_t(SmallAngle::digits)] == 0);
   TetrahedraOptions options;
   options.size = 2;
-  const TetrahedralMesh made = meshed(model, options);
+  const TetrahedralMesh made = mesh_of_tree(model, options);
   INFO(made.notice);
   CHECK(made.quality.bad == 0);
   CHECK(made.mesh.tetrahedra.size() < 100'000);
@@ -482,7 +483,7 @@ TEST_CASE("where TetGen fails, what is near is joined, or it is said by what", "
   const auto fails = [](const TetrahedralMesh& made) {
     return made.notice.find("these are constrained tetrahedra") != std::string::npos;
   };
-  const TetrahedralMesh joined = meshed(model(
+  const TetrahedralMesh joined = mesh_of_tree(model(
       sheet("s0",
             "[5.4e-12, 1.4e-11, 0], [0.5000000000038, 0.5, 0], [1.0000000000008, 1, 0], "
             "[1.0000000000152, 1.0000000000299, 1], [0.5000000000226, 0.5000000000007, 1], [0, -3.1e-12, 1]") +
@@ -504,7 +505,7 @@ TEST_CASE("where TetGen fails, what is near is joined, or it is said by what", "
                       "[2.2e-12, 0.9999999999872, 0], [0.5000000000022, 0.5, 0], [0.9999999999866, 0, 0], "
                       "[1.0000000000242, 0, 1], [0.4999999999805, 0.5, 1], [-2.9e-11, 1.0000000000255, 1]"),
             "s0, s1");
-  const TetrahedralMesh made = meshed(apart);
+  const TetrahedralMesh made = mesh_of_tree(apart);
   INFO(made.notice);
   CHECK((!fails(made) || Catch::Contains("--join 2.3e-10 does it").match(made.notice)));
   Result near = evaluate(parse_tree(apart, "test.yaml")).result();

@@ -8,15 +8,15 @@
 #include <thread>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 
 using namespace cnrg;
 
 namespace {
 
 using Vector = SizeField::Vector;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double distance(const Vector& p, const Vector& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
+double far(const Vector& p, const Vector& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
 /// The distance to a triangle, a convex function of two parameters, by nested ternary search.
 double far_from(const Vector& p, const std::array<Vector, 3>& t) {
@@ -33,7 +33,7 @@ double far_from(const Vector& p, const std::array<Vector, 3>& t) {
       Vector q;
       for (std::size_t k = 0; k < 3; ++k)
         q[k] = t[0][k] + u * ((t[1][k] - t[0][k]) * (1 - v) + (t[2][k] - t[0][k]) * v);
-      return distance(p, q);
+      return far(p, q);
     });
   });
 }
@@ -87,7 +87,7 @@ TEST_CASE("a field of sizes is the least bid of all sources, and as steep as the
       double wanted = 0.6;
       for (const auto& s : sources) wanted = std::min(wanted, s.size + 0.3 * far_from(p, s.corners));
       CHECK(field.at(p) == Approx(wanted).margin(1e-6));
-      CHECK(std::abs(field.at(p) - field.at(last)) <= 0.3 * distance(p, last) + 1e-12);
+      CHECK(std::abs(field.at(p) - field.at(last)) <= 0.3 * far(p, last) + 1e-12);
       last = p;
     }
   }

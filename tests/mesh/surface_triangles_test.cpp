@@ -22,9 +22,9 @@ namespace {
 using Index = Mesh::Index;
 using Vector = std::array<double, 3>;
 
-double distance(const Vector& a, const Vector& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double apart(const Vector& a, const Vector& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 double area(const Vector& a, const Vector& b, const Vector& c) {  // Heron, as Kahan has it
-  std::array<double, 3> s{distance(a, b), distance(b, c), distance(c, a)};
+  std::array<double, 3> s{apart(a, b), apart(b, c), apart(c, a)};
   std::sort(s.rbegin(), s.rend());
   return std::sqrt(std::max(0.0, (s[0] + (s[1] + s[2])) * (s[2] - (s[0] - s[1])) * (s[2] + (s[0] - s[1])) *
                                      (s[0] + (s[1] - s[2])))) /
@@ -32,7 +32,7 @@ double area(const Vector& a, const Vector& b, const Vector& c) {  // Heron, as K
 }
 /// At b, in degrees.
 double angle(const Vector& a, const Vector& b, const Vector& c) {
-  const double p = distance(a, b), q = distance(b, c), r = distance(c, a);
+  const double p = apart(a, b), q = apart(b, c), r = apart(c, a);
   return std::acos(std::clamp((p * p + q * q - r * r) / (2 * p * q), -1.0, 1.0)) * 180 / 3.14159265358979323846;
 }
 
@@ -58,7 +58,7 @@ class InputSegments {
   bool small_angle(const Vector& p, const Vector& q) const {
     const auto on_p = lines(p), on_q = lines(q);
     for (const Vector& x : points_) {
-      if (distance(x, p) < 1e-9 || distance(x, q) < 1e-9 || angle(p, x, q) > 60) continue;
+      if (apart(x, p) < 1e-9 || apart(x, q) < 1e-9 || angle(p, x, q) > 60) continue;
       const auto through = [&](const std::array<Index, 2>& s) {
         const Vector &a = points_[s[0]], &b = points_[s[1]];
         double squared = 0;  // of twice the area of a, b, x; Heron's formula would have half the digits here
@@ -66,7 +66,7 @@ class InputSegments {
           const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
           squared += std::pow((b[u] - a[u]) * (x[v] - a[v]) - (b[v] - a[v]) * (x[u] - a[u]), 2);
         }
-        return std::sqrt(squared) < 1e-9 * distance(a, b) * (1 + distance(a, x));
+        return std::sqrt(squared) < 1e-9 * apart(a, b) * (1 + apart(a, x));
       };
       if (std::any_of(on_p.begin(), on_p.end(), through) && std::any_of(on_q.begin(), on_q.end(), through))
         return true;
@@ -82,7 +82,7 @@ class InputSegments {
     std::vector<std::array<Index, 2>> result;
     for (const auto& s : segments_) {
       const Vector &a = points_[s[0]], &b = points_[s[1]];
-      if (distance(a, p) + distance(p, b) < distance(a, b) * (1 + 1e-12) + 1e-12) result.push_back(s);
+      if (apart(a, p) + apart(p, b) < apart(a, b) * (1 + 1e-12) + 1e-12) result.push_back(s);
     }
     return result;
   }
@@ -105,14 +105,14 @@ SurfaceTriangles checked(const ResultView& view, const SurfaceOptions& options =
   for (const auto& s : mesh.segments) {
     const auto [a, b] = std::minmax(s.points[0], s.points[1]);
     CHECK(edge_of.try_emplace({a, b}, s.entity).second);
-    lengths[s.entity] += distance(at(a), at(b));
+    lengths[s.entity] += apart(at(a), at(b));
   }
   for (Index e = 0; e < flat.edges.size(); ++e) {
     double length = 0;
     const auto& points = flat.edges[e].points;
     for (std::size_t k = 0; k + (flat.edges[e].closed ? 0 : 1) < points.size(); ++k) {
-      length += distance(view.complex->points.nearest(flat.points[points[k]]),
-                         view.complex->points.nearest(flat.points[points[(k + 1) % points.size()]]));
+      length += apart(view.complex->points.nearest(flat.points[points[k]]),
+                      view.complex->points.nearest(flat.points[points[(k + 1) % points.size()]]));
     }
     CHECK(lengths[e] == Approx(length).epsilon(1e-12));
   }
@@ -164,7 +164,7 @@ SurfaceTriangles checked(const ResultView& view, const SurfaceOptions& options =
       if (angle(a, b, c) < here) here = angle(a, b, c), corner = k;
       if (!options.size) continue;
       const Vector middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
-      long_sides += distance(a, b) > options.size(middle) * (1 + 1e-12);
+      long_sides += apart(a, b) > options.size(middle) * (1 + 1e-12);
     }
     least = std::min(least, here);
     if (here > 25 - 1e-5) continue;
@@ -207,7 +207,7 @@ TEST_CASE("surface: solids, walls, dangling faces, wires and points", "[mesh][su
   }
   Case c = two_regions();
   for (const double size : {0.3, 0.07}) {
-    const auto graded = [&](const Vector& p) { return size + 0.2 * distance(p, {1, 1, 1}); };
+    const auto graded = [&](const Vector& p) { return size + 0.2 * apart(p, {1, 1, 1}); };
     CHECK(checked(c.view(), {.size = graded}).mesh.triangles.size() > 6 / (size * size));
   }
 }
@@ -382,7 +382,7 @@ TEST_CASE("surface: a gap that nearly closes leaves points for the rest", "[mesh
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector &a = made.mesh.points[t.points[k]], &b = made.mesh.points[t.points[(k + 1) % 3]];
       least = std::min(least, angle(a, b, made.mesh.points[t.points[(k + 2) % 3]]));
-      longest = std::max(longest, distance(a, b));
+      longest = std::max(longest, apart(a, b));
     }
     if (least > 25 - 1e-5) continue;
     const double height =

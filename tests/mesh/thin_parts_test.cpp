@@ -10,14 +10,11 @@
 #include "csg/mesh/tetgen_run.h"
 #include "kernel/base/error.h"
 #include "kernel/tetrahedra/shapes.h"
+#include "tests/mesh/result_of.h"
 
 using namespace cnrg;
 
 namespace {
-
-Result result_of(const std::string& nodes) {
-  return evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml")).result();
-}
 
 /// Two slabs, a million and ten thousand times as wide as thick, and a bolt through both.
 const std::string kSlabs = R"(

@@ -26,7 +26,7 @@ struct Scene {
   Components one(std::size_t leaf) const { return unify(complex, leaves[leaf]).value; }
 };
 
-std::array<std::size_t, 4> sizes(const Components& x) {
+std::array<std::size_t, 4> component_sizes(const Components& x) {
   const Selection& s = x.selection;
   return {s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()};
 }
@@ -102,7 +102,7 @@ TEST_CASE("materials of solids that only touch are no conflict", "[cnrg]") {
   const Scene s({box({0, 0, 0}, {2, 2, 2}), box({2, 0, 0}, {3, 2, 2})}, kTwo);
   const ComponentsResult wall = product(s.complex, s.one(0), s.one(1));
   CHECK(wall.conflicts.empty());
-  CHECK(sizes(wall.value) == std::array<std::size_t, 4>{4, 4, 1, 0});
+  CHECK(component_sizes(wall.value) == std::array<std::size_t, 4>{4, 4, 1, 0});
 }
 
 TEST_CASE("aggregate keeps components apart and names an overlap", "[cnrg]") {
@@ -146,7 +146,7 @@ TEST_CASE("interior, closure, boundary and regularize of a solid with a fin and 
     return out;
   };
   const Components inside = op(Topological::interior, x);
-  CHECK(sizes(inside) == std::array<std::size_t, 4>{4, 4, 1, 1});  // the crack is inside of |X|
+  CHECK(component_sizes(inside) == std::array<std::size_t, 4>{4, 4, 1, 1});  // the crack is inside of |X|
   CHECK(names(inside).size() == 1);
   const Components shut = op(Topological::closure, inside);
   CHECK(shut.attributes.size() == 2);
@@ -174,9 +174,9 @@ TEST_CASE("with each, closures that overlap fall into atoms", "[cnrg]") {
   CHECK(atoms.attributes.size() == 3);
   const Components inner = topological_operation_of_each(s.complex, Topological::interior, open).value;
   CHECK(inner.attributes.size() == 2);
-  CHECK(sizes(inner) == std::array<std::size_t, 4>{0, 0, 0, 2});
+  CHECK(component_sizes(inner) == std::array<std::size_t, 4>{0, 0, 0, 2});
   const Components whole = topological_operation(s.complex, Topological::interior, open).value;
-  CHECK(sizes(whole) == std::array<std::size_t, 4>{0, 0, 1, 2});
+  CHECK(component_sizes(whole) == std::array<std::size_t, 4>{0, 0, 1, 2});
 }
 
 TEST_CASE("the complement is open and its complement is the set again", "[cnrg]") {

@@ -44,7 +44,7 @@ Attributes said(const char* name, const char* material, Properties properties = 
 }
 
 /// Two boxes with a wall in common, a sheet in the first one, and a wire outside that touches nothing.
-struct Scene {
+struct SelectScene {
   std::shared_ptr<const Complex> built = complex_of({box({0, 0, 0}, {4, 4, 4}), box({4, 0, 0}, {8, 4, 4}),
                                                      sheet({1, 1, 2}, {3, 3, 2}), wire({10, 0, 0}, {12, 0, 0})});
   const Complex& complex = *built;
@@ -65,7 +65,7 @@ Criteria of_dimension(std::vector<int> dimensions) {
 }
 
 TEST_CASE("a selection by dimension is the closure of the cells of that dimension", "[select]") {
-  const Scene s;
+  const SelectScene s;
   CHECK(sizes(s.all) == Counts{12 + 4 + 2, 20 + 4 + 1, 11 + 1, 2});
   CHECK(s.pick({}) == sizes(s.all));
   CHECK(s.pick(of_dimension({3})) == Counts{12 + 4, 20 + 4, 11 + 1, 2});  // all but the wire
@@ -75,7 +75,7 @@ TEST_CASE("a selection by dimension is the closure of the cells of that dimensio
 }
 
 TEST_CASE("names, materials and attributes pick what they are said of", "[select]") {
-  const Scene s;
+  const SelectScene s;
   Criteria c;
   c.materials = {"clay"};
   CHECK(s.pick(c) == Counts{8, 12, 6, 1});
@@ -96,7 +96,7 @@ TEST_CASE("names, materials and attributes pick what they are said of", "[select
 }
 
 TEST_CASE("cells are picked by the regions around them and by their leaves", "[select]") {
-  const Scene s;
+  const SelectScene s;
   Criteria c = of_dimension({2});
   c.between = {{"rock", "east"}};  // a material and a name
   CHECK(s.pick(c) == Counts{4, 4, 1, 0});
@@ -113,7 +113,7 @@ TEST_CASE("cells are picked by the regions around them and by their leaves", "[s
 }
 
 TEST_CASE("cells are picked by faces of leaves, by place, and regions by number", "[select]") {
-  const Scene s;
+  const SelectScene s;
   // Face 5 of a box is its last one, x = 8 of the eastern; 4 is x = 4, the wall.
   Criteria c = of_dimension({2});
   c.leaves = {LeafId(1)};
@@ -155,7 +155,7 @@ TEST_CASE("cells are picked by faces of leaves, by place, and regions by number"
 }
 
 TEST_CASE("of components single cells are picked, which keep their component", "[select]") {
-  const Scene s;
+  const SelectScene s;
   const Components all = components_of(s.complex, s.all);  // west, east, entities
   REQUIRE(all.attributes.size() == 3);
   Criteria c = of_dimension({3});

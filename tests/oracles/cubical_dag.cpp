@@ -15,12 +15,9 @@ using cnrg::Operator;
 using cnrg::Rational;
 using cnrg::RationalPoint;
 using cnrg::properties::DagNode;
+using cnrg::properties::is_group_boolean;
 using cnrg::properties::RandomDag;
 using cnrg::scenes::Motion;
-
-bool is_group_boolean(Operator op) {
-  return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
-}
 
 /// Whether all cells of the value are features of it: then no rule depends on cuts.
 std::vector<char> named(const RandomDag& dag) {

@@ -23,7 +23,7 @@ Rational determinant(const cnrg::scenes::Motion& motion) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-std::string name(const Grid& grid, Cell c) {
+std::string cell_name(const Grid& grid, Cell c) {
   const auto p = grid.position(c);
   return "(" + std::to_string(p[0]) + "," + std::to_string(p[1]) + "," + std::to_string(p[2]) + ")/2";
 }
@@ -57,17 +57,18 @@ class Kernel {
       const Cell c = cells_[i];
       const bool entity = grid_.dimension(c) < 3 && want.entity[c];
       if (has(have, places_[i]) != entity) {
-        return name(grid_, c) + (entity ? " should be an entity" : " should be no entity");
+        return cell_name(grid_, c) + (entity ? " should be an entity" : " should be no entity");
       }
       if (entity) continue;
       const int region = region_around(grid_, want, c);
       const std::uint32_t mine = have.region_of(region_at(places_[i]));
       if ((region == 0) != (mine == 0)) {
-        return name(grid_, c) + (region ? " should be inside" : " should be outside");
+        return cell_name(grid_, c) + (region ? " should be inside" : " should be outside");
       }
       if (region == 0) continue;
-      if (!to.emplace(region, mine).second && to[region] != mine) return name(grid_, c) + " splits a region";
-      if (!from.emplace(mine, region).second && from[mine] != region) return name(grid_, c) + " joins regions";
+      if (!to.emplace(region, mine).second && to[region] != mine) return cell_name(grid_, c) + " splits a region";
+      if (!from.emplace(mine, region).second && from[mine] != region)
+        return cell_name(grid_, c) + " joins regions";
     }
     if (have.regions.size() != static_cast<std::size_t>(want.region_count)) return "the number of regions differs";
     return "";
@@ -162,7 +163,7 @@ class Kernel {
           default: have = s.regions[place.index].component;
         }
       }
-      if (want != have) return name(grid_, cells_[i]) + " changed its component";
+      if (want != have) return cell_name(grid_, cells_[i]) + " changed its component";
     }
     // Loops are closed walks; each side of a face is in one shell of the region that it names.
     std::size_t sides = 0;

@@ -19,6 +19,7 @@ using cnrg::DominantOperand;
 using cnrg::Operator;
 using cnrg::Rational;
 using cnrg::properties::DagNode;
+using cnrg::properties::is_group_boolean;
 using cnrg::properties::RandomDag;
 
 /// What is said of a cell, and the dimension of the sheet, wire or point that it is said of.
@@ -67,10 +68,6 @@ void take(Attributes& kept, const Attributes& other, std::set<Warning>* warnings
     if (!fresh && it->second != value && warnings != nullptr)
       warnings->insert({key, cnrg::to_text(it->second), cnrg::to_text(value)});
   }
-}
-
-bool is_group_boolean(Operator op) {
-  return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
 }
 
 class Sayings {
@@ -560,8 +557,8 @@ Attributes speaks(const Grid& grid, Cell c, const Saying& want, const Attributes
 }
 
 /// What is said of the component that a cell is of; nothing for an inactive cell.
-std::optional<Attributes> component_at(const cnrg::NodeValue& have, const cnrg::Selection& selection,
-                                       const cnrg::Location& at) {
+std::optional<Attributes> attributes_at(const cnrg::NodeValue& have, const cnrg::Selection& selection,
+                                        const cnrg::Location& at) {
   const auto of = [](const auto& list, auto id) {
     const std::ptrdiff_t k = place_in(list, id);
     return k < 0 ? cnrg::Component(0) : list[static_cast<std::size_t>(k)].second;
@@ -580,7 +577,7 @@ std::string compare_owners(const Grid& grid, const Saying& want, const std::vect
   for (Cell c = 0; c < grid.cells(); ++c) {
     const auto& owner = want.owners[static_cast<std::size_t>(c)];
     if (!owner || grid.on_rim(c)) continue;
-    const std::optional<Attributes> said = component_at(have, selection, places[static_cast<std::size_t>(c)]);
+    const std::optional<Attributes> said = attributes_at(have, selection, places[static_cast<std::size_t>(c)]);
     if (!said || !(*said == *owner))
       return "the component at " + cell_text(grid, c) + " is " + (said ? text(*said) : "none") + ", should be " +
              text(*owner);
@@ -600,7 +597,7 @@ std::string compare_merging(const Grid& grid, const Value& value, const Saying& 
       if (grid.dimension(c) != d || value.labels[i] == 0 || grid.on_rim(c)) continue;
       const auto& at = places[i];
       const auto& place = place_of(simplified, at);
-      const Attributes said = speaks(grid, c, want, component_at(have, selection, at).value_or(Attributes()));
+      const Attributes said = speaks(grid, c, want, attributes_at(have, selection, at).value_or(Attributes()));
       // What is said of a sheet is said of its edges, which speak where they are all that is left of it.
       const auto& at_all = want.said[i];
       const auto [it, fresh] = first.try_emplace({place.dimension, place.index},

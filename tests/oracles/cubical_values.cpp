@@ -11,6 +11,7 @@ namespace {
 using cnrg::Operator;
 using cnrg::properties::CellIncidence;
 using cnrg::properties::DagNode;
+using cnrg::properties::is_group_boolean;
 using cnrg::properties::RandomDag;
 
 /// The cells in the boundary of each cell of the grid, of all dimensions.
@@ -31,10 +32,6 @@ CellIncidence incidence(const Grid& grid) {
     own.erase(std::unique(own.begin(), own.end()), own.end());
   }
   return CellIncidence(std::move(closure));
-}
-
-bool is_group_boolean(Operator op) {
-  return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
 }
 
 class BruteForce {

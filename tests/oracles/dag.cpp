@@ -12,10 +12,6 @@ using scenes::Random;
 
 constexpr int kMostDepth = 8;
 
-bool is_group_boolean(Operator op) {
-  return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
-}
-
 const char* name(Operator op) {
   switch (op) {
     case Operator::leaf: return "group";

@@ -71,6 +71,10 @@ RandomDag compact(RandomDag dag);
 /// attribute, a shared use or a part of a leaf goes. Each is well formed.
 std::vector<RandomDag> smaller(const RandomDag& dag);
 
+inline bool is_group_boolean(Operator op) {
+  return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
+}
+
 /// What is wrong with a dag in words; empty when nothing is.
 using FailureOf = std::function<std::string(const RandomDag&)>;
 /// What a refused tree file is called: such a failure is no smaller form of another one.

@@ -29,7 +29,7 @@ Set complement(Set set) {
   return set;
 }
 
-Set common(Set a, const Set& b) {
+Set common_cells(Set a, const Set& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = a[i] && b[i];
   return a;
 }
@@ -38,7 +38,7 @@ Set topological(const CellIncidence& cells, Operator op, const Set& x) {
   switch (op) {
     case Operator::interior: return cells.interior(x);
     case Operator::closure: return cells.closure(x);
-    case Operator::boundary: return common(cells.closure(x), cells.closure(complement(x)));
+    case Operator::boundary: return common_cells(cells.closure(x), cells.closure(complement(x)));
     default: return cells.closure(cells.interior(x));
   }
 }

@@ -85,7 +85,7 @@ std::string volume_failure(const Result& a, const Result& b) {
   return out.str();
 }
 
-std::string guarded(const std::function<std::string()>& check) {
+std::string thrown_by(const std::function<std::string()>& check) {
   try {
     return check();
   } catch (const std::exception& e) {
@@ -139,7 +139,7 @@ std::vector<NearTree> smaller(const NearTree& tree) {
 }
 
 std::string join_failure(const NearTree& tree) {
-  return guarded([&]() -> std::string {
+  return thrown_by([&]() -> std::string {
     const Result before = result_of(tree, "model");
     JoinReport report;
     const Result after = join(before, tree.within, &report);
@@ -168,7 +168,7 @@ std::string join_failure(const NearTree& tree) {
 }
 
 std::string snap_failure(const NearTree& tree) {
-  return guarded([&]() -> std::string {
+  return thrown_by([&]() -> std::string {
     const Result before = result_of(tree, "model");
     SnapReport report;
     const Result after = snap(before, &report);

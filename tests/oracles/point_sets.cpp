@@ -7,7 +7,7 @@ namespace {
 
 using scenes::Polygon;
 
-RationalPoint minus(const RationalPoint& a, const RationalPoint& b) {
+RationalPoint point_difference(const RationalPoint& a, const RationalPoint& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -29,7 +29,8 @@ RationalPoint vector_area(const Polygon& polygon) {
 }  // namespace
 
 bool on_segment(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
-  return zero(cross(minus(b, a), minus(p, a))) && dot(minus(p, a), minus(p, b)) <= 0;
+  return zero(cross(point_difference(b, a), point_difference(p, a))) &&
+         dot(point_difference(p, a), point_difference(p, b)) <= 0;
 }
 
 Side side_in_plane(const std::vector<Polygon>& loops, const RationalPoint& p) {
@@ -48,7 +49,8 @@ Side side_in_plane(const std::vector<Polygon>& loops, const RationalPoint& p) {
 }
 
 bool on_polygon(const std::vector<Polygon>& loops, const RationalPoint& p) {
-  return dot(vector_area(loops[0]), minus(p, loops[0][0])) == 0 && side_in_plane(loops, p) != Side::outside;
+  return dot(vector_area(loops[0]), point_difference(p, loops[0][0])) == 0 &&
+         side_in_plane(loops, p) != Side::outside;
 }
 
 Side side(const scenes::Solid& solid, const RationalPoint& p) {
@@ -60,7 +62,7 @@ Side side(const scenes::Solid& solid, const RationalPoint& p) {
     bool inside = false, generic = true;
     for (const Polygon& facet : solid) {
       const RationalPoint n = vector_area(facet);
-      const Rational slope = dot(n, direction), height = dot(n, minus(facet[0], p));
+      const Rational slope = dot(n, direction), height = dot(n, point_difference(facet[0], p));
       if (slope == 0) {
         generic = generic && height != 0;
         continue;
@@ -100,7 +102,7 @@ bool convex(const scenes::Solid& solid) {
     const RationalPoint n = vector_area(facet);
     for (const Polygon& other : solid)
       for (const RationalPoint& p : other)
-        if (dot(n, minus(p, facet[0])) > 0) return false;
+        if (dot(n, point_difference(p, facet[0])) > 0) return false;
   }
   return true;
 }

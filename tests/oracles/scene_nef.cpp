@@ -17,9 +17,9 @@ using scenes::Scene;
 /// A failed comparison: what and where, in words; empty when all is well.
 using Failure = std::string;
 
-class Comparison {
+class SceneComparison {
  public:
-  explicit Comparison(const Scene& scene)
+  explicit SceneComparison(const Scene& scene)
       : scene_(scene), built_(build_complex(scenes::make_soup(scene.leaves))), groups_(leaf_groups(complex_)) {}
 
   Failure run() {
@@ -134,6 +134,6 @@ class Comparison {
 
 }  // namespace
 
-std::string compare_with_nef(const Scene& scene) { return Comparison(scene).run(); }
+std::string compare_with_nef(const Scene& scene) { return SceneComparison(scene).run(); }
 
 }  // namespace cnrg::properties

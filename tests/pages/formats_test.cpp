@@ -19,7 +19,7 @@ namespace cnrg {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using Words = std::set<std::string>;
 
 const Page& formats() {
@@ -244,7 +244,7 @@ std::vector<std::string> listed_members(const std::string& title, const std::str
 }
 
 /// Members of an object, in their order, are some of those that are listed; adds them to `seen`.
-void check_members(const Json& object, const std::vector<std::string>& listed, Words& seen) {
+void check_members(const OrderedJson& object, const std::vector<std::string>& listed, Words& seen) {
   std::size_t next = 0;
   for (const auto& [key, value] : object.items()) {
     INFO(key << " in " << object.dump().substr(0, 200));
@@ -282,15 +282,17 @@ TEST_CASE("csg/FORMATS.md has the members of .json, in their order", "[pages][fo
                                  grade = listed_members("of a grade", "");
   std::map<std::string, Words> seen;
   for (const std::string& file : write_results(w)) {
-    const Json result = Json::parse(w.read(file));
+    const OrderedJson result = OrderedJson::parse(w.read(file));
     check_members(result, top, seen["top"]);
     for (const auto& [list, members] : cells) {
-      for (const Json& cell : result.at(list)) {
+      for (const OrderedJson& cell : result.at(list)) {
         check_members(cell, members, seen[list]);
-        for (const Json& entry : cell.value("origin", Json::array())) check_members(entry, origin, seen["origin"]);
+        for (const OrderedJson& entry : cell.value("origin", OrderedJson::array()))
+          check_members(entry, origin, seen["origin"]);
       }
     }
-    for (const Json& one : result.value("grades", Json::array())) check_members(one, grade, seen["grade"]);
+    for (const OrderedJson& one : result.value("grades", OrderedJson::array()))
+      check_members(one, grade, seen["grade"]);
   }
   const auto all = [](const std::vector<std::string>& words) { return Words(words.begin(), words.end()); };
   for (const auto& [list, members] : cells) CHECK(seen[list] == all(members));
@@ -312,7 +314,7 @@ TEST_CASE("results are as the schema of .json says", "[pages][formats]") {
   }
   CHECK(files.size() >= 30);
   // A file that is none is told from those that are.
-  Json broken = Json::parse(w.read(files[0]));
+  OrderedJson broken = OrderedJson::parse(w.read(files[0]));
   broken["faces"][0]["regions"] = {0};
   w.write("broken.json", broken.dump());
   w.write("validate.py", R"(import json, sys, jsonschema

@@ -107,7 +107,7 @@ std::vector<fs::path> sources() {
     if (entry.is_regular_file() && is_text(entry.path())) found.push_back(entry.path());
   };
   for (const fs::directory_entry& entry : fs::directory_iterator(root())) take(entry);
-  for (const char* room : {".ci", "kernel", "csg", "bench", "tests", "papers"}) {
+  for (const char* room : {".ci", ".github", "kernel", "csg", "bench", "tests", "papers"}) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root() / room)) take(entry);
   }
   std::sort(found.begin(), found.end());

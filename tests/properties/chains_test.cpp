@@ -61,7 +61,7 @@ std::string random_chains(std::uint64_t seed) {
 }
 
 /// With the volumes of all regions each node is evaluated by itself.
-std::string told(const Tree& tree, bool one_by_one) {
+std::string file_of_chain(const Tree& tree, bool one_by_one) {
   EvaluateOptions options;
   options.refining = Refining::together;
   options.region_volumes = one_by_one;
@@ -91,7 +91,7 @@ TEST_CASE("Chains of nodes are their nodes one by one", "[chains]") {
     const std::string text = random_chains(seed);
     INFO("seed " << seed << "\n" << text);
     const Tree tree = parse_tree(text, "t.yaml");
-    CHECK(told(tree, false) == told(tree, true));
+    CHECK(file_of_chain(tree, false) == file_of_chain(tree, true));
   }
 }
 

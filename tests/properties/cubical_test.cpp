@@ -4,24 +4,18 @@
 // CNRG_SEEDS sets the number of pairs of each case, CNRG_FIRST_SEED where they start.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <string>
 
 #include "tests/oracles/cubical_pair.h"
+#include "tests/scenes/seeds.h"
 
 namespace {
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
 
 // The first difference among the seeds, with a shrunk pair as fixtures; empty if there is none.
 std::string run(std::uint64_t pairs, bool tilted, bool thorough) {
   const cubical::Grid grid(5);
-  const std::uint64_t first = from_environment("CNRG_FIRST_SEED", 0);
-  const std::uint64_t count = from_environment("CNRG_SEEDS", pairs);
-  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+  const auto [first, last] = cnrg::scenes::seeds(pairs);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
     cubical::Pair pair = cubical::random_pair(grid, seed);
     if (tilted) pair.presentation.place = cubical::tilt();
     pair.presentation.thorough = thorough;

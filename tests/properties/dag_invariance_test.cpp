@@ -11,7 +11,7 @@ namespace cnrg::properties {
 namespace {
 
 using Failure = std::string;
-void run(std::uint64_t usual, std::uint64_t offset, const FailureOf& failure_of) {
+void run_dags(std::uint64_t usual, std::uint64_t offset, const FailureOf& failure_of) {
   const auto [first, last] = scenes::seeds(usual);
   for (std::uint64_t seed = first; seed < last; ++seed) {
     const RandomDag dag = random_dag(seed + offset, position_of(seed));
@@ -28,13 +28,15 @@ void run(std::uint64_t usual, std::uint64_t offset, const FailureOf& failure_of)
 }  // namespace
 
 TEST_CASE("The order of leaves, faces and points changes no value of a dag", "[dag]") {
-  run(100, 3'000'000, permutation_failure);
+  run_dags(100, 3'000'000, permutation_failure);
 }
 
-TEST_CASE("An exact rigid motion moves every value of a dag", "[dag]") { run(100, 4'000'000, motion_failure); }
+TEST_CASE("An exact rigid motion moves every value of a dag", "[dag]") {
+  run_dags(100, 4'000'000, motion_failure);
+}
 
 TEST_CASE("Neither threads nor kept values change an array of a dag's result", "[dag]") {
-  run(100, 5'000'000, threads_failure);
+  run_dags(100, 5'000'000, threads_failure);
 }
 
 }  // namespace cnrg::properties

@@ -15,7 +15,7 @@ namespace {
 /// A failed comparison: what and where, in words; empty when all is well.
 using Failure = std::string;
 
-Failure failure_of(const RandomDag& dag, Tally& tally) {
+Failure dag_failure(const RandomDag& dag, Tally& tally) {
   const Attempt tried = attempt(dag);
   if (!tried.values) return tried.failure;
   try {
@@ -108,7 +108,7 @@ TEST_CASE("Dags on which Nef was wrong equal Nef's", "[dag]") {
     dag.nodes.insert(dag.nodes.end(), c.nodes.begin(), c.nodes.end());
     INFO(tree_file(dag));
     Tally tally;
-    CHECK(failure_of(dag, tally) == "");
+    CHECK(dag_failure(dag, tally) == "");
     CHECK(tally.nodes + 10 * tally.oracle_failures >= dag.nodes.size());
   }
 }
@@ -119,10 +119,10 @@ TEST_CASE("Every value of random dags equals Nef's", "[dag]") {
   for (std::uint64_t seed = first; seed < last; ++seed) {
     const RandomDag dag = random_dag(seed, position_of(seed));
     tally.coverage.add(dag);
-    const Failure failure = failure_of(dag, tally);
+    const Failure failure = dag_failure(dag, tally);
     if (failure.empty()) continue;
     Tally unused;
-    const auto [least, why] = shrink(dag, failure, [&](const RandomDag& d) { return failure_of(d, unused); });
+    const auto [least, why] = shrink(dag, failure, [&](const RandomDag& d) { return dag_failure(d, unused); });
     FAIL_CHECK("seed " << seed << ": " << failure << "\nshrunk: " << why << "\n" << tree_file(least));
   }
   std::ostringstream out;

@@ -18,7 +18,7 @@ using Failure = std::string;
 /// Trees on which Nef itself failed.
 int oracle_failures = 0;
 
-Failure failure_of(const Scene& scene) {
+Failure scene_failure(const Scene& scene) {
   try {
     return compare_with_nef(scene);
   } catch (const OracleFailure&) {
@@ -30,11 +30,11 @@ Failure failure_of(const Scene& scene) {
 }
 
 /// Drops operands and parts while the scene still fails; the failure found last is returned with its scene.
-std::pair<Scene, Failure> shrink(Scene scene, Failure failure) {
+std::pair<Scene, Failure> shrink_scene(Scene scene, Failure failure) {
   for (bool smaller = true; smaller;) {
     smaller = false;
     for (Scene& candidate : scenes::smaller(scene)) {
-      Failure f = failure_of(candidate);
+      Failure f = scene_failure(candidate);
       if (f.empty()) continue;
       scene = std::move(candidate);
       failure = std::move(f);
@@ -45,14 +45,14 @@ std::pair<Scene, Failure> shrink(Scene scene, Failure failure) {
   return {std::move(scene), std::move(failure)};
 }
 
-void run(Position position, std::uint64_t usual) {
+void run_scenes(Position position, std::uint64_t usual) {
   const auto [first, last] = scenes::seeds(usual);
   oracle_failures = 0;
   for (std::uint64_t seed = first; seed < last; ++seed) {
     const Scene scene = scenes::random_scene(seed, 2 + static_cast<int>(seed % 4), position);
-    Failure failure = failure_of(scene);
+    Failure failure = scene_failure(scene);
     if (!failure.empty()) {
-      const auto [least, why] = shrink(scene, failure);
+      const auto [least, why] = shrink_scene(scene, failure);
       FAIL_CHECK("seed " << seed << ": " << failure << "\nshrunk: " << why << "\n" << scenes::tree_file(least));
     } else {
       SUCCEED();
@@ -95,8 +95,10 @@ TEST_CASE("The oracle knows what it should", "[nef]") {
   CHECK_FALSE(difference(hollow.skeleton(), cube.skeleton()).empty());
 }
 
-TEST_CASE("Point sets of trees in general position equal Nef's", "[nef]") { run(Position::general, 120); }
-TEST_CASE("Point sets of degenerate trees equal Nef's", "[nef]") { run(Position::degenerate, 160); }
-TEST_CASE("Point sets of degenerate trees off the axes equal Nef's", "[nef]") { run(Position::tilted, 120); }
+TEST_CASE("Point sets of trees in general position equal Nef's", "[nef]") { run_scenes(Position::general, 120); }
+TEST_CASE("Point sets of degenerate trees equal Nef's", "[nef]") { run_scenes(Position::degenerate, 160); }
+TEST_CASE("Point sets of degenerate trees off the axes equal Nef's", "[nef]") {
+  run_scenes(Position::tilted, 120);
+}
 
 }  // namespace cnrg::properties

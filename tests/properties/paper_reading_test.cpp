@@ -15,7 +15,7 @@
 namespace cnrg::properties {
 namespace {
 
-struct Tally {
+struct ReadingTally {
   std::size_t operations = 0, different = 0, dang_or_loose = 0, loose = 0;
   ReadingDifference difference;
 };
@@ -25,7 +25,7 @@ constexpr Dominance kDominances[] = {Dominance::left, Dominance::right, Dominanc
 
 /// Every operator and dominance on two groups; the first difference of another kind in words.
 std::string compare_all(const Complex& complex, const Locator& locator, const Group& left, const Group& right,
-                        Tally& tally) {
+                        ReadingTally& tally) {
   for (const BooleanOp op : kOps) {
     for (const Dominance dominance : kDominances) {
       if (op == BooleanOp::subtract && dominance != Dominance::left) continue;
@@ -46,7 +46,7 @@ std::string compare_all(const Complex& complex, const Locator& locator, const Gr
 }
 
 /// The leaves in pairs, and what an operator makes of the first two against the third.
-std::string compare_leaves(const std::vector<scenes::Leaf>& leaves, std::uint64_t seed, Tally& tally) {
+std::string compare_leaves(const std::vector<scenes::Leaf>& leaves, std::uint64_t seed, ReadingTally& tally) {
   const auto complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
   const Locator locator(*complex);
   const std::vector<Group> groups = leaf_groups(*complex);
@@ -78,7 +78,7 @@ void mark_faces(scenes::Leaf& leaf, std::mt19937_64& random) {
   }
 }
 
-void show(const char* of, const Tally& t) {
+void show(const char* of, const ReadingTally& t) {
   // Asked for by -s; the page has these figures.
   SUCCEED(of << ": " << t.operations << " operations, " << t.different
              << " with a difference: " << t.difference.faces_kept_around << " cells in a kept face, "
@@ -88,7 +88,7 @@ void show(const char* of, const Tally& t) {
 
 TEST_CASE("the paper's terms by the letter: cubical groups with marked faces", "[paper-reading]") {
   const cubical::Grid grid(5);
-  Tally tally;
+  ReadingTally tally;
   const auto [first, last] = scenes::seeds(150);
   for (std::uint64_t seed = first; seed < last; ++seed) {
     std::mt19937_64 random(seed);
@@ -111,7 +111,7 @@ TEST_CASE("the paper's terms by the letter: cubical groups with marked faces", "
 }
 
 TEST_CASE("the paper's terms by the letter: scenes of mixed leaves", "[paper-reading]") {
-  Tally tally;
+  ReadingTally tally;
   const auto [first, last] = scenes::seeds(60);
   for (std::uint64_t seed = first; seed < last; ++seed) {
     for (const auto position : {scenes::Position::degenerate, scenes::Position::general}) {

@@ -44,7 +44,7 @@ std::string tree_around(const std::string& file, bool cut) {
               : "result: r\n");
 }
 
-std::string failure_of(const RandomDag& dag) {
+std::string read_back_failure(const RandomDag& dag) {
   const test::Scratch dir;
   try {
     const Tree tree = parse_tree(tree_file(dag), dir / "dag.yaml");
@@ -82,7 +82,7 @@ TEST_CASE("Every node of a dag is read back as it was written", "[dag]") {
   const auto [first, last] = scenes::seeds(25);
   for (std::uint64_t seed = first; seed < last; ++seed) {
     const RandomDag dag = random_dag(seed + 6'000'000, position_of(seed));
-    const std::string failure = failure_of(dag);
+    const std::string failure = read_back_failure(dag);
     if (failure.empty()) {
       SUCCEED();
       continue;

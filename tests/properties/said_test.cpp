@@ -4,19 +4,14 @@
 // CNRG_SEEDS sets the number of trees of each case, CNRG_FIRST_SEED where they start; `tests/campaign/run --family
 // said-trees` goes on for hours.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/operators/node_value.h"
 #include "tests/oracles/cubical_said.h"
+#include "tests/scenes/seeds.h"
 
 namespace {
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
 
 std::string failure_of(const cubical::Grid& grid, const cubical::CubicalDag& dag, cubical::SaidTally* tally) {
   try {
@@ -36,11 +31,10 @@ std::size_t kind(const std::string& wrong) {
 }
 
 /// The first difference among the seeds, with a tree made smaller; empty if there is none.
-std::string run(std::uint64_t trees, bool moved, cubical::SaidTally& tally) {
+std::string run_said(std::uint64_t trees, bool moved, cubical::SaidTally& tally) {
   const cubical::Grid grid(4);
-  const std::uint64_t first = from_environment("CNRG_FIRST_SEED", 0);
-  const std::uint64_t count = from_environment("CNRG_SEEDS", trees);
-  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+  const auto [first, last] = cnrg::scenes::seeds(trees);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
     cubical::CubicalDag least = cubical::random_said_dag(grid, seed, moved);
     std::string wrong = failure_of(grid, least, &tally);
     if (wrong.empty()) continue;
@@ -63,7 +57,7 @@ std::string run(std::uint64_t trees, bool moved, cubical::SaidTally& tally) {
 
 TEST_CASE("what is said of each cell, as by brute force", "[cubical]") {
   cubical::SaidTally tally;
-  const std::string wrong = run(300, false, tally);
+  const std::string wrong = run_said(300, false, tally);
   INFO(wrong);
   CHECK(wrong.empty());
   CAPTURE(tally.nodes, tally.said_cells, tally.regions, tally.conflicts, tally.counted);
@@ -73,7 +67,7 @@ TEST_CASE("what is said of each cell, as by brute force", "[cubical]") {
 
 TEST_CASE("what is said of each cell, as by brute force, turned, sheared, reflected", "[cubical]") {
   cubical::SaidTally tally;
-  const std::string wrong = run(60, true, tally);
+  const std::string wrong = run_said(60, true, tally);
   INFO(wrong);
   CHECK(wrong.empty());
 }

@@ -10,26 +10,26 @@ namespace {
 using scenes::Leaf;
 
 /// Soups on which Nef itself failed.
-std::uint64_t oracle_failures = 0;
+std::uint64_t soup_oracle_failures = 0;
 
-std::string failure_of(const std::vector<Leaf>& leaves) try {
+std::string soup_failure(const std::vector<Leaf>& leaves) try {
   return compare_soup_with_nef(leaves);
 } catch (const OracleFailure&) {
-  ++oracle_failures;
+  ++soup_oracle_failures;
   return {};
 } catch (const std::exception& error) {
   return std::string("thrown: ") + error.what();
 }
 
 /// Drops parts while it still fails.
-std::vector<Leaf> shrink(std::vector<Leaf> leaves) {
+std::vector<Leaf> shrink_soup(std::vector<Leaf> leaves) {
   const auto try_without = [&](auto&& part_of) {
     for (std::size_t l = 0; l < leaves.size(); ++l)
       for (std::size_t i = part_of(leaves[l]).size(); i > 0; --i) {
         std::vector<Leaf> less = leaves;
         auto& list = part_of(less[l]);
         list.erase(list.begin() + static_cast<std::ptrdiff_t>(i - 1));
-        if (!failure_of(less).empty()) leaves = std::move(less);
+        if (!soup_failure(less).empty()) leaves = std::move(less);
       }
   };
   for (int round = 0; round < 2; ++round) {
@@ -40,28 +40,28 @@ std::vector<Leaf> shrink(std::vector<Leaf> leaves) {
   return leaves;
 }
 
-void run(int parts, int size, std::uint64_t usual) {
+void run_soups(int parts, int size, std::uint64_t usual) {
   const auto [first, last] = scenes::seeds(usual);
-  oracle_failures = 0;
+  soup_oracle_failures = 0;
   for (std::uint64_t seed = first; seed < last; ++seed) {
     const std::vector<Leaf> leaves = random_soup(seed, parts, size);
-    const std::string failure = failure_of(leaves);
+    const std::string failure = soup_failure(leaves);
     if (failure.empty()) {
       SUCCEED();
       continue;
     }
-    scenes::Scene least{shrink(leaves), scenes::leaf_expression(0)};
-    FAIL_CHECK("seed " << seed << ": " << failure << "\nshrunk: " << failure_of(least.leaves) << "\n"
+    scenes::Scene least{shrink_soup(leaves), scenes::leaf_expression(0)};
+    FAIL_CHECK("seed " << seed << ": " << failure << "\nshrunk: " << soup_failure(least.leaves) << "\n"
                        << scenes::tree_file(least));
   }
-  INFO(oracle_failures << " soups on which Nef itself failed");
-  CHECK(oracle_failures <= 1 + (last - first) / 100);
+  INFO(soup_oracle_failures << " soups on which Nef itself failed");
+  CHECK(soup_oracle_failures <= 1 + (last - first) / 100);
 }
 
 }  // namespace
 
-TEST_CASE("A few parts on a tiny grid", "[soups]") { run(6, 2, 60); }
-TEST_CASE("Parts on a small grid", "[soups]") { run(10, 3, 40); }
-TEST_CASE("Many parts on a grid", "[soups]") { run(16, 6, 8); }
+TEST_CASE("A few parts on a tiny grid", "[soups]") { run_soups(6, 2, 60); }
+TEST_CASE("Parts on a small grid", "[soups]") { run_soups(10, 3, 40); }
+TEST_CASE("Many parts on a grid", "[soups]") { run_soups(16, 6, 8); }
 
 }  // namespace cnrg::properties

@@ -17,7 +17,7 @@
 namespace cnrg::scenes {
 namespace {
 
-using Random = std::mt19937;
+using Mersenne = std::mt19937;
 
 /// Calls `test(seed)` for the seeds asked for.
 template <class Test>
@@ -29,13 +29,13 @@ void for_each_seed(std::uint64_t usual, const Test& test) {
   }
 }
 
-double real(Random& random, double low, double high) {
+double real(Mersenne& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
-int integer(Random& random, int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); }
+int integer(Mersenne& random, int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); }
 
 /// Boxes on a small grid, so that many touch, some of them flat; scaled and moved.
-std::vector<Box> random_boxes(Random& random) {
+std::vector<Box> random_boxes(Mersenne& random) {
   const int n = integer(random, 0, 200), side = integer(random, 1, 12), flat = integer(random, 0, 6);
   const double scale = std::ldexp(1.0, integer(random, -900, 900)),
                shift = scale * integer(random, -100000, 100000);
@@ -74,7 +74,7 @@ TEST_CASE("a tree of boxes asks about no box that is empty, and about few that a
 
 TEST_CASE("pairs of boxes: every pair that meets, each once", "[boxes][random]") {
   for_each_seed(400, [](unsigned seed) {
-    Random random(seed);
+    Mersenne random(seed);
     const std::vector<Box> boxes = random_boxes(random);
     const BoxPairs pairs(boxes);
     std::set<std::pair<std::uint32_t, std::uint32_t>> found;
@@ -102,7 +102,7 @@ struct Oblique {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting;  // two items with a common point
 };
 
-Oblique random_oblique(Random& random) {
+Oblique random_oblique(Mersenne& random) {
   using P = std::array<double, 3>;
   Oblique out;
   const double scale = std::ldexp(1.0, integer(random, -300, 300));
@@ -139,7 +139,7 @@ Oblique random_oblique(Random& random) {
 TEST_CASE("pairs of oblique items: every pair that meets, few that do not", "[boxes][random]") {
   std::size_t all = 0, visited = 0;
   for_each_seed(100, [&](unsigned seed) {
-    Random random(seed);
+    Mersenne random(seed);
     const Oblique scene = random_oblique(random);
     std::vector<std::vector<Box>> corners;
     std::vector<Box> boxes;
@@ -184,7 +184,7 @@ TEST_CASE("pairs of oblique items: every pair that meets, few that do not", "[bo
 TEST_CASE("items of one group are mostly no pairs, and nothing else is left out", "[boxes][random]") {
   std::size_t shared = 0, kept = 0;
   for_each_seed(100, [&](unsigned seed) {
-    Random random(seed);
+    Mersenne random(seed);
     const int n = integer(random, 40, 300);
     std::vector<Box> boxes;
     std::vector<std::array<std::uint32_t, 3>> groups;
@@ -226,7 +226,7 @@ TEST_CASE("items of one group are mostly no pairs, and nothing else is left out"
 TEST_CASE("a plane as a filter: what it decides is right", "[filter][random]") {
   std::size_t decided = 0, all = 0;
   for_each_seed(2000, [&](unsigned seed) {
-    Random random(seed);
+    Mersenne random(seed);
     const double scale = std::ldexp(1.0, integer(random, -60, 60));
     std::array<double, 12> c;
     const bool level = seed % 4 == 0;
@@ -256,7 +256,7 @@ TEST_CASE("a plane as a filter: what it decides is right", "[filter][random]") {
 }
 
 /// A closed fan around the origin over n directions that go around `turns` times; heights by chance.
-Soup fan(Random& random, int n, int turns, double steep) {
+Soup fan(Mersenne& random, int n, int turns, double steep) {
   Soup soup;
   const LeafId leaf = soup.add_leaf(Fill::none);
   const PointId tip = soup.add_point(0, 0, 0);
@@ -276,7 +276,7 @@ Soup fan(Random& random, int n, int turns, double steep) {
 TEST_CASE("a plane of points that are known up to a width: what the filter decides is right", "[filter][random]") {
   std::size_t decided = 0, all = 0;
   for_each_seed(2000, [&](unsigned seed) {
-    Random random(seed);
+    Mersenne random(seed);
     PointTable table;
     std::vector<std::array<double, 3>> low;
     double width = 0;
@@ -327,7 +327,7 @@ TEST_CASE("a plane of points that are known up to a width: what the filter decid
 TEST_CASE("an embedded fan meets itself in nothing but what its triangles share", "[fans][random]") {
   std::size_t embedded = 0, crossing = 0, all = 0;
   for_each_seed(600, [&](unsigned seed) {
-    Random random(seed);
+    Mersenne random(seed);
     const int turns = seed % 3 == 0 ? 2 : 1, n = integer(random, 3 * turns, 9 * turns);
     const Soup soup = fan(random, n, turns, seed % 5 == 0 ? 3 : 0.3);
     RefineReport report;
@@ -371,7 +371,7 @@ TEST_CASE("a large fan that looks anywhere meets itself in nothing but what its 
           "[fans][random]") {
   std::size_t embedded = 0, crossing = 0, all = 0;
   for_each_seed(24, [&](unsigned seed) {
-    Random random(seed);
+    Mersenne random(seed);
     const int turns = seed % 4 == 0 ? 2 : 1, n = integer(random, 66 * turns, 70 * turns);
     const Soup upright = fan(random, n, turns, seed % 3 == 0 ? 0.2 : 0.01);
     // Turned so that no axis sees all triangles from one side: the rim sinks, and the fan is sheared.

@@ -25,7 +25,7 @@ bool is_embedded(const ExactPoints& points, const Drawing& drawing) {
   return is_as_drawn(*build_complex(soup), used, drawing.triangles.size());
 }
 
-RationalPoint exact(const std::array<double, 3>& x) {
+RationalPoint exact_points(const std::array<double, 3>& x) {
   return {from_double(x[0]), from_double(x[1]), from_double(x[2])};
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("what is said to move slightly stays as it is", "[slight_moves]") {
     for (std::uint32_t p = 0; p < count; ++p) {
       points.xyz.push_back({1.0 * below(4), 1.0 * below(4), 1.0 * below(4)});
       points.reach.push_back(below(3) == 0 ? reach : 0);
-      before.push_back(exact(points.xyz.back()));
+      before.push_back(exact_points(points.xyz.back()));
       if (points.reach.back() == 0) continue;
       for (Rational& x : before.back()) x += from_double(reach) * (static_cast<int>(below(13)) - 6) / 6;
     }
@@ -74,7 +74,7 @@ TEST_CASE("what is said to move slightly stays as it is", "[slight_moves]") {
     // And at any other place within reach.
     ExactPoints other;
     for (std::size_t p = 0; p < count; ++p) {
-      other.push_back(exact(points.xyz[p]));
+      other.push_back(exact_points(points.xyz[p]));
       for (Rational& x : other.back()) x += from_double(points.reach[p]) * (static_cast<int>(below(13)) - 6) / 6;
     }
     REQUIRE(is_embedded(other, drawing));

@@ -20,7 +20,7 @@ Rational determinant(const RationalPoint& a, const RationalPoint& b, const Ratio
 }
 
 /// Twice the vector area of a closed polygon.
-RationalPoint vector_area(const Polygon& polygon) {
+RationalPoint polygon_area(const Polygon& polygon) {
   RationalPoint sum{0, 0, 0};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const RationalPoint& p = polygon[i];
@@ -80,7 +80,7 @@ Solid tetrahedron_solid(const std::array<RationalPoint, 4>& corners) {
 }
 
 Solid prism_solid(const Polygon& base, const RationalPoint& vector) {
-  const RationalPoint area = vector_area(base);
+  const RationalPoint area = polygon_area(base);
   Polygon bottom = base;
   if (area[0] * vector[0] + area[1] * vector[1] + area[2] * vector[2] < 0)
     bottom.assign(base.rbegin(), base.rend());

@@ -15,14 +15,14 @@ namespace cnrg {
 namespace {
 
 using namespace pieces;
-using Counts = std::map<std::string, int>;
+using ShapeCounts = std::map<std::string, int>;
 
 std::string words(const LocalShape& shape) {
   CHECK(shape.reason.empty() == (shape.form != LocalForm::non_manifold));
   return shape.reason.empty() ? to_string(shape.form) : shape.reason;
 }
 struct Shapes {
-  Counts edges, vertices;
+  ShapeCounts edges, vertices;
   bool manifold;
 };
 Shapes shapes(const Complex& complex, const CellSet& set) {
@@ -40,7 +40,7 @@ CellSet bounded(const Complex& complex) {
   set.regions.erase(set.regions.begin());
   return set;
 }
-CellSet labelled(const Complex& complex) {
+CellSet labelled_set(const Complex& complex) {
   CellSet set;
   for (RegionId r : IdRange<RegionId>(complex.region_count)) {
     if (!complex.labels(r).empty()) set.regions.push_back(r);
@@ -51,33 +51,34 @@ CellSet labelled(const Complex& complex) {
 TEST_CASE("shapes of solids", "[manifold]") {
   const auto built_one = complex_of({box({0, 0, 0}, {2, 2, 2})});
   const Complex& one = *built_one;
-  const Shapes box_shapes = shapes(one, labelled(one));  // asked of its closure
-  CHECK(box_shapes.edges == Counts{{"manifold", 12}});
-  CHECK(box_shapes.vertices == Counts{{"manifold", 8}});
+  const Shapes box_shapes = shapes(one, labelled_set(one));  // asked of its closure
+  CHECK(box_shapes.edges == ShapeCounts{{"manifold", 12}});
+  CHECK(box_shapes.vertices == ShapeCounts{{"manifold", 8}});
   CHECK(box_shapes.manifold);
 
   const auto built_parted = complex_of({parted_box({0, 0, 0}, {4, 2, 2}, 2)});
   const Complex& parted = *built_parted;
-  Shapes inner = shapes(parted, labelled(parted));
+  Shapes inner = shapes(parted, labelled_set(parted));
   CHECK(inner.edges["interior"] == 4);
   CHECK(inner.vertices["interior"] == 1);
   CHECK(inner.manifold);
 
   const auto built_edge = complex_of({box({0, 0, 0}, {2, 2, 2}) + box({2, 2, 0}, {4, 4, 2})});
   const Complex& edge = *built_edge;
-  const Shapes at_edge = shapes(edge, labelled(edge));
-  CHECK(at_edge.edges == Counts{{"manifold", 22}, {"4 boundary faces meet: 2 solid sectors", 1}});
-  CHECK(at_edge.vertices == Counts{{"manifold", 12}, {"a non-manifold edge ends here", 2}});
+  const Shapes at_edge = shapes(edge, labelled_set(edge));
+  CHECK(at_edge.edges == ShapeCounts{{"manifold", 22}, {"4 boundary faces meet: 2 solid sectors", 1}});
+  CHECK(at_edge.vertices == ShapeCounts{{"manifold", 12}, {"a non-manifold edge ends here", 2}});
   CHECK(!at_edge.manifold);
 
   const auto built_corner = complex_of({box({0, 0, 0}, {2, 2, 2}) + box({2, 2, 2}, {4, 4, 4})});
   const Complex& corner = *built_corner;
-  CHECK(shapes(corner, labelled(corner)).vertices == Counts{{"manifold", 14}, {"2 solid cones touch", 1}});
+  CHECK(shapes(corner, labelled_set(corner)).vertices ==
+        ShapeCounts{{"manifold", 14}, {"2 solid cones touch", 1}});
   // The other side of the same vertex.
   CellSet outside;
   outside.regions = {RegionId(0)};
   CHECK(shapes(corner, outside).vertices ==
-        Counts{{"manifold", 14}, {"cones of the outside touch within the solid", 1}});
+        ShapeCounts{{"manifold", 14}, {"cones of the outside touch within the solid", 1}});
 }
 
 TEST_CASE("shapes of sheets, wires and points", "[manifold]") {
@@ -92,42 +93,43 @@ TEST_CASE("shapes of sheets, wires and points", "[manifold]") {
                                        wire({0, 5, 0}, {3, 5, 0}), wire({3, 5, 0}, {3, 5, 6})});
   const Complex& wires = *built_wires;
   const Shapes at_wires = shapes(wires, bounded(wires));
-  CHECK(at_wires.edges == Counts{{"wire", 5}});
-  CHECK(at_wires.vertices == Counts{{"3 wires meet", 1}, {"wire end", 5}, {"wire", 1}, {"isolated point", 1}});
+  CHECK(at_wires.edges == ShapeCounts{{"wire", 5}});
+  CHECK(at_wires.vertices ==
+        ShapeCounts{{"3 wires meet", 1}, {"wire end", 5}, {"wire", 1}, {"isolated point", 1}});
 
   const auto built_pierced = complex_of(
       {sheet({0, 0, 0}, {4, 4, 0}), wire({2, 2, -1}, {2, 2, 1}), wire({0, 0, 0}, {-1, -1, 0}), point({1, 1, 0})});
   const Complex& pierced = *built_pierced;
   const Shapes at_pierced = shapes(pierced, bounded(pierced));
-  CHECK(at_pierced.edges == Counts{{"wire", 3}, {"surface border", 4}});
-  CHECK(at_pierced.vertices == Counts{{"2 wires and a sheet meet in a point", 1},
-                                      {"a wire and a sheet meet in a point", 1},
-                                      {"surface", 1},
-                                      {"surface border", 3},
-                                      {"wire end", 3}});
+  CHECK(at_pierced.edges == ShapeCounts{{"wire", 3}, {"surface border", 4}});
+  CHECK(at_pierced.vertices == ShapeCounts{{"2 wires and a sheet meet in a point", 1},
+                                           {"a wire and a sheet meet in a point", 1},
+                                           {"surface", 1},
+                                           {"surface border", 3},
+                                           {"wire end", 3}});
 
   const auto built_slit = complex_of({sheet({0, 0, 0}, {4, 4, 0}), wire({1, 1, 0}, {2, 2, 0})});
   const Complex& slit = *built_slit;
   const Shapes at_slit = shapes(slit, bounded(slit));
-  CHECK(at_slit.edges == Counts{{"surface border", 4}, {"surface", 1}});
-  CHECK(at_slit.vertices == Counts{{"surface border", 4}, {"surface", 2}});
+  CHECK(at_slit.edges == ShapeCounts{{"surface border", 4}, {"surface", 1}});
+  CHECK(at_slit.vertices == ShapeCounts{{"surface border", 4}, {"surface", 2}});
 
   const auto built_hung =
       complex_of({box({0, 0, 0}, {4, 4, 4}), sheet({4, 1, 1}, {6, 3, 1}), wire({0, 0, 0}, {-1, 0, 0}),
                   wire({1, 1, 1}, {2, 2, 2}), sheet({1, 1, 3}, {2, 2, 3})});
   const Complex& hung = *built_hung;
   const Shapes at_hung = shapes(hung, bounded(hung));
-  CHECK(at_hung.edges == Counts{{"manifold", 12},
-                                {"a sheet hangs on the solid", 1},
-                                {"surface border", 3},
-                                {"wire", 1},
-                                {"interior", 5}});
-  CHECK(at_hung.vertices == Counts{{"manifold", 7},
-                                   {"a wire and a solid cone meet in a point", 1},
-                                   {"wire end", 1},
-                                   {"a non-manifold edge ends here", 2},
-                                   {"surface border", 2},
-                                   {"interior", 6}});
+  CHECK(at_hung.edges == ShapeCounts{{"manifold", 12},
+                                     {"a sheet hangs on the solid", 1},
+                                     {"surface border", 3},
+                                     {"wire", 1},
+                                     {"interior", 5}});
+  CHECK(at_hung.vertices == ShapeCounts{{"manifold", 7},
+                                        {"a wire and a solid cone meet in a point", 1},
+                                        {"wire end", 1},
+                                        {"a non-manifold edge ends here", 2},
+                                        {"surface border", 2},
+                                        {"interior", 6}});
   // Two sheets tip to tip.
   const auto built_tips = complex_of({sheet({0, 0, 0}, {1, 1, 0}), sheet({1, 1, 0}, {2, 2, 0})});
   const Complex& tips = *built_tips;

@@ -1,4 +1,5 @@
 // Polygons, wires, points, groups: what is accepted, and which part a refusal names.
+#include "tests/exact/rational_text.h"
 #include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
@@ -7,8 +8,6 @@ using namespace cnrg::test;
 namespace {
 
 using Points = std::vector<RationalPoint>;
-
-Rational r(const char* text) { return *parse_rational(text); }
 
 Points square(int low, int high, const Rational& z = 0) {
   return {{low, low, z}, {high, low, z}, {high, high, z}, {low, high, z}};

@@ -1,5 +1,6 @@
 // Primitives: volumes, closedness, planarity, faces as people count them, and what is refused.
 #include "kernel/exact/trigonometry.h"
+#include "tests/exact/rational_text.h"
 #include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
@@ -14,8 +15,6 @@ void check_solid(const Soup& soup) {
   CHECK(closed(soup));
   CHECK(volume(soup) > 0);
 }
-
-Rational r(const char* text) { return *parse_rational(text); }
 
 }  // namespace
 

@@ -23,7 +23,7 @@ namespace {
 
 using Triangle = std::array<VertexId, 3>;
 
-RationalPoint cross(const RationalPoint& u, const RationalPoint& v) {
+RationalPoint exact_cross(const RationalPoint& u, const RationalPoint& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
@@ -35,7 +35,7 @@ RationalPoint difference(const PointTable& t, VertexId a, VertexId b) {
 RationalPoint area(const PointTable& t, const std::vector<Triangle>& triangles) {
   RationalPoint sum{0, 0, 0};
   for (const Triangle& f : triangles) {
-    const RationalPoint n = cross(difference(t, f[0], f[1]), difference(t, f[0], f[2]));
+    const RationalPoint n = exact_cross(difference(t, f[0], f[1]), difference(t, f[0], f[2]));
     for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
   }
   return sum;
@@ -61,7 +61,7 @@ std::size_t check(PointTable& t, const Constraints& constraints, NewPoints how =
   Rational volume = 0;
   for (const auto& c : made.tetrahedra) {
     REQUIRE(orient3d(t, c[0], c[1], c[2], c[3]) > 0);
-    const RationalPoint n = cross(difference(t, c[0], c[1]), difference(t, c[0], c[2]));
+    const RationalPoint n = exact_cross(difference(t, c[0], c[1]), difference(t, c[0], c[2]));
     const RationalPoint d = difference(t, c[0], c[3]);
     volume += n[0] * d[0] + n[1] * d[1] + n[2] * d[2];
     for (std::size_t k = 0; k < 4; ++k) {

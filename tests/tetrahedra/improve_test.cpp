@@ -23,7 +23,7 @@ namespace {
 
 using Mesh = ConformingTetrahedra;
 using Index = Mesh::Index;
-using Triangle = std::array<Index, 3>;
+using MeshTriangle = std::array<Index, 3>;
 using Vector = Mesh::Point;
 
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -77,19 +77,19 @@ void require_near(const std::map<std::int32_t, double>& a, const std::map<std::i
 
 /// Face to face; regions part at facets only; triangles are faces, segments edges; facets are planar.
 void require_conforming(const Mesh& mesh, double extent) {
-  std::map<Triangle, std::vector<std::int32_t>> faces;
+  std::map<MeshTriangle, std::vector<std::int32_t>> faces;
   std::set<std::array<Index, 2>> edges;
   for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
     const auto& t = mesh.tetrahedra[i];
     for (std::size_t k = 0; k < 4; ++k) {
-      faces[sorted(Triangle{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]})].push_back(mesh.region[i]);
+      faces[sorted(MeshTriangle{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]})].push_back(mesh.region[i]);
       for (std::size_t l = 0; l < k; ++l) edges.insert(sorted(std::array{t[k], t[l]}));
     }
   }
-  std::set<Triangle> walls;
-  std::map<std::int32_t, std::vector<Triangle>> of_facet;
+  std::set<MeshTriangle> walls;
+  std::map<std::int32_t, std::vector<MeshTriangle>> of_facet;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle f = sorted(mesh.triangles[i]);
+    const MeshTriangle f = sorted(mesh.triangles[i]);
     REQUIRE(faces.contains(f));
     REQUIRE(walls.insert(f).second);
     of_facet[mesh.facet[i]].push_back(f);
@@ -102,11 +102,11 @@ void require_conforming(const Mesh& mesh, double extent) {
   for (const auto& [facet, triangles] : of_facet) {
     const auto& p = mesh.points;
     Vector n{};
-    for (const Triangle& f : triangles) {
+    for (const MeshTriangle& f : triangles) {
       const Vector m = cross(minus(p[f[1]], p[f[0]]), minus(p[f[2]], p[f[0]]));
       if (length(m) > length(n)) n = m;
     }
-    for (const Triangle& f : triangles) {
+    for (const MeshTriangle& f : triangles) {
       for (const Index v : f)
         REQUIRE(std::fabs(dot(minus(p[v], p[triangles[0][0]]), n)) <= 1e-9 * length(n) * extent);
     }
@@ -127,7 +127,7 @@ Mesh random_mesh(std::uint64_t seed, Index& fixed) {
     mesh.tetrahedra.push_back(
         {Index(c[0].index()), Index(c[1].index()), Index(c[2].index()), Index(c[3].index())});
   if (!turned_right(mesh)) return {};
-  std::set<Triangle> walls;
+  std::set<MeshTriangle> walls;
   for (const auto& [corners, of] : made.triangles) {
     mesh.triangles.push_back({Index(corners[0].index()), Index(corners[1].index()), Index(corners[2].index())});
     mesh.facet.push_back(std::int32_t(of));
@@ -137,11 +137,11 @@ Mesh random_mesh(std::uint64_t seed, Index& fixed) {
     mesh.segments.push_back({Index(ends[0].index()), Index(ends[1].index())});
     mesh.line.push_back(std::int32_t(of));
   }
-  std::map<Triangle, std::vector<std::size_t>> faces;
+  std::map<MeshTriangle, std::vector<std::size_t>> faces;
   for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
     const auto& c = mesh.tetrahedra[i];
     for (std::size_t k = 0; k < 4; ++k)
-      faces[sorted(Triangle{c[(k + 1) % 4], c[(k + 2) % 4], c[(k + 3) % 4]})].push_back(i);
+      faces[sorted(MeshTriangle{c[(k + 1) % 4], c[(k + 2) % 4], c[(k + 3) % 4]})].push_back(i);
   }
   mesh.region.assign(mesh.tetrahedra.size(), -1);
   std::int32_t count = 0;
@@ -152,7 +152,7 @@ Mesh random_mesh(std::uint64_t seed, Index& fixed) {
     for (std::size_t at = 0; at < list.size(); ++at) {
       const auto& c = mesh.tetrahedra[list[at]];
       for (std::size_t k = 0; k < 4; ++k) {
-        const Triangle f = sorted(Triangle{c[(k + 1) % 4], c[(k + 2) % 4], c[(k + 3) % 4]});
+        const MeshTriangle f = sorted(MeshTriangle{c[(k + 1) % 4], c[(k + 2) % 4], c[(k + 3) % 4]});
         if (walls.contains(f)) continue;
         for (const std::size_t u : faces[f]) {
           if (mesh.region[u] >= 0) continue;

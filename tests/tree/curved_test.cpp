@@ -13,7 +13,7 @@ S read(const std::string& leaf) {
 }
 
 /// `leaf` with a mark @ where the error is; the message must hold all `parts`.
-void expect(std::string leaf, std::initializer_list<std::string> parts) {
+void expect_fault(std::string leaf, std::initializer_list<std::string> parts) {
   const std::string head = "cnrg: 1\nnodes:\n  a: {";
   const std::size_t mark = leaf.find('@');
   REQUIRE(mark != std::string::npos);
@@ -102,58 +102,63 @@ TEST_CASE("Coons patches, extrusions and revolutions are read", "[tree][curved]"
 
 TEST_CASE("faults of curved leaves have their place", "[tree][curved]") {
   const std::string net = "[[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0]]]";
-  expect("bezier: @{chord: 1}", {"needs `patch`, `patches`, `curve` or `curves`"});
-  expect("bezier: {patch: " + net + ", @curvs: []}", {"unknown key `curvs` in bezier", "did you mean `curve`?"});
-  expect("bezier: {patch: " + net + ", @patches: []}", {"has `patch` and `patches`"});
-  expect("bezier: {patch: [[[0, 0, 0], [1, 0, 0]], @[[0, 1, 0]]]}",
-         {"this row has 1 control points and the first has 2"});
-  expect("bezier: {patch: @[[[0, 0, 0], [1, 0, 0]]]}", {"at least two rows of two points"});
-  expect("bezier: {patch: [[[0, 0, 0], [1, @x, 0]]]}", {"no number"});
-  expect("bezier: {patch: {points: " + net + ", weights: @[[1, 1]]}}",
-         {"2 rows of control points and 1 of weights"});
-  expect("bezier: {patch: {points: " + net + ", weights: [[1, 1], [1, @0]]}}", {"a weight must be positive"});
-  expect("bezier: {curve: {points: [[0, 0, 0], [1, 0, 0]], weights: @[1]}}", {"2 control points and 1 weights"});
-  expect("bezier: {curve: {points: [[0, 0, 0], [1, 0, 0]], @degree: 1}}", {"unknown key `degree`"});
-  expect("bezier: {patch: " + net + ", chord: @0}", {"`chord` of bezier must be a positive length"});
-  expect("bezier: {patch: " + net + ", chord: 1, @segments: 3}", {"has `chord` and `segments`"});
-  expect("bezier: {patch: " + net + ", segments: @0}", {"whole number from 1"});
-  expect("bezier: {patch: " + net + ", fill: @full}", {"one of winding, parity, cells, none"});
+  expect_fault("bezier: @{chord: 1}", {"needs `patch`, `patches`, `curve` or `curves`"});
+  expect_fault("bezier: {patch: " + net + ", @curvs: []}",
+               {"unknown key `curvs` in bezier", "did you mean `curve`?"});
+  expect_fault("bezier: {patch: " + net + ", @patches: []}", {"has `patch` and `patches`"});
+  expect_fault("bezier: {patch: [[[0, 0, 0], [1, 0, 0]], @[[0, 1, 0]]]}",
+               {"this row has 1 control points and the first has 2"});
+  expect_fault("bezier: {patch: @[[[0, 0, 0], [1, 0, 0]]]}", {"at least two rows of two points"});
+  expect_fault("bezier: {patch: [[[0, 0, 0], [1, @x, 0]]]}", {"no number"});
+  expect_fault("bezier: {patch: {points: " + net + ", weights: @[[1, 1]]}}",
+               {"2 rows of control points and 1 of weights"});
+  expect_fault("bezier: {patch: {points: " + net + ", weights: [[1, 1], [1, @0]]}}",
+               {"a weight must be positive"});
+  expect_fault("bezier: {curve: {points: [[0, 0, 0], [1, 0, 0]], weights: @[1]}}",
+               {"2 control points and 1 weights"});
+  expect_fault("bezier: {curve: {points: [[0, 0, 0], [1, 0, 0]], @degree: 1}}", {"unknown key `degree`"});
+  expect_fault("bezier: {patch: " + net + ", chord: @0}", {"`chord` of bezier must be a positive length"});
+  expect_fault("bezier: {patch: " + net + ", chord: 1, @segments: 3}", {"has `chord` and `segments`"});
+  expect_fault("bezier: {patch: " + net + ", segments: @0}", {"whole number from 1"});
+  expect_fault("bezier: {patch: " + net + ", fill: @full}", {"one of winding, parity, cells, none"});
   const std::string curve = "points: [[0, 0, 0], [1, 0, 0], [1, 1, 0]]";
-  expect("bspline: {curve: @{" + curve + "}}", {"needs `degree`"});
-  expect("bspline: {curve: {" + curve + ", degree: @3}}", {"degree 3 takes at least 4"});
-  expect("bspline: {curve: {" + curve + ", degree: @0}}", {"whole number from 1"});
-  expect("bspline: {curve: {" + curve + ", degree: 1, knots: @[0, 0, 1, 1]}}",
-         {"3 control points of degree 1 take 5 knots, not 4"});
-  expect("bspline: {curve: {" + curve + ", degree: 1, knots: [0, 1, @0.5, 2, 2]}}",
-         {"less than the one before it"});
-  expect("bspline: {patch: {points: " + net + ", degree: @2}}", {"two degrees"});
-  expect("bspline: {patch: {points: " + net + ", degree: [1, 1], knots: @[[0, 0, 1, 1]]}}",
-         {"two lists of knots"});
-  expect("coons: {patch: @[[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [1, 1, 0]], [[1, 1, 0], [0, 0, 0]]]}",
-         {"four curves that go round"});
-  expect("coons: @{chord: 1}", {"needs `patch` or `patches`"});
+  expect_fault("bspline: {curve: @{" + curve + "}}", {"needs `degree`"});
+  expect_fault("bspline: {curve: {" + curve + ", degree: @3}}", {"degree 3 takes at least 4"});
+  expect_fault("bspline: {curve: {" + curve + ", degree: @0}}", {"whole number from 1"});
+  expect_fault("bspline: {curve: {" + curve + ", degree: 1, knots: @[0, 0, 1, 1]}}",
+               {"3 control points of degree 1 take 5 knots, not 4"});
+  expect_fault("bspline: {curve: {" + curve + ", degree: 1, knots: [0, 1, @0.5, 2, 2]}}",
+               {"less than the one before it"});
+  expect_fault("bspline: {patch: {points: " + net + ", degree: @2}}", {"two degrees"});
+  expect_fault("bspline: {patch: {points: " + net + ", degree: [1, 1], knots: @[[0, 0, 1, 1]]}}",
+               {"two lists of knots"});
+  expect_fault("coons: {patch: @[[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [1, 1, 0]], [[1, 1, 0], [0, 0, 0]]]}",
+               {"four curves that go round"});
+  expect_fault("coons: @{chord: 1}", {"needs `patch` or `patches`"});
 }
 
 TEST_CASE("faults of sweeps have their place", "[tree][curved]") {
   const std::string square = "[[0, 0, 0], [1, 0, 0], [1, 1, 0]]";
-  expect("extrude: @{vector: [0, 0, 1]}", {"extrude needs `profile`"});
-  expect("extrude: @{profile: " + square + "}", {"extrude needs `vector`"});
-  expect("extrude: {profile: " + square + ", @curve: " + square + ", vector: [0, 0, 1]}",
-         {"has `profile` and `curve`"});
-  expect("extrude: {profile: [@{bezier: [[1, 1, 0]]}, [0, 0, 0]], vector: [0, 0, 1]}", {"begin with a corner"});
-  expect("extrude: {profile: [[0, 0, 0], {bezier: [[1, 1, 0]]}, @{bezier: [[1, 1, 0]]}], vector: [0, 0, 1]}",
-         {"give the corner between"});
-  expect("extrude: {curve: [[0, 0, 0], @{bezier: [[1, 1, 0]]}], vector: [0, 0, 1]}", {"end with a corner"});
-  expect("extrude: {profile: [[0, 0, 0], {@points: [[1, 1, 0]]}, [1, 0, 0]], vector: [0, 0, 1]}",
-         {"unknown key `points`"});
-  expect("extrude: {profile: [[0, 0, 0], {bezier: [[1, 1, 0]], weights: @[1]}, [1, 0, 0]], vector: [0, 0, 1]}",
-         {"3 control points and 1 weights"});
-  expect("extrude: {profile: @[[0, 0, 0]], vector: [0, 0, 1]}", {"at least two corners"});
-  expect("extrude: {profile: @[], vector: [0, 0, 1]}", {"is empty"});
-  expect("extrude: {profile: [@[0, 0]], vector: [0, 0, 1]}", {"[x, y, z]"});
-  expect("extrude: {profile: " + square + ", vector: [0, 0, 1], scale: @-1}", {"must be 0 or more"});
-  expect("revolve: {profile: [@[0, 0, 0]]}", {"[x, y]"});
-  expect("revolve: {profile: [[0, 0], [1, 0], [1, 1]], degrees: @400}", {"at most 360"});
+  expect_fault("extrude: @{vector: [0, 0, 1]}", {"extrude needs `profile`"});
+  expect_fault("extrude: @{profile: " + square + "}", {"extrude needs `vector`"});
+  expect_fault("extrude: {profile: " + square + ", @curve: " + square + ", vector: [0, 0, 1]}",
+               {"has `profile` and `curve`"});
+  expect_fault("extrude: {profile: [@{bezier: [[1, 1, 0]]}, [0, 0, 0]], vector: [0, 0, 1]}",
+               {"begin with a corner"});
+  expect_fault("extrude: {profile: [[0, 0, 0], {bezier: [[1, 1, 0]]}, @{bezier: [[1, 1, 0]]}], vector: [0, 0, 1]}",
+               {"give the corner between"});
+  expect_fault("extrude: {curve: [[0, 0, 0], @{bezier: [[1, 1, 0]]}], vector: [0, 0, 1]}", {"end with a corner"});
+  expect_fault("extrude: {profile: [[0, 0, 0], {@points: [[1, 1, 0]]}, [1, 0, 0]], vector: [0, 0, 1]}",
+               {"unknown key `points`"});
+  expect_fault(
+      "extrude: {profile: [[0, 0, 0], {bezier: [[1, 1, 0]], weights: @[1]}, [1, 0, 0]], vector: [0, 0, 1]}",
+      {"3 control points and 1 weights"});
+  expect_fault("extrude: {profile: @[[0, 0, 0]], vector: [0, 0, 1]}", {"at least two corners"});
+  expect_fault("extrude: {profile: @[], vector: [0, 0, 1]}", {"is empty"});
+  expect_fault("extrude: {profile: [@[0, 0]], vector: [0, 0, 1]}", {"[x, y, z]"});
+  expect_fault("extrude: {profile: " + square + ", vector: [0, 0, 1], scale: @-1}", {"must be 0 or more"});
+  expect_fault("revolve: {profile: [@[0, 0, 0]]}", {"[x, y]"});
+  expect_fault("revolve: {profile: [[0, 0], [1, 0], [1, 1]], degrees: @400}", {"at most 360"});
 }
 
 }  // namespace

@@ -17,40 +17,40 @@ namespace {
 
 using Catch::Contains;
 
-Evaluation run(const std::string& text) {
+Evaluation weld_run(const std::string& text) {
   EvaluateOptions options;
   options.validate = true;
   return evaluate(parse_tree("cnrg: 1\n" + text, "t.yaml"), options);
 }
 
-struct Counts {
+struct SurfaceCounts {
   std::array<std::size_t, 4> cells;
   std::size_t regions;
   double volume;
-  friend bool operator==(const Counts& a, const Counts& b) {
+  friend bool operator==(const SurfaceCounts& a, const SurfaceCounts& b) {
     // Axes that are tilted a little begin their turns elsewhere: other facets of the same surfaces.
     return a.cells == b.cells && a.regions == b.regions && std::abs(a.volume - b.volume) < 0.1;
   }
 };
-std::ostream& operator<<(std::ostream& out, const Counts& c) {
+std::ostream& operator<<(std::ostream& out, const SurfaceCounts& c) {
   for (const std::size_t n : c.cells) out << n << ' ';
   return out << "regions " << c.regions << " volume " << c.volume;
 }
-Counts counts(const std::string& text) {
-  const Evaluation evaluation = run(text);
+SurfaceCounts surface_counts(const std::string& text) {
+  const Evaluation evaluation = weld_run(text);
   const NodeRow& row = evaluation.rows.back();
   return {row.cells, row.regions, row.volume() ? to_double(*row.volume()) : 0};
 }
 
 std::string notices(const std::string& text) {
   std::string all;
-  for (const Diagnostic& d : run(text).diagnostics) all += d.message + "\n";
+  for (const Diagnostic& d : weld_run(text).diagnostics) all += d.message + "\n";
   return all;
 }
 
-std::string failure(const std::string& text) {
+std::string weld_failure(const std::string& text) {
   try {
-    run(text);
+    weld_run(text);
   } catch (const InputError& e) {
     return e.what();
   }
@@ -145,13 +145,13 @@ const std::vector<std::pair<const char*, const char*>> kScenes = {
 TEST_CASE("round surfaces that are nearly one are one where the tree is welded", "[weld][surfaces]") {
   for (const auto& [name, text] : kScenes) {
     CAPTURE(name);
-    const Counts exact = counts(near(text, 0, 1));
+    const SurfaceCounts exact = surface_counts(near(text, 0, 1));
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       CAPTURE(seed);
-      CHECK(counts("weld: 1e-9\n" + near(text, 1e-12, seed)) == exact);
-      CHECK(counts("weld: 1e-6\n" + near(text, 1e-15, seed)) == exact);
+      CHECK(surface_counts("weld: 1e-9\n" + near(text, 1e-12, seed)) == exact);
+      CHECK(surface_counts("weld: 1e-6\n" + near(text, 1e-15, seed)) == exact);
     }
-    CHECK(counts("weld: 1e-9\n" + near(text, 0, 1)) == exact);
+    CHECK(surface_counts("weld: 1e-9\n" + near(text, 0, 1)) == exact);
   }
 }
 
@@ -166,13 +166,13 @@ std::string pins(const std::vector<std::string>& radii) {
 TEST_CASE("chains of radii are cut at their widest links, in any order of leaves", "[weld][surfaces]") {
   std::vector<std::string> radii{"1", "1.0000004", "1.0000009", "1.000001"};
   // 0.1 and 0.4 of the length are joined; from there it would be 1.0, which fits, and 0.5 with it.
-  CHECK(counts("weld: 1e-6\n" + pins(radii)) == counts(pins({"1", "1"})));
+  CHECK(surface_counts("weld: 1e-6\n" + pins(radii)) == surface_counts(pins({"1", "1"})));
   // With less, both pairs are, and the two pairs stay apart.
   std::sort(radii.begin(), radii.end());
   std::optional<std::string> first;
   do {
     const std::string text = "weld: 0.9e-6\n" + pins(radii);
-    const Evaluation evaluation = run(text);
+    const Evaluation evaluation = weld_run(text);
     const std::string volume = to_decimal(*evaluation.rows.back().volume(), 20);
     if (!first) first = volume;
     CHECK(volume == *first);
@@ -184,7 +184,7 @@ TEST_CASE("chains of radii are cut at their widest links, in any order of leaves
 
 TEST_CASE("what is farther apart than the length stays apart", "[weld][surfaces]") {
   const std::string text = pins({"1", "1.0000011"});
-  CHECK(counts("weld: 1e-6\n" + text) == counts(text));
+  CHECK(surface_counts("weld: 1e-6\n" + text) == surface_counts(text));
   CHECK_THAT(notices("weld: 1e-6\n" + text), !Contains("joined"));
 }
 
@@ -195,8 +195,8 @@ TEST_CASE("axes that are tilted count as far apart as they are at the ends", "[w
                "  b: {cylinder: {from: [0, 0, 0], to: [") +
            end + ", 0, 4], radius: 1, segments: 16}}\n  rest: {difference: [a, b]}\nresult: rest\n";
   };
-  CHECK(run("weld: 1e-9\n" + pair("4e-13")).rows.back().regions == 0);
-  CHECK(run("weld: 1e-9\n" + pair("6e-10")).rows.back().regions == 0);
+  CHECK(weld_run("weld: 1e-9\n" + pair("4e-13")).rows.back().regions == 0);
+  CHECK(weld_run("weld: 1e-9\n" + pair("6e-10")).rows.back().regions == 0);
   CHECK_THAT(notices("weld: 1e-9\n" + pair("2e-9")), !Contains("round surfaces"));
 }
 
@@ -208,9 +208,9 @@ TEST_CASE("leaves that the tree turns and mirrors are welded where it places the
            "  rest: {difference: [shaft, bore], rotate: {axis: [1, 2, 3], degrees: 33}, translate: [1, 2, 3]}\n"
            "result: rest\n";
   };
-  CHECK(run(text("0.5")).rows.back().regions == 0);
-  CHECK(run("weld: 1e-9\n" + text("0.500000000001")).rows.back().regions == 0);
-  CHECK(run("weld: 1e-9\n" + text("0.499999999999")).rows.back().regions == 0);
+  CHECK(weld_run(text("0.5")).rows.back().regions == 0);
+  CHECK(weld_run("weld: 1e-9\n" + text("0.500000000001")).rows.back().regions == 0);
+  CHECK(weld_run("weld: 1e-9\n" + text("0.499999999999")).rows.back().regions == 0);
 }
 
 TEST_CASE("a wall that is thinner than the length is refused by name", "[weld][surfaces]") {
@@ -219,14 +219,14 @@ TEST_CASE("a wall that is thinner than the length is refused by name", "[weld][s
       "  pipe: {revolve: {profile: [[1, 0], [1.0000001, 0], [1.0000001, 2], [1, 2]], segments: 8}}\n"
       "  pin:  {cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 8}}\n"
       "  all:  {union: [pipe, pin]}\nresult: all\n";
-  CHECK(failure("weld: 1e-9\n" + text) == "no error");
-  CHECK_THAT(failure("weld: 1e-6\n" + text),
+  CHECK(weld_failure("weld: 1e-9\n" + text) == "no error");
+  CHECK_THAT(weld_failure("weld: 1e-6\n" + text),
              Contains("of `pipe` would vanish") && Contains("give a smaller length"));
   const std::string ring =
       "nodes:\n"
       "  ring: {torus: {center: [0, 0, 0], axis: [0, 0, 1], radius: 1, tube: 0.9999999, segments: 8, rings: 6}}\n"
       "  half: {difference: [ring, {box: {min: [-3, -3, 0], max: [3, 3, 3]}}]}\nresult: half\n";
-  CHECK_THAT(failure("weld: 1e-6\n" + ring), Contains("of `ring` would vanish"));
+  CHECK_THAT(weld_failure("weld: 1e-6\n" + ring), Contains("of `ring` would vanish"));
 }
 
 // --- the rule itself

@@ -12,6 +12,7 @@
 A node is an expression, as a tree file has it, and means the same. Everything is computed in exact arithmetic.
 """
 
+from ._cnrg import __version__
 from .cells import Cells, Component, Edges, Faces, Lists, Regions, Said, SaidTable, Vertices
 from .errors import Error, FileError, InputError, InvariantError, Notice, Stopped
 from .evaluation import Diagnostic, Evaluation, Row, evaluate
@@ -63,6 +64,7 @@ from .tree import Tree, parse, read
 
 # Name by name: checkers of types take no other names for those of users.
 __all__ = [
+    "__version__",
     "Cells",
     "Comparison",
     "Component",

@@ -43,14 +43,14 @@ std::vector<std::vector<Leaf>> smaller_soups(const std::vector<Leaf>& leaves) {
 /// Two curved solids, as texts of leaves.
 using CurvedPair = std::array<std::string, 2>;
 
-std::string text_of(const CurvedPair& pair) {
+std::string pair_text(const CurvedPair& pair) {
   return "cnrg: 1\nnodes:\n  a: {" + pair[0] + "}\n  b: {" + pair[1] +
          "}\n  all: {union: [a, b]}\n  both: {intersection: [a, b]}\n  rest: {difference: [a, b]}\n"
          "  result: {sum: [all, both, rest]}\nresult: result\n";
 }
 
-std::string compare(const CurvedPair& pair) {
-  const Tree tree = parse_tree(text_of(pair), "pair.yaml");
+std::string compare_pair(const CurvedPair& pair) {
+  const Tree tree = parse_tree(pair_text(pair), "pair.yaml");
   const auto instance = [&](const char* name) {
     const Node& node = tree.nodes[tree.find(name)];
     return LeafInstance{prepare(*node.shape), node.transform.value_or(Transform{})};
@@ -114,7 +114,7 @@ void add_nef(Families& families) {
   curved.make = [](std::uint64_t seed) {
     return CurvedPair{properties::random_curved_solid(2 * seed), properties::random_curved_solid(2 * seed + 1)};
   };
-  curved.compare = compare;
+  curved.compare = compare_pair;
   curved.smaller = [](const CurvedPair&) { return std::vector<CurvedPair>(); };
   curved.text = text_of;
   add(families, curved);

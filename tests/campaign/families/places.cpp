@@ -55,12 +55,12 @@ Rational height(const Plane& plane, const RationalPoint& p) {
   return h;
 }
 
-std::string text(const RationalPoint& p) {
+std::string point_text(const RationalPoint& p) {
   return "[\"" + to_string(p[0]) + "\", \"" + to_string(p[1]) + "\", \"" + to_string(p[2]) + "\"]";
 }
 
 /// The tree file of the dag with the planes in their places.
-std::string text_of(const Places& places) {
+std::string places_text(const Places& places) {
   const std::string all = properties::tree_file(places.dag);
   std::string out = "cnrg: 1\nnodes:\n";
   const RandomDag& dag = places.dag;
@@ -69,8 +69,8 @@ std::string text_of(const Places& places) {
     out += "  " + properties::name_of(dag, i) + ":\n";
     if (const auto number = plane_of(leaf)) {
       const Plane& plane = places.planes[*number];
-      out += std::string("    ") + (plane.solid ? "halfspace" : "plane") + ": {point: " + text(plane.point) +
-             ", normal: " + text(plane.normal) + "}\n";
+      out += std::string("    ") + (plane.solid ? "halfspace" : "plane") + ": {point: " + point_text(plane.point) +
+             ", normal: " + point_text(plane.normal) + "}\n";
     } else {
       out += "    group:\n" + scenes::group_text(leaf);
     }
@@ -201,10 +201,10 @@ std::vector<RationalPoint> points_of(const Places& places) {
   return out;
 }
 
-std::string compare(const Places& places) {
+std::string compare_places(const Places& places) {
   const RandomDag& dag = places.dag;
   const std::vector<RationalPoint> points = points_of(places);
-  const Tree tree = parse_tree(text_of(places), "places.yaml");
+  const Tree tree = parse_tree(places_text(places), "places.yaml");
   EvaluateOptions options;
   options.threads = 1;
   options.validate = true;
@@ -222,7 +222,7 @@ std::string compare(const Places& places) {
       const KeptValue& value = evaluation.value(tree.find(properties::name_of(dag, i)));
       const bool in = component_of(*value.simplified, value.simplified->place(*evaluation.complex, at)) != 0;
       if (in == (want.answers()[i] == Answer::in)) continue;
-      return properties::name_of(dag, i) + " (" + properties::operator_name(dag.nodes[i]) + "): " + text(p) +
+      return properties::name_of(dag, i) + " (" + properties::operator_name(dag.nodes[i]) + "): " + point_text(p) +
              (in ? " is in it, by definition it is not" : " is not in it, by definition it is");
     }
   }
@@ -260,7 +260,7 @@ void add_places(Families& families) {
     recipe.oracle = oracle;
     recipe.share = share;
     recipe.make = make;
-    recipe.compare = compare;
+    recipe.compare = compare_places;
     recipe.smaller = smaller;
     recipe.text = text_of;
     add(families, recipe);

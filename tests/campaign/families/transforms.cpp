@@ -26,7 +26,7 @@ struct Moved {
   std::vector<Step> steps;  ///< one of a kind, in the order in which they act
 };
 
-std::string text(const RationalPoint& p) {
+std::string coordinates_text(const RationalPoint& p) {
   return "[\"" + to_string(p[0]) + "\", \"" + to_string(p[1]) + "\", \"" + to_string(p[2]) + "\"]";
 }
 
@@ -45,7 +45,7 @@ Step random_step(Random& random, int kind) {
   switch (kind) {
     case 0:
       step.motion.offset = point();
-      step.text = "translate: " + text(step.motion.offset);
+      step.text = "translate: " + coordinates_text(step.motion.offset);
       break;
     case 1: {
       RationalPoint factors;
@@ -55,7 +55,7 @@ Step random_step(Random& random, int kind) {
         } while (x == 0);
       }
       for (int k = 0; k < 3; ++k) step.motion.matrix[k][k] = factors[k];
-      step.text = "scale: " + text(factors);
+      step.text = "scale: " + coordinates_text(factors);
       break;
     }
     case 2: {
@@ -68,7 +68,7 @@ Step random_step(Random& random, int kind) {
         for (int k = 0; k < 3; ++k)
           step.motion.matrix[i][k] = (i == k ? 1 : 0) - 2 * normal[i] * normal[k] / square;
       step.motion = about(step.motion, at);
-      step.text = "mirror: {normal: " + text(normal) + ", point: " + text(at) + "}";
+      step.text = "mirror: {normal: " + coordinates_text(normal) + ", point: " + coordinates_text(at) + "}";
       break;
     }
     default: {
@@ -82,8 +82,8 @@ Step random_step(Random& random, int kind) {
       step.motion = about(step.motion, center);
       RationalPoint axis{0, 0, 0};
       axis[k] = 1;
-      step.text = "rotate: {axis: " + text(axis) + ", degrees: " + std::to_string(90 * quarters) +
-                  ", center: " + text(center) + "}";
+      step.text = "rotate: {axis: " + coordinates_text(axis) + ", degrees: " + std::to_string(90 * quarters) +
+                  ", center: " + coordinates_text(center) + "}";
     }
   }
   return step;
@@ -98,7 +98,7 @@ Moved random_moved(std::uint64_t seed) {
   return out;
 }
 
-std::string text_of(const Moved& moved) {
+std::string moved_text(const Moved& moved) {
   std::string out = properties::tree_file(moved.dag);
   const std::string last = properties::name_of(moved.dag, moved.dag.nodes.size() - 1);
   out.erase(out.rfind("result: "));
@@ -107,7 +107,7 @@ std::string text_of(const Moved& moved) {
   return out + "}\nresult: moved\n";
 }
 
-std::string compare(const Moved& moved) {
+std::string compare_moved(const Moved& moved) {
   RandomDag mapped = moved.dag;
   for (scenes::Leaf& leaf : mapped.leaves)
     for (const Step& step : moved.steps) cubical::place(step.motion, leaf);
@@ -115,7 +115,7 @@ std::string compare(const Moved& moved) {
   options.threads = 1;
   options.validate = true;
   options.region_volumes = true;
-  const Evaluation a = evaluate(parse_tree(text_of(moved), "moved.yaml"), options),
+  const Evaluation a = evaluate(parse_tree(moved_text(moved), "moved.yaml"), options),
                    b = evaluate(parse_tree(properties::tree_file(mapped), "mapped.yaml"), options);
   const NodeValue &x = *a.kept.front().value, &y = *b.kept.front().value;
   const Selection sx = selection_of(*a.complex, x), sy = selection_of(*b.complex, y);
@@ -140,7 +140,7 @@ void add_transforms(Families& families) {
   recipe.oracle = "leaves with coordinates mapped by definition";
   recipe.share = 1;
   recipe.make = random_moved;
-  recipe.compare = compare;
+  recipe.compare = compare_moved;
   recipe.smaller = [](const Moved& moved) {
     std::vector<Moved> out;
     for (std::size_t i = 0; i < moved.steps.size(); ++i) {

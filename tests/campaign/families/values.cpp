@@ -46,7 +46,7 @@ Fold random_fold(std::uint64_t seed) {
   return fold;
 }
 
-std::string text_of(const Fold& fold) {
+std::string fold_text(const Fold& fold) {
   std::ostringstream out;
   out << "cnrg: 1\nmaterials: {m0: {}, m1: {}}\nnodes:\n";
   for (std::size_t i = 0; i < fold.leaves.size(); ++i)
@@ -73,7 +73,7 @@ std::string text_of(const Fold& fold) {
 }
 
 std::string compare_fold(const Fold& fold) {
-  const Tree tree = parse_tree(text_of(fold), "fold.yaml");
+  const Tree tree = parse_tree(fold_text(fold), "fold.yaml");
   const std::string last = "step" + std::to_string(fold.leaves.size() - 1);
   EvaluateOptions options;
   options.threads = 1;
@@ -208,7 +208,7 @@ void add_values(Families& families) {
   fold.make = random_fold;
   fold.compare = compare_fold;
   fold.smaller = smaller_folds;
-  fold.text = [](const Fold& f) { return text_of(f); };
+  fold.text = [](const Fold& f) { return fold_text(f); };
   add(families, fold);
 
   Recipe<std::string> curved;

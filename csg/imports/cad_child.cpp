@@ -2,7 +2,7 @@
 // pointers, walk in circles, or ask for all memory; and its algorithms do so on shapes that its readers let
 // through.
 //
-// The child reads and tessellates with the functions that a process without a child would call, so facets are the
+// The child reads and tessellates by the plug-in `cad` as a process without a child would, so facets are the
 // same to the last bit: doubles come back as their bytes. What comes back is checked as far as this process relies
 // on it, for a child that has overwritten its memory may end well: numbers are in range, lists of one length. All
 // else is checked by cad.cpp, as for any file.
@@ -12,12 +12,13 @@
 #include <algorithm>
 #include <new>
 
-#include "csg/imports/cad_occt.h"
+#include "csg/imports/cad_model.h"
 #include "csg/imports/leaf_file.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/leaf_stop.h"
 #include "csg/text/child.h"
 #include "csg/text/input_file.h"
+#include "csg/text/plugin.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -104,9 +105,11 @@ void write_error(const MemoryFile& file, Answer kind, const std::exception& erro
   file.write_list(std::string(error.what()));
 }
 
-int read_in_child(const CadShape& shape, const std::string& content, const MemoryFile& file) {
+int read_in_child(decltype(&cnrg_cad_read) read, const CadShape& shape, const std::string& content,
+                  const MemoryFile& file) {
   try {
-    const CadModel model = occt::read(shape, content);
+    CadModel model;
+    read(shape, content, model);
     file.write_value(Answer::model);
     write_model(file, model);
   } catch (const LeafFileError& error) {
@@ -250,27 +253,34 @@ class ModelReader {
   const std::string repair = ": write the file again, or repair the part where it was made";
   switch (end.kind) {
     case Kind::time:
-      throw InputError(occt::subject(shape) + "OpenCASCADE did not end within " + std::to_string(end.seconds) +
+      throw InputError(cad_subject(shape) + "OpenCASCADE did not end within " + std::to_string(end.seconds) +
                        " s of processor time" + repair + ", or give a larger `chord` or fewer `segments`");
     case Kind::memory:
-      throw FileError(occt::subject(shape) + "OpenCASCADE ran out of memory: free some, " + repair.substr(2) +
+      throw FileError(cad_subject(shape) + "OpenCASCADE ran out of memory: free some, " + repair.substr(2) +
                       ", or give a larger `chord` or fewer `segments`");
     case Kind::signal:
-      throw InputError(occt::subject(shape) + "OpenCASCADE crashed (signal " + std::to_string(end.number) + ")" +
+      throw InputError(cad_subject(shape) + "OpenCASCADE crashed (signal " + std::to_string(end.number) + ")" +
                        repair);
     default:
-      throw InputError(occt::subject(shape) + "OpenCASCADE ended its process (" + std::to_string(end.number) +
-                       ")" + repair);
+      throw InputError(cad_subject(shape) + "OpenCASCADE ended its process (" + std::to_string(end.number) + ")" +
+                       repair);
   }
 }
 
 }  // namespace
 
+std::string cad_subject(const CadShape& shape) { return std::string(shape.name()) + ": '" + shape.file + "': "; }
+
 CadModel read_cad(const CadShape& shape) {
+  if (const std::string fault = plugin_fault(kCadPlugin); !fault.empty()) {
+    throw InputError(cad_subject(shape) + fault + ", or give '" + shape.file + "' as a mesh file");
+  }
+  const auto read = CNRG_PLUGIN_FUNCTION(kCadPlugin, cnrg_cad_read);
   const std::string content = read_leaf_file(shape.file, shape.inside, "write the part again");
   const MemoryFile file("OpenCASCADE");
   const ChildEnd end = run_in_child(
-      "OpenCASCADE", limits(content), [&] { return read_in_child(shape, content, file); }, LeafStop::token());
+      "OpenCASCADE", limits(content), [&] { return read_in_child(read, shape, content, file); },
+      LeafStop::token());
   if (end.kind != ChildEnd::Kind::done || end.number != 0) fail(shape, end);
   file.rewind();
   const auto answer = file.read_value<Answer>();
