@@ -1,11 +1,11 @@
 // The Python module as who has installed the library makes it: a wheel, without the network, and used by itself.
 #ifdef CNRG_PYTHON
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 #include "tests/install/installed.h"
 
 namespace cnrg {

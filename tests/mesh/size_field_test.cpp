@@ -2,12 +2,12 @@
 #include "csg/mesh/size_field.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <thread>
 
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -3,10 +3,10 @@
 //
 // CNRG_SEEDS sets the number of pairs of each case, CNRG_FIRST_SEED where they start.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <string>
 
+#include "tests/catch.h"
 #include "tests/oracles/cubical_pair.h"
 
 namespace {
