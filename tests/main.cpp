@@ -1,2 +1,3 @@
+// The main program of all rooms, where Catch2 is version 2.
 #define CATCH_CONFIG_MAIN
-#include <catch2/catch.hpp>
+#include "tests/catch.h"

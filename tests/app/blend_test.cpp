@@ -1,9 +1,9 @@
 // Mixtures of mixtures and blends through files: kept exactly, read back as the same function, compared as one.
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

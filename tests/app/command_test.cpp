@@ -1,7 +1,6 @@
 // The program from outside: output, messages, exit statuses.
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "kernel/exact/rational.h"
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

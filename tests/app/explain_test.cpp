@@ -1,9 +1,9 @@
 // `cnrg explain` from outside: the text of a small tree, and command lines that make no sense.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

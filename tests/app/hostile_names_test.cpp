@@ -1,6 +1,5 @@
 // Names that would clear a terminal, turn a line around or forge one: every command and every file with them.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include "csg/text/escape.h"
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,9 +1,9 @@
 // What the program reads: regular files, where they may be, and how large.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

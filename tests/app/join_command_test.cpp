@@ -1,8 +1,8 @@
 // `cnrg check --features` and `--join` of eval and mesh, as people type them.
-#include <catch2/catch.hpp>
 #include <sstream>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,9 +1,9 @@
 // `cnrg locate` as a filter: answers as lines come, in bounded memory, and honest ends.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,6 +1,5 @@
 // What is made of the table of options: the manual page, and what bash completes.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,10 +1,10 @@
 // Graded materials in files and on the command line.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <sstream>
 #include <string>
 
 #include "program.h"
+#include "tests/catch.h"
 #include "tests/formats/mesh_readers.h"
 #include "tests/formats/vtu_reader.h"
 

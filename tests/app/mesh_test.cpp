@@ -1,7 +1,6 @@
 // `cnrg mesh` from outside; the tunnel of Pereira et al. through Gmsh and tetgen.
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +10,7 @@
 
 #include "kernel/exact/rational.h"
 #include "tests/app/program.h"
+#include "tests/catch.h"
 #include "tests/formats/mesh_readers.h"
 
 namespace cnrg {

@@ -1,9 +1,9 @@
 // Messages that say what to do: options, forms of leaves, files that are cut short.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

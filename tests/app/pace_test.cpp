@@ -1,9 +1,8 @@
 // What is left of a stage, told from its speed: by a clock that the tests set.
 #include "csg/app/pace.h"
 
-#include <catch2/catch.hpp>
-
 #include "csg/app/progress_bar.h"
+#include "tests/catch.h"
 
 using cnrg::app::Foretold;
 using cnrg::app::left_text;

@@ -1,8 +1,8 @@
 // What `locate`, `explain` and `eval` say of parameters on patches.
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,11 +1,11 @@
 // Seconds of the rows add up: whoever waits learns for what.
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <regex>
 #include <sstream>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,8 +1,8 @@
 // `-` for a tree: it comes on standard input, and all else is as of a file.
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

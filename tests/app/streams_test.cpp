@@ -1,9 +1,9 @@
 // What whoever starts the program gives it or does not: standard streams, children that can be waited for.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -4,11 +4,11 @@
 // Counts are those of the representation. Vertices that reduction put on edges stay there, and coplanar neighbours
 // stay apart: the book has no step that removes them. Where a result touches itself, each part has vertices of its
 // own.
-#include <catch2/catch.hpp>
 
 #include "bench/baseline/mantyla.h"
 #include "tests/baseline/oracle.h"
 #include "tests/baseline/shapes.h"
+#include "tests/catch.h"
 
 namespace cnrg::bench::baseline_test {
 namespace {

@@ -1,12 +1,12 @@
 // What operands may be, what failures say, and what results promise.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "bench/baseline/mantyla.h"
 #include "bench/baseline/scene.h"
 #include "tests/baseline/oracle.h"
 #include "tests/baseline/shapes.h"
+#include "tests/catch.h"
 
 namespace cnrg::bench::baseline_test {
 namespace {

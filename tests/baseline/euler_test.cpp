@@ -1,11 +1,11 @@
 // Euler operators: each keeps the structure valid and changes the terms of the Euler-Poincare formula as its name
 // says, and a random sequence is undone to nothing.
-#include <catch2/catch.hpp>
 #include <map>
 #include <optional>
 
 #include "bench/baseline/topology.h"
 #include "bench/cases/random.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg::bench::baseline_test {

@@ -1,5 +1,4 @@
 // Pairs in general position: double, exact and the kernel, regularized, agree.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <iostream>
 
@@ -8,6 +7,7 @@
 #include "bench/cases/shapes.h"
 #include "tests/baseline/oracle.h"
 #include "tests/baseline/shapes.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg::bench::baseline_test {

@@ -1,5 +1,4 @@
 // A long search for disagreements; not run by default. CNRG_SEEDS and CNRG_FIRST_SEED choose the pairs.
-#include <catch2/catch.hpp>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -8,6 +7,7 @@
 #include "bench/baseline/scene.h"
 #include "tests/baseline/oracle.h"
 #include "tests/baseline/shapes.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg::bench::baseline_test {

@@ -1,6 +1,5 @@
 // A cube and its copy turned by 10^-k about an axis of both: the distance to degeneracy. Exact arithmetic never
 // fails; doubles fail where the turn is near their epsilon, and say in which stage.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -8,6 +7,7 @@
 #include "bench/baseline/mantyla.h"
 #include "tests/baseline/oracle.h"
 #include "tests/baseline/shapes.h"
+#include "tests/catch.h"
 
 namespace cnrg::bench::baseline_test {
 namespace {

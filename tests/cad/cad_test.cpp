@@ -13,7 +13,6 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -29,6 +28,7 @@
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
 #include "tests/cad/models.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

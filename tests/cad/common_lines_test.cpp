@@ -9,7 +9,6 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -24,6 +23,7 @@
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/operators/node_value.h"
 #include "tests/cad/models.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

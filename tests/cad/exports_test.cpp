@@ -25,7 +25,6 @@
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -40,6 +39,7 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
 #include "tests/cad/models.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

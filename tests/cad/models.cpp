@@ -20,9 +20,10 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
+
+#include "tests/catch.h"
 
 namespace cnrg::cad {
 

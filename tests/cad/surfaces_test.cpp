@@ -17,7 +17,6 @@
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -26,6 +25,7 @@
 
 #include "csg/imports/cad_model.h"
 #include "tests/cad/models.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

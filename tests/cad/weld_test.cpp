@@ -5,7 +5,6 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +15,7 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "tests/cad/models.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,10 +1,10 @@
 // A tree with a CAD leaf where the library is built without OpenCASCADE: this program has the reader of such a
 // build in the place of the library's own.
-#include <catch2/catch.hpp>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
 #include "csg/imports/cad_model.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -6,7 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +16,7 @@
 
 #include "kernel/base/error.h"
 #include "tests/campaign/families/families.h"
+#include "tests/catch.h"
 
 namespace cnrg::campaign {
 namespace {

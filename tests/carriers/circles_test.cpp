@@ -1,9 +1,9 @@
 // Circles that are a meridian of one leaf and go around another one: bends of pipes, and balls in tori.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "csg/evaluate/certify.h"
 #include "tests/carriers/rows.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -2,10 +2,9 @@
 // the counts are those of the true solids.
 #include "csg/carriers/common_lines.h"
 
-#include <catch2/catch.hpp>
-
 #include "csg/evaluate/prepared_leaves.h"
 #include "tests/carriers/rows.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,10 +1,10 @@
 // Surfaces about several axes of which one touches another from inside: the contact is a line, a point or a
 // circle, and beside it the inner one is inside, however fine each of the two is drawn.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "csg/evaluate/certify.h"
 #include "tests/carriers/rows.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

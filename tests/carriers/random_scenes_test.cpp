@@ -1,12 +1,12 @@
 // Random leaves on a coarse lattice, so that most of what can coincide or touch does: how fine they are drawn,
 // where the scene lies and in which order its leaves come changes no count. CNRG_SEEDS and CNRG_FIRST_SEED as for
 // cubical pairs.
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <random>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,13 +1,13 @@
 // Patches of different leaves on one surface have one number, and so are one face.
 #include "csg/carriers/surface_numbers.h"
 
-#include <catch2/catch.hpp>
 #include <set>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "tests/carriers/rows.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,7 +1,7 @@
 // `cnrg compare` from outside: what it prints, files that it takes, exit statuses.
-#include <catch2/catch.hpp>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

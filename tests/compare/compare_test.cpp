@@ -1,6 +1,6 @@
 // Differences of small trees, counted by hand.
-#include <catch2/catch.hpp>
 
+#include "tests/catch.h"
 #include "tests/compare/trees.h"
 
 namespace cnrg {

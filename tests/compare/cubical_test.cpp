@@ -6,10 +6,10 @@
 // answers.
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
+#include "tests/catch.h"
 #include "tests/compare/trees.h"
 #include "tests/scenes/scene.h"
 #include "tests/scenes/seeds.h"

@@ -5,7 +5,6 @@
 // `.json` of each tree alone knows nothing of the other one, nor of a complex of both. How much only one of them
 // has is what `subtract` says, in one tree with both.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -14,6 +13,7 @@
 #include "csg/compare/compare.h"
 #include "csg/formats/result_file.h"
 #include "tests/app/program.h"
+#include "tests/catch.h"
 #include "tests/oracles/dag.h"
 #include "tests/scenes/seeds.h"
 

@@ -1,10 +1,10 @@
 // What is said of components, and of sheets, wires and points, in one tree and not in the other; and selections in
 // trees that are compared.
-#include <catch2/catch.hpp>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
 #include "tests/app/program.h"
+#include "tests/catch.h"
 #include "tests/compare/trees.h"
 #include "tests/oracles/cubical_said.h"
 #include "tests/scenes/seeds.h"

@@ -1,7 +1,6 @@
 // The complex of small scenes: cells counted by hand, radial order, labels, location, the frame, threads.
 #include "kernel/complex/complex.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -11,6 +10,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/complex/draft.h"
+#include "tests/catch.h"
 #include "tests/scenes/same_arrays.h"
 
 using namespace cnrg;

@@ -4,13 +4,13 @@
 // cross; some are open, some turned inside out, and all are moved far from zero, made thin or so small at times
 // that their volumes underflow: where the volume of a surface in doubles is not certain, a ray has to tell.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <set>
 
 #include "kernel/base/error.h"
 #include "kernel/complex/complex.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 using namespace cnrg;

@@ -1,11 +1,11 @@
 // Refinement that is watched: it tells its stages on the thread that asked, and ends where it is told to.
-#include <catch2/catch.hpp>
 #include <map>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "kernel/complex/complex.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

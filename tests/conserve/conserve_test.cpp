@@ -1,6 +1,5 @@
 // `bench/run conserve`: a tiny model of each format is read as it is meant, held exactly and held by its mesh;
 // what is lost is found.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -8,6 +7,7 @@
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -2,7 +2,6 @@
 // normals are those of the forms that people know.
 #include "csg/curves/surface.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -11,6 +10,7 @@
 #include "csg/curves/surface_math.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/parameters.h"
+#include "tests/catch.h"
 #include "tests/exact/rational_text.h"
 
 using namespace cnrg;

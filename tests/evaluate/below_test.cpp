@@ -2,7 +2,6 @@
 // are integrals.
 #include "csg/operators/below.h"
 
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
@@ -11,6 +10,7 @@
 #include "kernel/complex/interior.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/selection/measure.h"
+#include "tests/catch.h"
 #include "tests/scenes/scene.h"
 
 namespace cnrg {

@@ -1,7 +1,6 @@
 // Mixtures where operands overlap, against distances that are counted here by hand: a point in a box has the
 // distance of its nearest side from the boundary.
 #include <array>
-#include <catch2/catch.hpp>
 #include <optional>
 #include <random>
 #include <string>
@@ -10,6 +9,7 @@
 #include "csg/explain/explain.h"
 #include "csg/materials/sampler.h"
 #include "csg/operators/node_value.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,11 +1,11 @@
 // How far results of curved leaves are from those of the exact solids: the bounds of papers/keyser2004.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

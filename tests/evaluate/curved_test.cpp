@@ -1,5 +1,4 @@
 // Trees of curved leaves: a finer tessellation moves vertices and changes no count; cells are those of patches.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -7,6 +6,7 @@
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,10 +1,10 @@
 // The driver: volumes, counts, dominance, sharing and attributes of small trees, with every invariant checked.
 #include "csg/evaluate/evaluate.h"
 
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "csg/operators/node_value.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

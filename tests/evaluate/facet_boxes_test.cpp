@@ -1,10 +1,10 @@
 // The boxes of facets, noted while leaves are made, hold what their parameters are, exactly and afterwards.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/leaves/surface_parameters.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,10 +1,10 @@
 // Faults that only geometry can tell, with the places that the tree file has for them.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,6 +1,5 @@
 // Trees made finer: counts stay, volumes go to those of the exact shapes.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -9,6 +8,7 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/tree/tree.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

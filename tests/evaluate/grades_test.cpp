@@ -1,10 +1,10 @@
 // Graded materials in trees: which region has which, where it is placed, what its distance is measured to.
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/materials/sampler.h"
 #include "csg/operators/node_value.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,5 +1,4 @@
 // What joined nodes do not hide: which leaves below them made a cell, and how long edges are to be there.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <set>
@@ -9,6 +8,7 @@
 #include "csg/result/result_data.h"
 #include "csg/result/sizes.h"
 #include "csg/result/snap.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 using namespace cnrg;

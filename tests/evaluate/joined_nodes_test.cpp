@@ -1,11 +1,11 @@
 // `simplify` with `within`: what it hands on is what `join` makes of the operand's result, wherever it goes then.
 #include "csg/evaluate/joined_nodes.h"
 
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "csg/result/join.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/result/region_volumes.h"
 #include "tests/scenes/seeds.h"
 

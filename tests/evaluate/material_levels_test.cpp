@@ -1,7 +1,6 @@
 // Unions and intersections in which materials decide, against rules for the faces of a grid that know nothing of
 // levels as groups: they look at the two sides of a face and at who wins there.
 #include <array>
-#include <catch2/catch.hpp>
 #include <optional>
 #include <random>
 #include <string>
@@ -9,6 +8,7 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/explain/explain.h"
 #include "csg/operators/node_value.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg {

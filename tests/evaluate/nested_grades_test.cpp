@@ -1,10 +1,10 @@
 // Gradients of gradients: products of fractions at the point, one placement for all, targets of inner ones.
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/materials/sampler.h"
 #include "csg/operators/node_value.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,5 +1,4 @@
 // Cylinders, spheres, cones and tori are patches as others are; parameters on patches after Booleans.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include "csg/operators/node_value.h"
 #include "csg/topology/topology.h"
 #include "kernel/exact/exact_vectors.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,11 +1,11 @@
 // The operator `select` in trees: leaves that are told by nodes, however they are placed and used, points by
 // further operands, and what the program can list counts what the operator picks.
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/topology/selectables.h"
 #include "csg/tree/selector.h"
+#include "tests/catch.h"
 #include "tests/scenes/scene.h"
 
 namespace cnrg {

@@ -1,11 +1,11 @@
 // Which crossings of curved patches are proven to be those of the surfaces, and what is said of the others.
 #include "csg/evaluate/transversality.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "csg/curves/surface_placed.h"
 #include "csg/evaluate/certify.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,12 +1,12 @@
 // How long a value lives: until its last user has run, unless a root or `keep_all` keeps it.
 #include "csg/evaluate/value_store.h"
 
-#include <catch2/catch.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -3,11 +3,11 @@
 #include "kernel/exact/delaunay.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numeric>
 #include <random>
 
 #include "kernel/exact/rational.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -2,9 +2,10 @@
 #include "kernel/exact/determinant_sum.h"
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

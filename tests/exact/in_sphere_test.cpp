@@ -2,11 +2,11 @@
 #include "kernel/exact/in_sphere.h"
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <random>
 #include <vector>
 
 #include "kernel/exact/predicates.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg {

@@ -2,9 +2,10 @@
 #include "kernel/base/per_thread.h"
 
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <set>
 #include <thread>
+
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -2,9 +2,10 @@
 // exact integers the ones built to defeat everything before.
 #include "kernel/exact/predicates.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -1,12 +1,13 @@
 // Numbers: text in and out, nearest doubles, sums.
 #include "kernel/exact/rational.h"
 
-#include <catch2/catch.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
+
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -1,9 +1,9 @@
 // Sines, cosines and rotations of rational angles.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "kernel/exact/trigonometry.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -2,7 +2,6 @@
 #include "kernel/exact/triangulate.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <random>
@@ -10,6 +9,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/exact/predicates.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -3,13 +3,13 @@
 #include "csg/explain/explain.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <map>
 #include <random>
 #include <set>
 #include <string>
 
 #include "csg/explain/lives.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

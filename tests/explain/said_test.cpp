@@ -1,8 +1,8 @@
 // What explanations tell of names, materials and attributes: who gave them, what gave way. By hand.
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "csg/explain/explain.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,9 +1,10 @@
 // Facets of closed surfaces laid out in parameters: where a seam is needed and where not, without any geometry.
 #include "csg/exports/unrolled.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
+
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,16 +1,16 @@
 // Families of problems: valid operands, contacts that are what they are called, names.
 #include "bench/cases/family.h"
 
-#include <catch2/catch.hpp>
 #include <set>
 #include <stdexcept>
 
+#include "tests/catch.h"
 #include "tests/families/model_checks.h"
 
 namespace cnrg::bench {
 namespace {
 
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 const Family& family_of(const std::string& name) {
   for (const Family& family : families())

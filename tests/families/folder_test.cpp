@@ -1,18 +1,18 @@
 // Problems of a folder of meshes: pairs by name, solids and surfaces, what becomes of odd polygons.
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 #include "bench/cases/family.h"
+#include "tests/catch.h"
 #include "tests/families/model_checks.h"
 
 namespace cnrg::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 /// A folder of its own, removed at the end.
 class Folder {

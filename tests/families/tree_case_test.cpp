@@ -1,9 +1,9 @@
 // Trees of benchmarks: what they hold by counting, or by another tree of the same set.
-#include <catch2/catch.hpp>
 
 #include "bench/cases/case.h"
 #include "bench/cases/tree_cases.h"
 #include "csg/evaluate/evaluate.h"
+#include "tests/catch.h"
 #include "tests/families/model_checks.h"
 
 namespace cnrg::bench {

@@ -1,6 +1,5 @@
 // Names, materials and properties of sheets, wires and points in files: groups by name and material in every
 // dimension, data arrays, and all of it back from `.json`.
-#include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
@@ -11,6 +10,7 @@
 #include "csg/result/flat.h"
 #include "csg/result/measures.h"
 #include "csg/result/result_data.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 
 using namespace cnrg;

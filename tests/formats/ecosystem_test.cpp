@@ -2,9 +2,9 @@
 // the readers of others, and the program from outside.
 #include <sys/wait.h>
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 
 using namespace cnrg;

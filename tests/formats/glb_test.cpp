@@ -2,7 +2,6 @@
 #include <sys/wait.h>
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -13,6 +12,7 @@
 #include "csg/formats/result_file.h"
 #include "csg/tree/tree.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 
 using namespace cnrg;

@@ -1,7 +1,6 @@
 // Numbers in columns, read back as the programs read them, and what a mesh is refused for.
 #include "csg/formats/narrow_numbers.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -9,6 +8,7 @@
 #include "csg/formats/formats.h"
 #include "csg/mesh/straight_order.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

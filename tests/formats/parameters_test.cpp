@@ -1,7 +1,6 @@
 // Parameters in files: .json keeps them through reading back, .vtu shows them, and neither without being asked.
 #include "csg/leaves/parameters.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "csg/leaves/leaf.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 #include "tests/formats/vtu_reader.h"
 

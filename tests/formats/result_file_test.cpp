@@ -2,13 +2,13 @@
 // what was read back is what was written.
 #include "csg/formats/result_file.h"
 
-#include <catch2/catch.hpp>
 #include <optional>
 
 #include "csg/leaves/leaf.h"
 #include "csg/operators/boolean.h"
 #include "kernel/base/error.h"
 #include "kernel/selection/measure.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 
 using namespace cnrg;

@@ -1,5 +1,4 @@
 // Results read back: the same complex, the same file; and every broken file named with its place.
-#include <catch2/catch.hpp>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -11,6 +10,7 @@
 #include "csg/text/file.h"
 #include "csg/tree/tree.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 #include "tests/scenes/scene.h"
 

@@ -5,7 +5,6 @@
 // What is not compared is what csg/FORMATS.md says is not kept: the names of the node and of leaves, colors,
 // materials of no component, and where cells came from. Which of these name things that do not exist is checked by
 // the refusals alone.
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -16,6 +15,7 @@
 #include "csg/leaves/leaf.h"
 #include "csg/tree/tree.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 
 using namespace cnrg;

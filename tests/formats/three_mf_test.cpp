@@ -2,7 +2,6 @@
 // by lib3MF, where that is installed.
 #include <zlib.h>
 
-#include <catch2/catch.hpp>
 #include <map>
 #include <random>
 #include <regex>
@@ -12,6 +11,7 @@
 #include "csg/formats/result_file.h"
 #include "csg/tree/tree.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 
 using namespace cnrg;

@@ -1,13 +1,14 @@
 // A small parser of our own for the .vtu files that are written: arrays and names.
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/catch.h"
 
 namespace cnrg::test {
 

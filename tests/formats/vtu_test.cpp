@@ -1,9 +1,9 @@
 // ParaView's format, read by a small parser of our own: counts by dimension, volumes, tables of names.
-#include <catch2/catch.hpp>
 #include <map>
 
 #include "csg/operators/cnrg.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 #include "tests/formats/vtu_reader.h"
 

@@ -1,8 +1,9 @@
 // Products of integer matrices against products of fractions.
 #include "csg/geometry/placement.h"
 
-#include <catch2/catch.hpp>
 #include <random>
+
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

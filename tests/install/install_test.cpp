@@ -1,5 +1,4 @@
 // What a stranger gets: the built tree installed to a folder of its own, and a project outside that finds it.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 #include "tests/install/installed.h"
 
 namespace cnrg {

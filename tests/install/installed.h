@@ -1,10 +1,10 @@
 // The built tree installed to a folder of a test.
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 

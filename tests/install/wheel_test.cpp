@@ -3,11 +3,11 @@
 // everything anew.
 #ifdef CNRG_PYTHON
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 #include "tests/install/installed.h"
 
 namespace cnrg {

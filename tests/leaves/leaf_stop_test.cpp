@@ -1,10 +1,9 @@
 // Leaves hear of a stop while they are made.
 #include "csg/leaves/leaf_stop.h"
 
-#include <catch2/catch.hpp>
-
 #include "csg/leaves/leaf.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -1,7 +1,6 @@
 // Exact statements about soups: planarity, closedness, volume.
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <concepts>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +11,7 @@
 
 #include "csg/leaves/leaf.h"
 #include "kernel/exact/exact_vectors.h"
+#include "tests/catch.h"
 
 namespace cnrg::test {
 

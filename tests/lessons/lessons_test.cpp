@@ -3,7 +3,6 @@
 // Pages are checked without a browser: every address in them is a file that was made, and every anchor in it an
 // id. What the lessons print is checked with all other pages (tests/pages).
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -11,6 +10,7 @@
 #include <sstream>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,5 +1,4 @@
 // Graded materials at points: stops, placements, and distances against a search over all simplices.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>
 #include <random>
@@ -7,6 +6,7 @@
 #include "csg/materials/sampler.h"
 #include "kernel/exact/distance.h"
 #include "kernel/exact/exact_vectors.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

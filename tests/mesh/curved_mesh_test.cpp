@@ -1,11 +1,11 @@
 // Meshes that follow the true surfaces: what is proven of each element, where its nodes are, how volumes converge.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
 #include "csg/mesh/second_order.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

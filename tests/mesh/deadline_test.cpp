@@ -1,11 +1,11 @@
 // Time and stops: what ends in time, what is kept when it is over, and that every stage hears of a stop.
 #include "csg/mesh/deadline.h"
 
-#include <catch2/catch.hpp>
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
+#include "tests/catch.h"
 #include "tests/mesh/result_of.h"
 
 using namespace cnrg;

@@ -1,12 +1,12 @@
 // Tetrahedra as foretold and as made.
 #include "csg/mesh/forecast.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/mesh/result_of.h"
 
 using namespace cnrg;

@@ -1,7 +1,6 @@
 // The sizes that results ask for, each against what a reader of the tree would say.
 #include "csg/mesh/mesh_sizes.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "csg/evaluate/evaluate.h"
@@ -10,6 +9,7 @@
 #include "csg/result/snap.h"
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
+#include "tests/catch.h"
 #include "tests/mesh/result_of.h"
 
 using namespace cnrg;

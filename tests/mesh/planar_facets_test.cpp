@@ -2,7 +2,6 @@
 // of the surface mesh, which a line that is none would spoil.
 #include "csg/mesh/planar_facets.h"
 
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "csg/evaluate/evaluate.h"
@@ -11,6 +10,7 @@
 #include "csg/result/result_data.h"
 #include "csg/result/snap.h"
 #include "csg/tree/tree.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -4,7 +4,6 @@
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/max_cardinality_matching.hpp>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <random>
@@ -14,6 +13,7 @@
 #include "csg/mesh/surface_triangles.h"
 #include "csg/mesh/tetrahedra.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/mesh/mesh_cases.h"
 #include "tests/scenes/scene.h"
 

@@ -2,7 +2,6 @@
 #include "csg/mesh/quality.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <sstream>
@@ -12,6 +11,7 @@
 #include "csg/result/join.h"
 #include "csg/tree/tree.h"
 #include "kernel/tetrahedra/constrained.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 using namespace cnrg;

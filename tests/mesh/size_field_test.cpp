@@ -2,13 +2,13 @@
 #include "csg/mesh/size_field.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <thread>
 
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

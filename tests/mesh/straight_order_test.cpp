@@ -1,14 +1,14 @@
 // Middles of straight edges are rounded: what is flatter than that is refused, and said where.
 #include "csg/mesh/straight_order.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "kernel/base/error.h"
 #include "kernel/exact/predicates.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 TEST_CASE("a tetrahedron that is flatter than rounded middles is told with its place", "[mesh][order]") {
   Mesh mesh;

@@ -1,11 +1,11 @@
 // Surface meshes for meshers, read back number by number; Gmsh and tetgen make tetrahedra of them.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 
 #include "csg/operators/cnrg.h"
 #include "csg/result/flat.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/formats/mesh_readers.h"
 #include "tests/mesh/mesh_cases.h"
 

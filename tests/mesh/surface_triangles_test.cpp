@@ -2,13 +2,13 @@
 // of cosines, incidences by counting, lines that meet in small angles by trying all pairs of lines of the result.
 #include "csg/mesh/surface_triangles.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 
 #include "csg/formats/formats.h"
 #include "csg/operators/cnrg.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/formats/mesh_readers.h"
 #include "tests/mesh/mesh_cases.h"
 #include "tests/scenes/scene.h"

@@ -2,7 +2,6 @@
 #include "csg/mesh/tetrahedra.h"
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
@@ -14,6 +13,7 @@
 #include "kernel/selection/measure.h"
 #include "kernel/tetrahedra/bounds.h"
 #include "kernel/tetrahedra/shapes.h"
+#include "tests/catch.h"
 #include "tests/formats/mesh_readers.h"
 #include "tests/mesh/mesh_cases.h"
 

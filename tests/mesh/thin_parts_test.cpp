@@ -1,6 +1,5 @@
 // Very thin parts: whatever is asked for ends with a mesh that keeps it where the model is wide.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "csg/evaluate/evaluate.h"
@@ -10,6 +9,7 @@
 #include "csg/mesh/tetgen_run.h"
 #include "kernel/base/error.h"
 #include "kernel/tetrahedra/shapes.h"
+#include "tests/catch.h"
 #include "tests/mesh/result_of.h"
 
 using namespace cnrg;

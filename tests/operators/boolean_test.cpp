@@ -1,14 +1,13 @@
 // Booleans beyond point sets: attributes, features, unbounded groups, chains of operations.
 #include "csg/operators/boolean.h"
 
-#include <catch2/catch.hpp>
-
 #include "csg/operators/group.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/paper_classification.h"
 #include "csg/operators/table_engine.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
+#include "tests/catch.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {

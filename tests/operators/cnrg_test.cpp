@@ -1,13 +1,12 @@
 // The operators of CNRG on small scenes whose components can be counted by hand (csg/SEMANTICS.md#components).
 #include "csg/operators/cnrg.h"
 
-#include <catch2/catch.hpp>
-
 #include "csg/operators/component_attributes.h"
 #include "csg/operators/component_lists.h"
 #include "csg/operators/group.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/node_value.h"
+#include "tests/catch.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {

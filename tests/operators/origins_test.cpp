@@ -1,8 +1,9 @@
 // Sets of leaves that grow step by step, against sets that are listed at each step.
 #include "csg/operators/origins.h"
 
-#include <catch2/catch.hpp>
 #include <random>
+
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -2,7 +2,6 @@
 // 3-cell to its walls.
 #include "csg/operators/select.h"
 
-#include <catch2/catch.hpp>
 #include <map>
 #include <random>
 #include <set>
@@ -11,6 +10,7 @@
 #include "csg/operators/cell_sources.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/say.h"
+#include "tests/catch.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {

@@ -1,6 +1,5 @@
 // The tables as data, and a small pair for each row that can remove something.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <set>
 #include <string>
 
@@ -8,6 +7,7 @@
 #include "csg/operators/group.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/verdict.h"
+#include "tests/catch.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {

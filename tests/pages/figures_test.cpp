@@ -1,10 +1,10 @@
 // Figures of benchmarks on their page are those of the rows that were measured.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "tests/catch.h"
 #include "tests/pages/tables.h"
 
 namespace cnrg {

@@ -3,7 +3,6 @@
 // Keys are those that the program lists when it meets one that it does not know. Everything that is written is
 // looked at in files of one small scene with curves, grades, planes and open sets, and of the trees of papers/.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 #include "tests/pages/tables.h"
 
 namespace cnrg {

@@ -1,10 +1,10 @@
 // Keys of papers in comments of the code, in the table of papers and as names of folders are in references.bib.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <regex>
 #include <set>
 #include <string>
 
+#include "tests/catch.h"
 #include "tests/pages/page.h"
 
 namespace cnrg {

@@ -3,12 +3,12 @@
 // A page is cited by its path from the root of the repository and the anchor of a heading, in comments as in
 // pages: csg/SEMANTICS.md#groups. A link in a page is relative to the page, as browsers have it. The name of a
 // page alone, without folder and anchor, is a word.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
 #include <regex>
 #include <string>
 
+#include "tests/catch.h"
 #include "tests/pages/page.h"
 
 namespace cnrg {

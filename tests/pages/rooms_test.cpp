@@ -1,6 +1,5 @@
 // The house is as its pages say: rooms include what is below them, and every path that a page names is there.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -8,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/catch.h"
 #include "tests/pages/tables.h"
 
 namespace cnrg {

@@ -1,6 +1,5 @@
 // The tables of csg/SEMANTICS.md against the rows of the program (`cnrg tables`): the same words in each cell, and
 // no row without its cell.
-#include <catch2/catch.hpp>
 #include <map>
 #include <regex>
 #include <set>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 #include "tests/pages/tables.h"
 
 namespace cnrg {

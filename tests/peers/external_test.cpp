@@ -4,13 +4,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 
 #include "bench/cases/child.h"
 #include "bench/peers/peer.h"
 #include "bench/peers/program.h"
+#include "tests/catch.h"
 #include "tests/peers/models.h"
 
 namespace {

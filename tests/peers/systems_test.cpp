@@ -1,11 +1,11 @@
 // Every system on small problems whose results are known.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>
 #include <random>
 #include <set>
 
+#include "tests/catch.h"
 #include "tests/peers/models.h"
 #include "tests/scenes/seeds.h"
 

@@ -1,11 +1,11 @@
 // Pictures as people ask for them: what is in the files, which options are whose, what is refused.
 #include <cairo/cairo.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 using Catch::Contains;

@@ -4,12 +4,12 @@
 #include <cairo/cairo.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cstring>
 #include <memory>
 #include <regex>
 
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

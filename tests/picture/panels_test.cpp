@@ -1,8 +1,8 @@
 // Panels of `cnrg eval -o picture.svg`: their texts, and their options by place.
-#include <catch2/catch.hpp>
 #include <regex>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -2,7 +2,6 @@
 // map.
 #include "csg/picture/visibility.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "csg/picture/make_scene.h"
 #include "csg/result/result_data.h"
 #include "csg/tree/tree.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -1,6 +1,5 @@
 // Chains of Boolean nodes against the same nodes evaluated one by one (csg/evaluate/chains.h): rows, files and
 // what is said must be the same. Leaves are flat and round, solid and thin, and meet in points, lines and faces.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -8,6 +7,7 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
+#include "tests/catch.h"
 #include "tests/scenes/scene.h"
 #include "tests/scenes/seeds.h"
 

@@ -3,9 +3,9 @@
 //
 // CNRG_SEEDS sets the number of pairs of each case, CNRG_FIRST_SEED where they start.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <string>
 
+#include "tests/catch.h"
 #include "tests/oracles/cubical_pair.h"
 #include "tests/scenes/seeds.h"
 

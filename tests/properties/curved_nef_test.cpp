@@ -1,7 +1,7 @@
 // Booleans of curved leaves against Nef polyhedra made from the leaves' own facets (coarse: Nef is slow).
 #include "tests/oracles/curved_nef.h"
 
-#include <catch2/catch.hpp>
+#include "tests/catch.h"
 
 namespace cnrg::properties {
 namespace {

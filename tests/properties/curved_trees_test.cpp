@@ -3,13 +3,13 @@
 // cubical pairs).
 #include "tests/oracles/curved_trees.h"
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <string>
 
 #include "csg/carriers/common_lines.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/prepared_leaves.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

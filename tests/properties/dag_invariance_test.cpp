@@ -3,8 +3,7 @@
 // canonical forms, component by component.
 #include "tests/oracles/dag_invariance.h"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg::properties {

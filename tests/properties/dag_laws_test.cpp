@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 
 #include "csg/operators/cnrg.h"
 #include "csg/operators/identities.h"
+#include "tests/catch.h"
 #include "tests/oracles/dag_reference.h"
 #include "tests/oracles/dag_values.h"
 #include "tests/oracles/evaluation.h"

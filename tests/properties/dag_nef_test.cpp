@@ -2,10 +2,10 @@
 // equals Nef's for the same expression (csg/SEMANTICS.md#identities), and components are those of the definitions.
 #include "tests/oracles/dag_nef.h"
 
-#include <catch2/catch.hpp>
 #include <exception>
 #include <sstream>
 
+#include "tests/catch.h"
 #include "tests/scenes/fixture.h"
 #include "tests/scenes/seeds.h"
 

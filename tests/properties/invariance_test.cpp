@@ -1,9 +1,9 @@
 // What must not change the answer: order of input, exact rigid motion, number of threads; and the laws of set
 // algebra as far as groups have them (csg/SEMANTICS.md#identities).
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numeric>
 
+#include "tests/catch.h"
 #include "tests/oracles/evaluation.h"
 #include "tests/scenes/measure.h"
 #include "tests/scenes/same_arrays.h"

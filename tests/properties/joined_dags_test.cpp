@@ -1,8 +1,7 @@
 // Random dags with joined nodes: what each is of its operand, and what the nodes above make of it.
 #include "tests/oracles/joined_dags.h"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg::properties {

@@ -1,7 +1,7 @@
 // Random scenes of all dimensions with names, materials and attributes, whose parts nearly touch: what is joined
 // or snapped is held against what it was (tests/oracles/moved_result.h).
-#include <catch2/catch.hpp>
 
+#include "tests/catch.h"
 #include "tests/oracles/near_trees.h"
 #include "tests/scenes/seeds.h"
 

@@ -1,8 +1,8 @@
 // Random trees against Nef polyhedra: equal point sets at every node (csg/SEMANTICS.md#identities).
-#include <catch2/catch.hpp>
 #include <exception>
 #include <iostream>
 
+#include "tests/catch.h"
 #include "tests/oracles/scene_nef.h"
 #include "tests/scenes/seeds.h"
 

@@ -5,10 +5,10 @@
 // them, with many loose parts; scenes of several leaves have them where leaves cut into each other's faces.
 #include "tests/oracles/paper_reading.h"
 
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "csg/operators/boolean.h"
+#include "tests/catch.h"
 #include "tests/oracles/cubical_pair.h"
 #include "tests/scenes/seeds.h"
 

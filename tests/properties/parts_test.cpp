@@ -1,12 +1,12 @@
 // Values as independent parts against values as whole groups: every list, number and count must be the same, on
 // leaves that are scattered, touch and overlap, in chains and in graphs that share values.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/operators/cnrg.h"
 #include "csg/operators/fold.h"
 #include "kernel/selection/measure.h"
+#include "tests/catch.h"
 #include "tests/oracles/evaluation.h"
 #include "tests/scenes/seeds.h"
 

@@ -1,13 +1,13 @@
 // Every node of a random dag, written as .json and read back as a leaf, is what was written: the same cells with
 // the same numbers, the same components, features and volumes. It is read in a tree of its own, and beside a box
 // that cuts its cells, since a leaf is refined together with all others.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "csg/formats/result_file.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 #include "tests/oracles/dag_values.h"
 #include "tests/scenes/seeds.h"

@@ -3,11 +3,11 @@
 //
 // CNRG_SEEDS sets the number of trees of each case, CNRG_FIRST_SEED where they start; `tests/campaign/run --family
 // said-trees` goes on for hours.
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/operators/node_value.h"
+#include "tests/catch.h"
 #include "tests/oracles/cubical_said.h"
 #include "tests/scenes/seeds.h"
 

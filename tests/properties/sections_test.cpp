@@ -1,12 +1,12 @@
 // Whether a tree is refined in one or each of its Boolean nodes by itself, its results are the same, byte for byte
 // (csg/evaluate/sections.h).
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
+#include "tests/catch.h"
 #include "tests/oracles/dag.h"
 #include "tests/scenes/seeds.h"
 

@@ -1,6 +1,6 @@
 // Random soups of mixed dimension on tiny grids against Nef polyhedra.
-#include <catch2/catch.hpp>
 
+#include "tests/catch.h"
 #include "tests/oracles/soup_nef.h"
 #include "tests/scenes/seeds.h"
 

@@ -1,5 +1,4 @@
 // What lets most pairs through without a predicate: boxes on a grid, planes as filters, fans around vertices.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <set>
@@ -12,6 +11,7 @@
 #include "kernel/refine/box_tree.h"
 #include "kernel/refine/fans.h"
 #include "kernel/refine/large_fans.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg::scenes {

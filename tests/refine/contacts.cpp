@@ -1,8 +1,8 @@
 // The six kinds of pairs in contact (Gursoz et al. 1991), wires and points among faces.
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/refine/expectation.h"
 #include "tests/scenes/fixture.h"
 #include "tests/scenes/measure.h"

@@ -1,8 +1,8 @@
 #include "tests/refine/expectation.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "tests/catch.h"
 #include "tests/scenes/fixture.h"
 #include "tests/scenes/measure.h"
 #include "tests/scenes/same_arrays.h"

@@ -2,12 +2,12 @@
 // of one face in predicates.
 #include <tbb/global_control.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 
 #include "kernel/complex/complex.h"
 #include "kernel/exact/predicates.h"
+#include "tests/catch.h"
 #include "tests/scenes/fixture.h"
 
 namespace cnrg::scenes {

@@ -1,9 +1,9 @@
 // The degenerate corpus in one plane and across planes: faces that overlap, touch, repeat or vanish.
 //
 // Counts are derived by hand: V - E + (sum of chi_c of the faces) is the Euler characteristic of the union.
-#include <catch2/catch.hpp>
 
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/refine/expectation.h"
 #include "tests/scenes/fixture.h"
 

@@ -1,9 +1,9 @@
 // The degenerate corpus of solids. Counts are derived by hand; with cells that are all balls V - E + F - R = 0.
-#include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 #include "tests/refine/expectation.h"
 #include "tests/scenes/fixture.h"
 #include "tests/scenes/measure.h"

@@ -4,9 +4,10 @@
 #include <cnrg.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "tests/catch.h"
 
 using namespace cnrg;
 using Json = nlohmann::json;

@@ -1,12 +1,12 @@
 // Cells around points, and lines that pass near each other, against exact distances.
 #include "csg/result/hot_cells.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

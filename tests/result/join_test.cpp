@@ -2,7 +2,6 @@
 // what is gone is named.
 #include "csg/result/join.h"
 
-#include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
@@ -15,6 +14,7 @@
 #include "kernel/base/sorted.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/measure.h"
+#include "tests/catch.h"
 #include "tests/result/near_scenes.h"
 #include "tests/result/region_volumes.h"
 #include "tests/result/stops.h"

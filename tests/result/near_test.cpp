@@ -1,12 +1,11 @@
 // What is near, against all pairs: squared distances of points by CGAL, of segments by their normal equations.
 #include "csg/result/near.h"
 
-#include <catch2/catch.hpp>
-
 #include "csg/result/part_text.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/distance.h"
 #include "kernel/exact/exact_vectors.h"
+#include "tests/catch.h"
 #include "tests/result/near_scenes.h"
 #include "tests/scenes/seeds.h"
 

@@ -1,12 +1,12 @@
 // Which color a cell gets, and that it is the same whatever else is in the picture.
 #include "csg/result/palette.h"
 
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/result/result_data.h"
 #include "csg/tree/tree.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -1,10 +1,10 @@
 // Where cells of results came from: the leaves and leaf cells that files name, after simplification.
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "csg/operators/cnrg.h"
 #include "csg/result/flat.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 
 using namespace cnrg;

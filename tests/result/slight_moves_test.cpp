@@ -1,8 +1,9 @@
 // The proof that rounding is harmless, beside the refinement of the rounded drawing.
 #include "csg/result/slight_moves.h"
 
-#include <catch2/catch.hpp>
 #include <random>
+
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

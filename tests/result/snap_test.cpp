@@ -2,7 +2,6 @@
 // they were, but for what was thinner than the displacement.
 #include "csg/result/snap.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
@@ -15,6 +14,7 @@
 #include "csg/result/rounding.h"
 #include "kernel/base/error.h"
 #include "kernel/selection/measure.h"
+#include "tests/catch.h"
 #include "tests/formats/mesh_readers.h"
 #include "tests/mesh/mesh_cases.h"
 #include "tests/result/region_volumes.h"

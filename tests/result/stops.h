@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "kernel/base/progress.h"
+#include "tests/catch.h"
 
 namespace cnrg::test {
 

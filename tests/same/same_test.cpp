@@ -1,12 +1,12 @@
 // `bench/run same`: two programs that answer alike are found to be the same, times aside; one byte that differs in
 // anything that a program says or writes is found. Its trees have every leaf and every operator.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <regex>
 #include <string>
 
 #include "csg/tree/read_leaf.h"
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -6,11 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <cstdio>
 #include <set>
 #include <sstream>
 #include <string>
+
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {
@@ -79,8 +80,7 @@ class NoTests : public Catch::ITestInvoker {
 };
 
 void add(Catch::ITestInvoker* test, const std::string& name, const std::string& tag) {
-  Catch::getMutableRegistryHub().registerTest(
-      Catch::makeTestCase(test, "", Catch::NameAndTags(name, tag), CATCH_INTERNAL_LINEINFO));
+  Catch::AutoReg(Catch::Invoker(test), CATCH_INTERNAL_LINEINFO, "", Catch::NameAndTags(name, tag));
 }
 
 [[maybe_unused]] const bool registered = [] {

@@ -2,9 +2,8 @@
 // and against known topology.
 #include "kernel/selection/homology.h"
 
-#include <catch2/catch.hpp>
-
 #include "kernel/selection/measure.h"
+#include "tests/catch.h"
 #include "tests/operators/pieces.h"
 #include "tests/oracles/betti.h"
 #include "tests/scenes/scene.h"

@@ -1,12 +1,12 @@
 // Local shapes of known sets, and of random ones in a grid against a count over octants; one-sided sheets.
 #include "kernel/selection/manifold.h"
 
-#include <catch2/catch.hpp>
 #include <map>
 
 #include "kernel/base/union_find.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/incidence.h"
+#include "tests/catch.h"
 #include "tests/operators/pieces.h"
 #include "tests/scenes/scene.h"
 #include "tests/scenes/seeds.h"

@@ -1,9 +1,9 @@
 // Exact measures against numbers known by hand, Euler-Poincare against known topology.
 #include "kernel/selection/measure.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "tests/catch.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {

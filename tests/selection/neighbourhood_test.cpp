@@ -1,9 +1,9 @@
 // Neighbourhoods of vertices: Euler's formula on the sphere over random scenes, nesting by hand.
 #include "kernel/selection/neighbourhood.h"
 
-#include <catch2/catch.hpp>
 #include <set>
 
+#include "tests/catch.h"
 #include "tests/operators/pieces.h"
 #include "tests/scenes/scene.h"
 #include "tests/scenes/seeds.h"

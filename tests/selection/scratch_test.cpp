@@ -1,7 +1,7 @@
 // Scratch arrays are zeroed when they are handed on, whatever was written before, and joined sets forgotten.
 #include "kernel/selection/scratch.h"
 
-#include <catch2/catch.hpp>
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,8 +1,7 @@
 // Topology of cell sets by incidence: one box, one sheet, one wire.
 #include "kernel/selection/selection.h"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {

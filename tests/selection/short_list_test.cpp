@@ -1,10 +1,10 @@
 // Short lists are lists: whatever their length, copied, moved, compared.
 #include "kernel/base/short_list.h"
 
-#include <catch2/catch.hpp>
 #include <vector>
 
 #include "kernel/base/ids.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

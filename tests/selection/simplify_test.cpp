@@ -1,9 +1,9 @@
 // Simplification where grids do not reach: curved patches, curves, tips, slits, punctures.
 #include "kernel/selection/simplify.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "tests/catch.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {

@@ -1,7 +1,7 @@
 // What a sweep says of itself beside its rows comes back as it was.
 #include "bench/sweep/description.h"
 
-#include <catch2/catch.hpp>
+#include "tests/catch.h"
 
 namespace cnrg::bench {
 

@@ -2,8 +2,8 @@
 #include "bench/sweep/judge.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "tests/catch.h"
 #include "tests/sweep/models.h"
 
 namespace cnrg::bench {

@@ -1,11 +1,12 @@
 // Rows as JSON: nothing is lost, and what is no row is named.
 #include "bench/sweep/row.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+
+#include "tests/catch.h"
 
 namespace cnrg::bench {
 namespace {

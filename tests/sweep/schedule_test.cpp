@@ -2,10 +2,10 @@
 #include "bench/sweep/schedule.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <sstream>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg::bench {
 namespace {

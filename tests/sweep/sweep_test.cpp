@@ -1,6 +1,5 @@
 // The program bench_sweep as its users have it: bad input, a kill at any moment, limits, the workflow, the report.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +11,7 @@
 
 #include "bench/sweep/row.h"
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg::bench {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <random>
@@ -15,6 +14,7 @@
 #include "kernel/exact/in_sphere.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/tetrahedra/tetrahedra.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 #include "tests/tetrahedra/random_triangles.h"
 

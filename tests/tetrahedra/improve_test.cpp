@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <ctime>
 #include <map>
@@ -15,6 +14,7 @@
 #include "kernel/tetrahedra/insertion.h"
 #include "kernel/tetrahedra/moves.h"
 #include "kernel/tetrahedra/shapes.h"
+#include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 #include "tests/tetrahedra/random_triangles.h"
 

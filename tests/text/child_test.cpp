@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +14,7 @@
 #include <thread>
 
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,9 +1,8 @@
 #include "csg/text/escape.h"
 
-#include <catch2/catch.hpp>
-
 #include "csg/text/graphviz.h"
 #include "csg/text/table.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

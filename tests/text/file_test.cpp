@@ -6,7 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +15,7 @@
 
 #include "csg/text/draft.h"
 #include "kernel/base/error.h"
+#include "tests/catch.h"
 
 using namespace cnrg;
 

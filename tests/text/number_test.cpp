@@ -1,6 +1,6 @@
 #include "csg/text/number.h"
 
-#include <catch2/catch.hpp>
+#include "tests/catch.h"
 
 using namespace cnrg;
 using Catch::Contains;

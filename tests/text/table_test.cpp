@@ -1,7 +1,8 @@
 #include "csg/text/table.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+
+#include "tests/catch.h"
 
 using namespace cnrg;
 

@@ -2,12 +2,12 @@
 // corners.
 #include "csg/topology/features.h"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "csg/result/result_data.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
+#include "tests/catch.h"
 #include "tests/result/near_scenes.h"
 #include "tests/scenes/seeds.h"
 

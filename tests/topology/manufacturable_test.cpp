@@ -2,11 +2,10 @@
 // what `regularize` takes away.
 #include "csg/topology/manufacturable.h"
 
-#include <catch2/catch.hpp>
-
 #include "csg/evaluate/evaluate.h"
 #include "csg/operators/boolean.h"
 #include "csg/topology/topology.h"
+#include "tests/catch.h"
 #include "tests/scenes/scene.h"
 #include "tests/scenes/seeds.h"
 

@@ -1,10 +1,10 @@
 // Topology in words: Euler-Poincare on simplified cells of random selections, known texts, adjacency of regions.
 #include "csg/topology/topology.h"
 
-#include <catch2/catch.hpp>
 #include <regex>
 
 #include "csg/topology/region_graph.h"
+#include "tests/catch.h"
 #include "tests/formats/cases.h"
 #include "tests/scenes/scene.h"
 #include "tests/scenes/seeds.h"

@@ -1,7 +1,7 @@
 // Curved leaves in a tree file: what they become, and every fault at its place.
-#include <catch2/catch.hpp>
 
 #include "csg/tree/tree.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

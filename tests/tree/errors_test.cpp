@@ -1,10 +1,10 @@
 // Every fault of a tree file: its line, its column, and what it says.
-#include <catch2/catch.hpp>
 #include <optional>
 #include <string>
 
 #include "csg/tree/suggest.h"
 #include "csg/tree/tree.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

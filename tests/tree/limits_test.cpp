@@ -1,11 +1,11 @@
 // What a tree file may hold at most, each tried at the limit and one beyond. Of trees: unfold_test.cpp. The table
 // of all limits is in tests/README.md.
-#include <catch2/catch.hpp>
 #include <optional>
 #include <string>
 
 #include "csg/leaves/leaf.h"
 #include "csg/tree/tree.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,11 +1,11 @@
 // The tree file's reader: what it makes of good files, number by number.
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "csg/leaves/mesh_data.h"
 #include "csg/tree/sizes.h"
 #include "csg/tree/tree.h"
 #include "csg/tree/unfold.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

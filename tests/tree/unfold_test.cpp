@@ -1,10 +1,10 @@
 // Sharing: which nodes become how many instances, and under which matrices.
 #include "csg/tree/unfold.h"
 
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "kernel/exact/rational.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

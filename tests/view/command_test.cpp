@@ -1,7 +1,7 @@
 // `cnrg view` as people call it.
-#include <catch2/catch.hpp>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 #include "tests/view/inflated.h"
 
 using namespace cnrg;

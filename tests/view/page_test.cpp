@@ -1,7 +1,6 @@
 // The data of a page against what the library and the exact .json say.
 #include "csg/view/page.h"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -14,6 +13,7 @@
 #include "csg/tree/dag.h"
 #include "csg/view/packed.h"
 #include "kernel/selection/incidence.h"
+#include "tests/catch.h"
 #include "tests/view/inflated.h"
 
 using namespace cnrg;

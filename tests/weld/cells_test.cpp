@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +12,7 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/operators/node_value.h"
 #include "kernel/exact/exact_vectors.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "csg/formats/result_file.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,7 +1,6 @@
 // Round surfaces that are meant to be one and differ in their last digits: welded, a tree has what the same tree
 // has with equal numbers.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
@@ -11,6 +10,7 @@
 #include "csg/weld/round_carriers.h"
 #include "csg/weld/weld_surfaces.h"
 #include "kernel/exact/exact_vectors.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -2,11 +2,11 @@
 #include "csg/weld/weld.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

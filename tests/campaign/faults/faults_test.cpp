@@ -1,10 +1,10 @@
 // Faults of the system by injection: a fixed small part of `tests/campaign/faults/run`; and that it finds programs
 // which take a fault badly. These are scripts around ours: they fail where it fails, and then do something wrong.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
 
 #include "tests/app/program.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

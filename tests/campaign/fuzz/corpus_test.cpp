@@ -1,7 +1,6 @@
 // The small corpus of the fuzzers, with what they have found, in the build of all other tests: what was mended
 // stays mended, and the fuzzers have where to start.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "tests/campaign/fuzz/targets.h"
+#include "tests/catch.h"
 
 namespace cnrg::fuzz {
 namespace {

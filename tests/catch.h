@@ -1,0 +1,26 @@
+// Catch2, 2 or 3, in one spelling: that of 2 for what 3 has renamed or moved.
+#pragma once
+
+#include <string>
+
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+
+using Catch::Approx;
+
+namespace Catch {
+using Matchers::EndsWith;
+using Matchers::Matches;
+using Matchers::StartsWith;
+
+inline auto Contains(const std::string& part) { return Matchers::ContainsSubstring(part); }
+
+using Invoker = Detail::unique_ptr<ITestInvoker>;
+}  // namespace Catch
+#else
+#include <catch2/catch.hpp>
+
+namespace Catch {
+using Invoker = ITestInvoker*;
+}  // namespace Catch
+#endif
