@@ -28,7 +28,7 @@ InexactMesh checked_mesh(const Model& model) {
   return mesh;
 }
 
-Model model_of(const InexactMesh& mesh) {
+Model model_of_mesh(const InexactMesh& mesh) {
   Model model;
   std::vector<std::uint32_t> number(mesh.num_vertices());
   for (const auto v : mesh.vertices()) {
@@ -78,7 +78,7 @@ Answer answer_of_corefinement(const Problem& problem) {
   answer.measures = measurement.stop();
   // It may say that it is done and leave faces in the mesh whose sides do not fit to each other.
   if (!CGAL::is_valid_polygon_mesh(result)) throw Refusal("output", "done, but the result is no valid mesh");
-  answer.model = model_of(result);
+  answer.model = model_of_mesh(result);
   return answer;
 }
 

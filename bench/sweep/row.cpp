@@ -29,7 +29,7 @@ nlohmann::ordered_json object_of(const Truth& truth) {
   return {{"facts", object_of(truth.facts)}, {"confirmed", truth.confirmed}, {"reason", truth.reason}};
 }
 
-Facts facts_of(const nlohmann::json& object, const std::string& name) {
+Facts facts_in(const nlohmann::json& object, const std::string& name) {
   const JsonFields in(object, name);
   Facts f;
   f.volume = in.text("volume");
@@ -50,7 +50,7 @@ Facts facts_of(const nlohmann::json& object, const std::string& name) {
 Truth truth_of(const nlohmann::json& object) {
   const JsonFields in(object, "the truth");
   Truth truth;
-  truth.facts = facts_of(in.at("facts"), "the truth's facts");
+  truth.facts = facts_in(in.at("facts"), "the truth's facts");
   truth.confirmed = in.text("confirmed");
   truth.reason = in.text("reason");
   for (const char* known : {"Nef", "volume", "none", "DISAGREES"}) {
@@ -162,7 +162,7 @@ SweepRow row_of_json(const std::string& text) {
   row.own_bytes = in.integer<std::size_t>("own_bytes");
   row.exact_share = in.number("exact_share");
   row.note = in.text("note");
-  if (!in.is_null("facts")) row.facts = facts_of(in.at("facts"), "the facts");
+  if (!in.is_null("facts")) row.facts = facts_in(in.at("facts"), "the facts");
   row.excess = in.number_or_nan("excess");
   row.missing = in.number_or_nan("missing");
   row.duplicates = in.integer<std::size_t>("duplicates");
@@ -176,6 +176,6 @@ SweepRow row_of_json(const std::string& text) {
 std::string to_json(const Truth& truth) { return json_text(object_of(truth)); }
 Truth truth_of_json(const std::string& text) { return truth_of(parse_json(text)); }
 std::string to_json(const Facts& facts) { return json_text(object_of(facts)); }
-Facts facts_of_json(const std::string& text) { return facts_of(parse_json(text), "the facts"); }
+Facts facts_of_json(const std::string& text) { return facts_in(parse_json(text), "the facts"); }
 
 }  // namespace cnrg::bench

@@ -97,7 +97,4 @@ int run_tables();
 /// `cnrg nodes`, which help does not list: names for completions.
 int run_nodes(const std::string& tree);
 
-/// The text of `cnrg --version`.
-std::string version_text();
-
 }  // namespace cnrg::app

@@ -27,6 +27,13 @@ Input read_input(const std::string& path, const std::string& node, const char* o
 
 }  // namespace
 
+Tree tree_of_any(const std::string& path, const std::string& inside, int finer) {
+  if (path == kStandardInputWord) return tree_of(path, inside, finer);
+  Tree tree = tree_of_file(path, {.inside = inside});
+  make_finer(tree, finer);
+  return tree;
+}
+
 int run_compare(const CompareArguments& arguments) {
   if (arguments.a == kStandardInputWord && arguments.b == kStandardInputWord) {
     throw InputError(

@@ -98,7 +98,7 @@ std::string quoted_list(const std::vector<std::string>& words) {
   return out;
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
+std::string joined_words(const std::vector<std::string>& words, const std::string& between) {
   std::string out;
   for (const std::string& word : words) out += (out.empty() ? "" : between) + word;
   return out;
@@ -109,7 +109,7 @@ std::string offer(const std::vector<std::string>& words) {
 }
 
 /// Which argument the node of an option is of: of `--node-b` the one called B, else the first one.
-std::size_t tree_of(const CommandText& command, const OptionText& option) {
+std::size_t place_of_tree(const CommandText& command, const OptionText& option) {
   const std::string& name = option.names.back();
   std::size_t i = 0;
   for (const OptionText& other : command.options) {
@@ -128,7 +128,7 @@ std::string completed_value(const CommandText& command, const OptionText& option
   if (option.value.starts_with("FILE")) return "_cnrg_files \"$word\"";
   if (option.value == "FOLDER") return "_cnrg_folders \"$word\"";
   if (option.value == "N") {
-    return "_cnrg_nodes \"$program\" \"${arguments[" + std::to_string(tree_of(command, option)) +
+    return "_cnrg_nodes \"$program\" \"${arguments[" + std::to_string(place_of_tree(command, option)) +
            "]}\" \"$(_cnrg_plain \"$word\")\"";
   }
   return ":";
@@ -141,8 +141,8 @@ std::string command_case(const CommandText& command) {
     names.insert(names.end(), option.names.begin(), option.names.end());
     if (!option.value.empty()) valued.insert(valued.end(), option.names.begin(), option.names.end());
   }
-  return "    " + command.name + ")\n      options='" + joined(names, " ") + "'\n      valued=' " +
-         joined(valued, " ") + " '\n      ;;\n";
+  return "    " + command.name + ")\n      options='" + joined_words(names, " ") + "'\n      valued=' " +
+         joined_words(valued, " ") + " '\n      ;;\n";
 }
 
 std::string value_cases(const CommandText& command) {

@@ -134,28 +134,6 @@ class FileWriter {
   void say(std::string message) { messages_.push_back(std::move(message)); }
 };
 
-/// The time that is of no node. `whole`: files are written, and that is told, too.
-StageRows stage_rows(const StageClock& clock, const Evaluation& evaluation, bool crosses, bool whole) {
-  double of_rows = 0;
-  for (const NodeRow& row : evaluation.rows) of_rows += row.seconds + row.totals_seconds;
-  // Nodes below joined ones are evaluated before the leaves of the others are prepared.
-  double below = 0;
-  for (const JoinedNode& joined : evaluation.joined) {
-    for (const NodeRow& row : joined.rows) below += row.seconds + row.totals_seconds;
-  }
-  StageRows out;
-  out.leaves = std::max(0.0, clock.seconds("leaves") - below);
-  out.refinement = clock.seconds("refinement");
-  const double crossings = clock.seconds("crossings");
-  if (crosses) out.crossings = crossings;
-  // The cells of what is shown are simplified among the nodes.
-  if (whole) {
-    out.results =
-        clock.seconds("results") + std::max(0.0, clock.seconds("nodes") - of_rows) + (crosses ? 0 : crossings);
-  }
-  return out;
-}
-
 /// Of each node asked for, or of the result when there are none: a head, and what `tell` says.
 template <class Tell>
 std::string told_of(const Tree& tree, std::vector<NodeId> nodes, const std::string& head, Tell tell) {

@@ -11,7 +11,6 @@
 
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
-#include "csg/compare/difference.h"
 #include "csg/evaluate/certify.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/text/input_file.h"
@@ -52,13 +51,6 @@ void limit_threads(int threads) {
 Tree tree_of(const std::string& path, const std::string& inside, int finer) {
   const ReadOptions options{.inside = inside};
   Tree tree = path == kStandardInputWord ? read_tree_from_input(options) : read_tree(path, options);
-  make_finer(tree, finer);
-  return tree;
-}
-
-Tree tree_of_any(const std::string& path, const std::string& inside, int finer) {
-  if (path == kStandardInputWord) return tree_of(path, inside, finer);
-  Tree tree = tree_of_file(path, {.inside = inside});
   make_finer(tree, finer);
   return tree;
 }

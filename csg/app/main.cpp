@@ -1,26 +1,21 @@
 // The command line: what is asked for, and how the program ends.
 //
-// Results go to standard output; everything said about them goes to standard error. A command throws; here each
-// kind of exception becomes one message and its exit status.
+// Results go to standard output; everything said about them goes to standard error.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <csignal>
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <iostream>
 #include <map>
-#include <new>
-#include <stdexcept>
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
 #include "csg/app/manual.h"
-#include "csg/app/memory.h"
-#include "csg/app/output.h"
 #include "csg/app/program_text.h"
+#include "csg/app/run_program.h"
+#include "csg/app/versions.h"
 #include "csg/result/rounding.h"
 #include "csg/text/file.h"
 #include "csg/text/number.h"
@@ -29,37 +24,6 @@
 
 namespace cnrg::app {
 namespace {
-
-/// Messages about files have their place in front; others are told in the program's name.
-int fail(int status, const std::string& message) {
-  const bool placed = message.find(": error: ") != std::string::npos;
-  tell((placed ? "" : "cnrg: error: ") + message);
-  return status;
-}
-
-int guarded(const std::function<int()>& program) {
-  try {
-    Output output;
-    const int status = program();
-    if (output.finish()) return status;
-    if (output.unread()) return kNoAccess;
-    return fail(kNoAccess, "the results could not be written to standard output; is there room?");
-  } catch (const InputError& e) {
-    return fail(kBadInput, e.what());
-  } catch (const FileError& e) {
-    return fail(kNoAccess, e.what());
-  } catch (const std::bad_alloc&) {
-    return memory_ran_out();
-  } catch (const std::runtime_error& e) {  // a thread or a folder that the system does not give
-    return fail(kNoAccess, std::string("the system refused: ") + e.what() + "; free memory or use --threads 1");
-  } catch (const std::exception& e) {
-    fail(kBug, std::string("broken invariant: ") + e.what());
-    tell(
-        "This is a bug of cnrg: please send this message, the tree file with the files that it names, and the "
-        "output of `cnrg --version`.");
-    return kBug;
-  }
-}
 
 /// What is wrong with the name of a file, a folder or a node.
 std::string name_fault(const std::string& name) { return name.empty() ? "the name is empty" : ""; }
@@ -231,7 +195,8 @@ std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e
 
 int run(int argc, char** argv) {
   CLI::App program{"Exact Booleans of non-manifold solids, surfaces, wires and points, by tree files.", "cnrg"};
-  program.set_version_flag("--version", version_text(), "Versions of cnrg and of the libraries in it");
+  program.set_version_flag(
+      "--version", [] { return version_text("cnrg"); }, "Versions of cnrg and of the libraries in it");
   program.require_subcommand(1);
   program.footer(
       "Example:\n  cnrg eval model.yaml -o model.vtu\n\nExit status: 0 done, 2 bad input, 3 a file could not be "
@@ -518,7 +483,7 @@ int run(int argc, char** argv) {
     program.parse(command_line(argc, argv));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return program.exit(e);
-    return fail(kBadInput, command_line_fault(program, e));
+    throw InputError("cnrg: error: " + command_line_fault(program, e));
   }
   return command();
 }
@@ -527,15 +492,5 @@ int run(int argc, char** argv) {
 }  // namespace cnrg::app
 
 int main(int argc, char** argv) {
-  using namespace cnrg::app;
-  guard_ends();
-  occupy_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond `ulimit -f` is an error of its write
-  std::signal(SIGCHLD, SIG_DFL);  // who starts us may have ignored it, and then no child could be waited for
-  try {
-    std::ios::sync_with_stdio(false);
-    return guarded([&] { return run(argc, argv); });
-  } catch (const std::bad_alloc&) {  // for a message, too
-    return memory_ran_out();
-  }
+  return cnrg::app::run_program("cnrg", [&] { return cnrg::app::run(argc, argv); });
 }

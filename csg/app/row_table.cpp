@@ -40,6 +40,27 @@ std::string details(const NodeRow& row) {
 
 }  // namespace
 
+StageRows stage_rows(const StageClock& clock, const Evaluation& evaluation, bool crosses, bool whole) {
+  double of_rows = 0;
+  for (const NodeRow& row : evaluation.rows) of_rows += row.seconds + row.totals_seconds;
+  // Nodes below joined ones are evaluated before the leaves of the others are prepared.
+  double below = 0;
+  for (const JoinedNode& joined : evaluation.joined) {
+    for (const NodeRow& row : joined.rows) below += row.seconds + row.totals_seconds;
+  }
+  StageRows out;
+  out.leaves = std::max(0.0, clock.seconds("leaves") - below);
+  out.refinement = clock.seconds("refinement");
+  const double crossings = clock.seconds("crossings");
+  if (crosses) out.crossings = crossings;
+  // The cells of what is shown are simplified among the nodes.
+  if (whole) {
+    out.results =
+        clock.seconds("results") + std::max(0.0, clock.seconds("nodes") - of_rows) + (crosses ? 0 : crossings);
+  }
+  return out;
+}
+
 std::string row_table(const Evaluation& evaluation, const StageRows& stages, bool raw, bool trace) {
   const std::vector<const NodeRow*> rows = evaluation.all_rows();
   Table table;

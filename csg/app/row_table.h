@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "csg/app/stopwatch.h"
 #include "csg/evaluate/evaluate.h"
 
 namespace cnrg::app {
@@ -14,6 +15,10 @@ struct StageRows {
   std::optional<double> crossings;    ///< nothing: no curved surface crosses another one
   std::optional<double> results;      ///< nothing: they were not all written
 };
+
+/// The time that is of no node. `whole`: files are written, and that is told, too. `crosses`: a
+/// curved surface crosses another one.
+StageRows stage_rows(const StageClock& clock, const Evaluation& evaluation, bool crosses, bool whole);
 
 /// The table with its head: stages have no name, so that none is taken for a node. `raw`: unsimplified counts.
 /// `trace`: under each node a line per table row that removed something, and a line per region with its volume.

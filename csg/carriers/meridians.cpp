@@ -14,11 +14,10 @@ namespace {
 using Point = MeridianPoint;
 using Kind = MeridianPiece::Kind;
 
-Point operator-(const Point& a, const Point& b) { return {a.r - b.r, a.t - b.t}; }
-Point operator+(const Point& a, const Point& b) { return {a.r + b.r, a.t + b.t}; }
-Point operator*(const Rational& s, const Point& a) { return {s * a.r, s * a.t}; }
-Rational cross(const Point& a, const Point& b) { return a.r * b.t - a.t * b.r; }
-Rational dot(const Point& a, const Point& b, const Rational& square) { return a.r * b.r + square * a.t * b.t; }
+Rational meridian_cross(const Point& a, const Point& b) { return a.r * b.t - a.t * b.r; }
+Rational meridian_dot(const Point& a, const Point& b, const Rational& square) {
+  return a.r * b.r + square * a.t * b.t;
+}
 
 double degrees_of(const Point& p, const Point& middle, const Rational& square) {
   return std::atan2(to_double(p.t - middle.t) * std::sqrt(to_double(square)), to_double(p.r - middle.r)) * 180 /
@@ -38,11 +37,11 @@ constexpr double kNearAngle = 1e-9;
 
 bool on_circle(const MeridianPiece& arc, const Point& p, const Rational& square) {
   const Point off = p - arc.middle;
-  return dot(off, off, square) == arc.radius * arc.radius;
+  return meridian_dot(off, off, square) == arc.radius * arc.radius;
 }
 
 /// For a point on the circle of the arc, or next to it.
-bool holds(const MeridianPiece& arc, const Point& p, const Rational& square) {
+bool arc_holds(const MeridianPiece& arc, const Point& p, const Rational& square) {
   if (p == arc.from || p == arc.to || abs(arc.sweep) == 360) return true;
   const double way = to_double(along(arc, from_double(degrees_of(p, arc.middle, square))));
   return way > kNearAngle && way < std::abs(to_double(arc.sweep)) - kNearAngle;
@@ -50,7 +49,7 @@ bool holds(const MeridianPiece& arc, const Point& p, const Rational& square) {
 
 bool on_line(const MeridianPiece& line, const Point& p) {
   const Point way = line.to - line.from, off = p - line.from;
-  if (cross(way, off) != 0) return false;
+  if (meridian_cross(way, off) != 0) return false;
   const Rational part = way.r != 0 ? Rational(off.r / way.r) : Rational(off.t / way.t);
   return part >= 0 && part <= 1;
 }
@@ -59,17 +58,17 @@ bool on_line(const MeridianPiece& line, const Point& p) {
 bool on_piece(const MeridianPiece& piece, const Point& p, const Rational& square) {
   if (p == piece.from || p == piece.to) return true;
   if (piece.kind == Kind::line) return on_line(piece, p);
-  return piece.kind == Kind::arc && on_circle(piece, p, square) && holds(piece, p, square);
+  return piece.kind == Kind::arc && on_circle(piece, p, square) && arc_holds(piece, p, square);
 }
 
 void join_lines(const MeridianPiece& p, const MeridianPiece& q, MeridianContact& result) {
   if (p.flat() || q.flat()) return;
   const Point a = p.to - p.from, b = q.to - q.from, off = q.from - p.from;
-  const Rational turn = cross(a, b);
+  const Rational turn = meridian_cross(a, b);
   if (turn != 0) {
-    const Rational s = cross(off, b) / turn, t = cross(off, a) / turn;
+    const Rational s = meridian_cross(off, b) / turn, t = meridian_cross(off, a) / turn;
     result.joins = s >= 0 && s <= 1 && t >= 0 && t <= 1 && p.from.r + s * a.r > 0;
-  } else if (cross(a, off) == 0) {
+  } else if (meridian_cross(a, off) == 0) {
     result.joins = on_line(p, q.from) || on_line(p, q.to) || on_line(q, p.from);
   }
 }
@@ -78,8 +77,8 @@ void join_lines(const MeridianPiece& p, const MeridianPiece& q, MeridianContact&
 std::vector<Point> line_on_circle(const MeridianPiece& line, const MeridianPiece& arc, const Rational& square,
                                   bool& touches) {
   const Point way = line.to - line.from, off = line.from - arc.middle;
-  const Rational a = dot(way, way, square), b = dot(way, off, square),
-                 c = dot(off, off, square) - arc.radius * arc.radius, root2 = b * b - a * c;
+  const Rational a = meridian_dot(way, way, square), b = meridian_dot(way, off, square),
+                 c = meridian_dot(off, off, square) - arc.radius * arc.radius, root2 = b * b - a * c;
   touches = root2 == 0;
   if (root2 < 0) return {};
   const Rational half = root(root2);
@@ -94,7 +93,7 @@ std::vector<Point> line_on_circle(const MeridianPiece& line, const MeridianPiece
 /// Points of two different circles; `touches` if it is one.
 std::vector<Point> circles(const MeridianPiece& p, const MeridianPiece& q, const Rational& square) {
   const Point apart = q.middle - p.middle;
-  const Rational distance2 = dot(apart, apart, square);
+  const Rational distance2 = meridian_dot(apart, apart, square);
   if (distance2 == 0) return {};
   const Rational part = (p.radius * p.radius - q.radius * q.radius + distance2) / (2 * distance2);
   const Rational across2 = (p.radius * p.radius / distance2 - part * part) / square;
@@ -109,7 +108,7 @@ std::vector<Point> circles(const MeridianPiece& p, const MeridianPiece& q, const
 bool touches_from_inside(const MeridianPiece& p, const MeridianPiece& q, const Rational& square) {
   if (p.kind != Kind::arc || q.kind != Kind::arc || p.radius >= q.radius) return false;
   const Point apart = p.middle - q.middle;
-  return dot(apart, apart, square) == (q.radius - p.radius) * (q.radius - p.radius);
+  return meridian_dot(apart, apart, square) == (q.radius - p.radius) * (q.radius - p.radius);
 }
 
 bool same_circle(const MeridianPiece& p, const MeridianPiece& q) {
@@ -125,7 +124,7 @@ void add_points(const MeridianPiece& p, const MeridianPiece& q, std::vector<Poin
     bool held = true, known = false;
     for (const MeridianPiece* arc : {&p, &q}) {
       if (arc->kind != Kind::arc) continue;
-      held = held && holds(*arc, x, square);
+      held = held && arc_holds(*arc, x, square);
       for (const Point& y : result.points) {
         known = known ||
                 std::abs(std::remainder(degrees_of(x, arc->middle, square) - degrees_of(y, arc->middle, square),
@@ -212,7 +211,7 @@ void MeridianPlane::add_vertex(std::size_t i, const MeridianPoint& at) {
   if (piece.kind != Kind::arc) return;
   const double radius = to_double(piece.radius);
   const Point off = at - piece.middle;
-  if (std::abs(std::sqrt(to_double(dot(off, off, square_))) - radius) > kNearAngle * radius) return;
+  if (std::abs(std::sqrt(to_double(meridian_dot(off, off, square_))) - radius) > kNearAngle * radius) return;
   arcs_.at({piece.middle, piece.radius}).marks.push_back(at);
 }
 
@@ -252,7 +251,7 @@ void MeridianPlane::sample(Arc& arc) const {
   std::vector<std::pair<Rational, Point>> by_error;
   for (const Point& p : arc.marks) {
     const Point off = p - arc.middle;
-    by_error.emplace_back(abs(dot(off, off, square_) - arc.radius * arc.radius), p);
+    by_error.emplace_back(abs(meridian_dot(off, off, square_) - arc.radius * arc.radius), p);
   }
   std::sort(by_error.begin(), by_error.end());
   std::vector<Point> kept;
@@ -387,8 +386,8 @@ bool MeridianPlane::separate(std::size_t i, std::size_t j) {
     for (std::size_t l = 1; l < others.size(); ++l) {
       if (!box.meets(boxes[l - 1])) continue;
       const Point &c = others[l - 1].at, &d = others[l].at;
-      const int side_a = sgn(cross(d - c, a - c)), side_b = sgn(cross(d - c, b - c));
-      const int side_c = sgn(cross(b - a, c - a)), side_d = sgn(cross(b - a, d - a));
+      const int side_a = sgn(meridian_cross(d - c, a - c)), side_b = sgn(meridian_cross(d - c, b - c));
+      const int side_c = sgn(meridian_cross(b - a, c - a)), side_d = sgn(meridian_cross(b - a, d - a));
       if (side_a * side_b > 0 || side_c * side_d > 0) continue;
       const bool collinear = side_a == 0 && side_b == 0;
       if (inside && (a == c || a == d || b == c || b == d)) {

@@ -7,7 +7,7 @@
 namespace cnrg {
 namespace {
 
-bool is_zero(const Homogeneous& h) { return h[0] == 0 && h[1] == 0 && h[2] == 0 && h[3] == 0; }
+bool is_zero_point(const Homogeneous& h) { return h[0] == 0 && h[1] == 0 && h[2] == 0 && h[3] == 0; }
 
 /// The first coordinate that is not zero; 4 if all are.
 std::size_t first_of(const Homogeneous& h) {
@@ -42,8 +42,9 @@ PowerBasis transpose(const PowerBasis& c) {
 
 /// Leaves out leading coefficients that are zero.
 void trim(PowerBasis& c) {
-  while (c.size() > 1 && std::all_of(c.back().begin(), c.back().end(), is_zero)) c.pop_back();
-  while (c[0].size() > 1 && std::all_of(c.begin(), c.end(), [](const auto& row) { return is_zero(row.back()); })) {
+  while (c.size() > 1 && std::all_of(c.back().begin(), c.back().end(), is_zero_point)) c.pop_back();
+  while (c[0].size() > 1 &&
+         std::all_of(c.begin(), c.end(), [](const auto& row) { return is_zero_point(row.back()); })) {
     for (auto& row : c) row.pop_back();
   }
 }
@@ -122,7 +123,7 @@ std::optional<Centred> centred(PowerBasis c) {
   std::size_t total = 0;
   for (std::size_t i = 0; i <= m; ++i) {
     for (std::size_t j = 0; j <= n; ++j) {
-      if (!is_zero(c[i][j])) total = std::max(total, i + j);
+      if (!is_zero_point(c[i][j])) total = std::max(total, i + j);
     }
   }
   if (total < 2 && m == 1 && n == 1) return std::nullopt;  // a parallelogram

@@ -96,10 +96,10 @@ Key round_key(const MeridianPiece& piece, const RationalPoint& center, const Rat
   return key;
 }
 
-bool collinear(const ControlRow& net) {
+bool on_a_line(const ControlRow& net) {
   const RationalPoint first = project(net.front()), last = project(net.back());
   return std::all_of(net.begin(), net.end(),
-                     [&](const Homogeneous& h) { return cnrg::collinear(first, last, project(h)); });
+                     [&](const Homogeneous& h) { return collinear(first, last, project(h)); });
 }
 
 class Numbers {
@@ -205,7 +205,7 @@ class Numbers {
 
   void add_swept(std::uint32_t patch, const ControlRow& net, const Sweep& sweep) {
     const ControlRow across = reduced(sweep.projected(net));
-    const auto on = collinear(across) ? std::nullopt : swept_.place(across, sweep.direction);
+    const auto on = on_a_line(across) ? std::nullopt : swept_.place(across, sweep.direction);
     if (on) keys_[patch].insert({kSwept, Rational(on->carrier)});
     else unknown_.insert(patch);
   }

@@ -25,7 +25,7 @@ namespace {
 
 using Stops = std::vector<Grade::Stop>;
 
-Rational fraction(const Mixture& mixture, const std::string& material) {
+Rational fraction_of(const Mixture& mixture, const std::string& material) {
   const auto it =
       std::find_if(mixture.begin(), mixture.end(), [&](const auto& entry) { return entry.first == material; });
   return it == mixture.end() ? Rational(0) : it->second;
@@ -36,8 +36,8 @@ bool on_line(const Grade::Stop& from, const Grade::Stop& stop, const Grade::Stop
   const Rational u = (stop.at - from.at) / (to.at - from.at);
   for (const Mixture* mixture : {&from.mixture, &stop.mixture, &to.mixture}) {
     for (const auto& [material, unused] : *mixture) {
-      const Rational a = fraction(from.mixture, material), b = fraction(to.mixture, material);
-      if (a + u * (b - a) != fraction(stop.mixture, material)) return false;
+      const Rational a = fraction_of(from.mixture, material), b = fraction_of(to.mixture, material);
+      if (a + u * (b - a) != fraction_of(stop.mixture, material)) return false;
     }
   }
   return true;

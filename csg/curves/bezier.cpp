@@ -9,14 +9,6 @@
 namespace cnrg {
 namespace {
 
-Homogeneous operator+(const Homogeneous& a, const Homogeneous& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
-}
-Homogeneous operator-(const Homogeneous& a, const Homogeneous& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
-}
-Homogeneous operator*(const Rational& s, const Homogeneous& a) { return {s * a[0], s * a[1], s * a[2], s * a[3]}; }
-
 /// (1 - t) a + t b. Weights that are all 1 stay so without a product.
 Homogeneous between(const Homogeneous& a, const Homogeneous& b, const Rational& t) {
   Homogeneous h;
@@ -78,7 +70,7 @@ Polynomial weights(const BezierCurve& curve) {
   return result;
 }
 
-BezierCurve reverse(BezierCurve curve) {
+BezierCurve reversed_curve(BezierCurve curve) {
   std::reverse(curve.net.begin(), curve.net.end());
   return curve;
 }
@@ -197,10 +189,10 @@ BezierPatch transposed(const BezierPatch& patch) {
 
 BezierCurve BezierPatch::side(std::size_t k) const {
   if (k == 0) return {net.front()};
-  if (k == 2) return reverse({net.back()});
+  if (k == 2) return reversed_curve({net.back()});
   BezierCurve curve;
   for (const ControlRow& row : net) curve.net.push_back(k == 1 ? row.back() : row.front());
-  return k == 1 ? curve : reverse(curve);
+  return k == 1 ? curve : reversed_curve(curve);
 }
 
 BezierPatch reduced(const BezierPatch& patch) {
@@ -312,7 +304,7 @@ BezierPatch coons_patch(const std::array<BezierCurve, 4>& round) {
   // With c = N / w for each curve, a = w0 w2 in u and b = w1 w3 in v, the bilinearly blended patch
   //   (1 - v) c0 + v c2 + (1 - u) c3 + u c1 - (the bilinear patch of the corners)      (coons1967)
   // times a b is a sum of products of a polynomial in u and one in v.
-  const BezierCurve c0 = round[0], c1 = round[1], c2 = reverse(round[2]), c3 = reverse(round[3]);
+  const BezierCurve c0 = round[0], c1 = round[1], c2 = reversed_curve(round[2]), c3 = reversed_curve(round[3]);
   const Polynomial w0 = weights(c0), w1 = weights(c1), w2 = weights(c2), w3 = weights(c3);
   const Polynomial a = product(w0, w2), b = product(w1, w3);
   const Polynomial rising{0, 1}, falling{1, 0};

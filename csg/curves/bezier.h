@@ -17,6 +17,16 @@ namespace cnrg {
 using Homogeneous = std::array<Rational, 4>;
 using ControlRow = std::vector<Homogeneous>;
 
+inline Homogeneous operator+(const Homogeneous& a, const Homogeneous& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
+}
+inline Homogeneous operator-(const Homogeneous& a, const Homogeneous& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
+}
+inline Homogeneous operator*(const Rational& s, const Homogeneous& a) {
+  return {s * a[0], s * a[1], s * a[2], s * a[3]};
+}
+
 /// A control point with its weight.
 Homogeneous homogeneous(const RationalPoint& p, const Rational& weight = 1);
 /// The point of space that homogeneous coordinates stand for.

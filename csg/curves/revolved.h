@@ -29,6 +29,9 @@ struct MeridianPoint {
     return a.r != b.r ? a.r < b.r : a.t < b.t;
   }
 };
+inline MeridianPoint operator-(const MeridianPoint& a, const MeridianPoint& b) { return {a.r - b.r, a.t - b.t}; }
+inline MeridianPoint operator+(const MeridianPoint& a, const MeridianPoint& b) { return {a.r + b.r, a.t + b.t}; }
+inline MeridianPoint operator*(const Rational& s, const MeridianPoint& a) { return {s * a.r, s * a.t}; }
 
 /// A piece of a meridian, which sweeps (part of) one patch.
 struct MeridianPiece {

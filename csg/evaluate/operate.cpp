@@ -289,8 +289,7 @@ StepOutcome topology_of(const Complex& complex, const Node& node, const Operand&
 }
 
 /// The attributes of a node on a group; a leaf's regions and components have theirs already.
-void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material,
-                      PartedGroup& group) {
+void add_attributes(const Complex& complex, const Node& node, const RegionMaterial& material, PartedGroup& group) {
   if (node.regularize) group = regularized(complex, group);
   const Attributes given{node.label, material, node.properties};
   const bool says = node.op != Operator::leaf && !given.empty();
@@ -307,8 +306,8 @@ void apply_attributes(const Complex& complex, const Node& node, const RegionMate
   if (node.dominance) group.dominance = *node.dominance;
 }
 
-void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material,
-                      Components& components) {
+void add_attributes(const Complex& complex, const Node& node, const RegionMaterial& material,
+                    Components& components) {
   if (node.regularize) components = topological_operation(complex, Topological::regularize, components).value;
   if (node.forget_features) components.features = {};
   const Attributes given{node.label, material, node.properties};
@@ -411,17 +410,17 @@ StepOutcome operate(const Complex& complex, const Node& node, const RegionMateri
 
 void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material, NodeValue& value) {
   if (value.is_group()) {
-    apply_attributes(complex, node, material, value.parts());
+    add_attributes(complex, node, material, value.parts());
     return;
   }
-  apply_attributes(complex, node, material, value.components());
+  add_attributes(complex, node, material, value.components());
   if (!value.stands_for) return;
   if (node.regularize) {
     value.stands_for.reset();
     return;
   }
   PartedGroup closed = parted(complex, std::move(*value.stands_for));
-  apply_attributes(complex, node, material, closed);
+  add_attributes(complex, node, material, closed);
   value.stands_for = whole(closed);
 }
 

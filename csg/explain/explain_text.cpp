@@ -18,8 +18,9 @@ const char* const kKinds[] = {"vertex", "edge", "face", "3-cell"};
 const char* const kArticles[] = {"a vertex", "an edge", "a face", "a 3-cell"};
 const char* const kManyKinds[] = {"vertices", "edges", "faces", "3-cells"};
 
-using cnrg::counted;
-std::string counted(std::size_t n, int dimension) { return counted(n, kKinds[dimension], kManyKinds[dimension]); }
+std::string counted_cells(std::size_t n, int dimension) {
+  return counted(n, kKinds[dimension], kManyKinds[dimension]);
+}
 
 /// `a`, `a and b`, `a, b and c`.
 std::string listed(const std::vector<std::string>& words) {
@@ -238,7 +239,8 @@ void add_boolean(const BooleanFacts& f, int dimension, std::vector<Line>& lines)
 std::string star_part(const std::array<std::size_t, 4>& count, const std::vector<std::string>& names) {
   std::vector<std::string> kinds;
   for (int dimension : {3, 2, 1, 0}) {
-    if (const std::size_t n = count[static_cast<std::size_t>(dimension)]) kinds.push_back(counted(n, dimension));
+    if (const std::size_t n = count[static_cast<std::size_t>(dimension)])
+      kinds.push_back(counted_cells(n, dimension));
   }
   if (kinds.empty()) return "nothing";
   constexpr std::size_t kListed = 5;
@@ -493,8 +495,8 @@ void add_class(const Tree& tree, const Evaluation& evaluation, const Explanation
   const bool asked = e.asked.has_value();
   out += "\n";
   if (!asked && e.pieces > 1) {
-    out += (c.pieces == e.pieces ? "All " : std::to_string(c.pieces) + " of the ") + counted(e.pieces, dimension) +
-           (c.pieces > 1 ? " live alike; one of them:\n" : ":\n");
+    out += (c.pieces == e.pieces ? "All " : std::to_string(c.pieces) + " of the ") +
+           counted_cells(e.pieces, dimension) + (c.pieces > 1 ? " live alike; one of them:\n" : ":\n");
   }
   const std::string exact = point_words(c.point);
   constexpr std::size_t kShort = 60;
@@ -534,11 +536,11 @@ std::string explanation_text(const Tree& tree, const Evaluation& evaluation, con
     append_line(
         out, e.cell + " of `" + e.node_name + "`: " + (e.dimension == 3 ? "region" : kKinds[e.dimension]) + ", " +
                  state_words(e.state, e.dimension) +
-                 (e.pieces > 1 ? "; unites " + counted(e.pieces, e.dimension) + " of the refinement" : ""));
+                 (e.pieces > 1 ? "; unites " + counted_cells(e.pieces, e.dimension) + " of the refinement" : ""));
   }
   for (const LifeClass& c : e.classes) add_class(tree, evaluation, e, c, out);
   if (e.classes_left_out > 0) {
-    out += "\n" + counted(e.pieces_left_out, e.dimension) + " with " +
+    out += "\n" + counted_cells(e.pieces_left_out, e.dimension) + " with " +
            counted(e.classes_left_out, "other life", "other lives") + " left out; ask for one by `--point`\n";
   }
   if (asks_tables(e)) {

@@ -34,7 +34,7 @@ std::vector<std::pair<IdT, Component>> marked_cells(const IdVector<IdT, Componen
 }
 
 template <class F>
-void for_each_list(const Group& group, F f) {
+void for_each_group_list(const Group& group, F f) {
   f(group.faces), f(group.edges), f(group.vertices);
 }
 
@@ -48,7 +48,7 @@ void note(const Verdict& verdict, Component& mark) {
 void ask_tables(const Complex& complex, const Node& node, const std::vector<Operand>& operands, FateMarks& marks) {
   for_each_step(complex, node, operands, [&](const BooleanStep& step) {
     for (const Group* group : {&step.left, &step.right}) {
-      for_each_list(*group, [&](const auto& cells) {
+      for_each_group_list(*group, [&](const auto& cells) {
         for (const auto cell : cells) {
           note(verdict(complex, step, cell), marks[cell]);
         }

@@ -20,7 +20,7 @@ DoubleVector unit_or_zero(DoubleVector a) {
   return a;
 }
 
-bool is_zero(const DoubleVector& a) { return a == DoubleVector{0, 0, 0}; }
+bool is_null(const DoubleVector& a) { return a == DoubleVector{0, 0, 0}; }
 
 /// An exact vector as doubles, up to a factor.
 DoubleVector direction(const RationalPoint& a) {
@@ -49,7 +49,7 @@ DoubleVector CornerNormals::facet_normal(const FlatComplex::Face& face, std::siz
     const DoubleVector n = cross(minus(points_[b], points_[a]), minus(points_[c], points_[a]));
     if (dot(n, n) > dot(best, best)) best = n;
   }
-  if (const DoubleVector n = unit_or_zero(best); !is_zero(n)) return n;
+  if (const DoubleVector n = unit_or_zero(best); !is_null(n)) return n;
   std::array<RationalPoint, 3> p;
   for (std::size_t k = 0; k < 3; ++k) {
     p[k] = view_.complex->points.rational(flat_.points[face.triangles[begin][k]]);

@@ -32,7 +32,7 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-void check(herr_t result) {
+void require_ok(herr_t result) {
   if (result < 0) throw std::bad_alloc();
 }
 
@@ -57,7 +57,7 @@ Handle array_of(hid_t type, std::uint64_t each) {
 /// Groups on the way are made.
 Handle with_groups() {
   Handle list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  check(H5Pset_create_intermediate_group(list, 1));
+  require_ok(H5Pset_create_intermediate_group(list, 1));
   return list;
 }
 
@@ -65,9 +65,9 @@ Handle with_groups() {
 class MemoryHdf5File : public Hdf5File {
  public:
   MemoryHdf5File() {
-    check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr));  // the library prints nothing
+    require_ok(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr));  // the library prints nothing
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    check(H5Pset_fapl_core(access, std::size_t{1} << 20, false));
+    require_ok(H5Pset_fapl_core(access, std::size_t{1} << 20, false));
     file_ = H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access);
     if (file_ < 0) throw std::bad_alloc();
   }
@@ -84,12 +84,12 @@ class MemoryHdf5File : public Hdf5File {
     const std::vector<hsize_t> size(sizes.begin(), sizes.end());
     const Handle links = with_groups();
     const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    check(H5Pset_obj_track_times(creation, false));
+    require_ok(H5Pset_obj_track_times(creation, false));
     const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
     const Handle set(H5Dcreate2(file_, path.c_str(), type, space, links, creation, H5P_DEFAULT), H5Dclose);
     std::uint64_t count = 1;
     for (const std::uint64_t n : sizes) count *= n;
-    if (count > 0) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
+    if (count > 0) require_ok(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
   }
 
   void add(const std::string& path, std::span<const std::int32_t> numbers) override {
@@ -129,12 +129,12 @@ class MemoryHdf5File : public Hdf5File {
   void add_type(const std::string& path, Kind kind, std::uint64_t each) override {
     const Handle links = with_groups();
     const Handle type = each == 0 ? Handle(H5Tcopy(stored(kind)), H5Tclose) : array_of(stored(kind), each);
-    check(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
+    require_ok(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
   }
   void add_opaque_type(const std::string& path, std::size_t width) override {
     const Handle links = with_groups();
     const Handle type(H5Tcreate(H5T_OPAQUE, width), H5Tclose);
-    check(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
+    require_ok(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
   }
   void add_enumeration(const std::string& path, const std::vector<std::string>& names) override {
     const Handle links = with_groups();
@@ -142,9 +142,9 @@ class MemoryHdf5File : public Hdf5File {
     std::uint8_t number = 0;
     for (const std::string& name : names) {
       ++number;
-      check(H5Tenum_insert(type, name.c_str(), &number));
+      require_ok(H5Tenum_insert(type, name.c_str(), &number));
     }
-    check(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
+    require_ok(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
   }
 
   void set(const std::string& path, const std::string& attribute, std::int64_t type, const void* data) {
@@ -152,7 +152,7 @@ class MemoryHdf5File : public Hdf5File {
     const Handle made(H5Acreate_by_name(file_, path.c_str(), attribute.c_str(), type, space, H5P_DEFAULT,
                                         H5P_DEFAULT, H5P_DEFAULT),
                       H5Aclose);
-    check(H5Awrite(made, type, data));
+    require_ok(H5Awrite(made, type, data));
   }
   void set(const std::string& path, const std::string& attribute, Kind kind, std::int64_t value) override {
     // Converted by the library from eight bytes to those of the kind.
@@ -160,14 +160,14 @@ class MemoryHdf5File : public Hdf5File {
     const Handle made(H5Acreate_by_name(file_, path.c_str(), attribute.c_str(), stored(kind), space, H5P_DEFAULT,
                                         H5P_DEFAULT, H5P_DEFAULT),
                       H5Aclose);
-    check(H5Awrite(made, H5T_NATIVE_INT64, &value));
+    require_ok(H5Awrite(made, H5T_NATIVE_INT64, &value));
   }
   void set(const std::string& path, const std::string& attribute, double value) override {
     set(path, attribute, stored(Kind::f64), &value);
   }
   void set(const std::string& path, const std::string& attribute, const std::string& value) override {
     const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    check(H5Tset_size(type, value.size() + 1));
+    require_ok(H5Tset_size(type, value.size() + 1));
     set(path, attribute, type, value.c_str());
   }
   void set_pair(const std::string& path, const std::string& attribute,
@@ -183,7 +183,7 @@ class MemoryHdf5File : public Hdf5File {
   }
 
   std::string bytes() override {
-    check(H5Fflush(file_, H5F_SCOPE_LOCAL));
+    require_ok(H5Fflush(file_, H5F_SCOPE_LOCAL));
     const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
     if (size < 0) throw std::bad_alloc();
     std::string image(static_cast<std::size_t>(size), '\0');

@@ -162,8 +162,8 @@ void check_mesh_file_name(const std::string& path, const std::string& others) {
 namespace {
 
 /// As a part of work that has a deadline.
-TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options, const Deadline& deadline,
-                           const TetgenTrial& trial = {}) {
+TetrahedralMesh tetrahedra_in_time(const Result& result, const TetrahedraOptions& options,
+                                   const Deadline& deadline, const TetgenTrial& trial = {}) {
   const ResultView view = result.data().view();
   TetrahedralMesh made = tetrahedra(view, options, deadline, trial);
   sample_materials(view, made.mesh);
@@ -277,11 +277,11 @@ class MadeOfDoubles {
 /// By TetGen; where it fails, of what has been joined in the last digits, which it stumbles over. Then constrained
 /// ones of that, for what is so near makes bad shapes; and where there are none in doubles, of what has been
 /// joined more and more.
-TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, SnapReport& report,
-                                   const Deadline& deadline) {
+TetrahedralMesh snapped_in_time(Result& result, TetrahedraOptions options, SnapReport& report,
+                                const Deadline& deadline) {
   MadeOfDoubles<TetrahedralMesh> made_of(result, report, deadline.watch());
   TetgenTrial trial{!options.constrained, {}};
-  const auto make = [&] { return tetrahedra(result, options, deadline, trial); };
+  const auto make = [&] { return tetrahedra_in_time(result, options, deadline, trial); };
   const std::span<const double> digits(kJoined, kDigits);
   if (trial.only) {
     std::string fault;
@@ -334,12 +334,12 @@ TetrahedralMesh snapped_tetrahedra(Result& result, TetrahedraOptions options, Sn
 
 TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options) {
   const Deadline deadline(options.watch, options.seconds.value_or(0));
-  return deadline.run([&] { return tetrahedra(result, options, deadline); });
+  return deadline.run([&] { return tetrahedra_in_time(result, options, deadline); });
 }
 
 TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
   const Deadline deadline(options.watch, options.seconds.value_or(0));
-  return deadline.run([&] { return snapped_tetrahedra(result, options, report, deadline); });
+  return deadline.run([&] { return snapped_in_time(result, options, report, deadline); });
 }
 
 SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& options) {

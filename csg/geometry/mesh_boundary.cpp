@@ -22,7 +22,7 @@ std::array<Integer, 3> direction_of(const RationalPoint& a, const RationalPoint&
   return d;
 }
 
-bool is_zero(long coefficient, bool parity) { return parity ? coefficient % 2 == 0 : coefficient == 0; }
+bool is_nought(long coefficient, bool parity) { return parity ? coefficient % 2 == 0 : coefficient == 0; }
 
 }  // namespace
 
@@ -74,7 +74,7 @@ bool vanishes(const std::vector<ChainEdge>& chain, bool parity,
     sum += reversed ? -e.coefficient : e.coefficient;
   }
   for (const auto& [direction, entry] : leaving) {
-    if (is_zero(entry.first, parity)) continue;
+    if (is_nought(entry.first, parity)) continue;
     if (example) *example = entry.second;
     return false;
   }
@@ -102,7 +102,7 @@ bool vanishes(const std::vector<ChainEdge>& chain, bool parity,
     for (std::size_t i = 0; i < events.size(); ++i) {
       sum += events[i].change;
       if (i + 1 < events.size() && events[i + 1].position == events[i].position) continue;
-      if (is_zero(sum, parity)) continue;
+      if (is_nought(sum, parity)) continue;
       if (example) *example = events[i].edge;
       return false;
     }

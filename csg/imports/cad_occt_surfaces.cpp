@@ -58,7 +58,7 @@ void take_points(const Spline& spline, CadCurve& curve) {
   }
 }
 
-CadCurve curve_of(Handle(Geom_Curve) geometry, double first, double last) {
+CadCurve part_of_curve(Handle(Geom_Curve) geometry, double first, double last) {
   CadCurve curve;
   curve.first = first;
   curve.last = last;
@@ -90,7 +90,7 @@ CadCurve curve_of(Handle(Geom_Curve) geometry, double first, double last) {
 }
 
 CadCurve profile_of(const Handle(Geom_Curve) & geometry) {
-  return curve_of(geometry, geometry->FirstParameter(), geometry->LastParameter());
+  return part_of_curve(geometry, geometry->FirstParameter(), geometry->LastParameter());
 }
 
 /// Points and weights of a B-spline or Bézier surface.
@@ -179,7 +179,7 @@ CadSurface surface_of(const TopoDS_Face& face) {
 CadCurve curve_of(const TopoDS_Edge& edge) {
   double first = 0, last = 0;
   const Handle(Geom_Curve) geometry = BRep_Tool::Curve(edge, first, last);
-  return geometry.IsNull() ? CadCurve() : curve_of(geometry, first, last);
+  return geometry.IsNull() ? CadCurve() : part_of_curve(geometry, first, last);
 }
 
 }  // namespace cnrg::occt

@@ -32,7 +32,7 @@ struct PlyElement {
 
 enum class Encoding { text, little, big };
 
-std::size_t size_of(Type type) {
+std::size_t bytes_of_type(Type type) {
   constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
   return kSizes[static_cast<std::size_t>(type)];
 }
@@ -131,7 +131,7 @@ class PlyReader {
   /// One number of the body.
   double value(Type type) {
     if (encoding_ == Encoding::text) return cursor_.number("a value");
-    const std::size_t size = size_of(type);
+    const std::size_t size = bytes_of_type(type);
     if (text_.size() - at_ < size) fail("the file ends within its data: it is truncated, or a count is wrong");
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < size; ++i) {
@@ -169,10 +169,10 @@ class PlyReader {
       return;
     }
     const std::uint64_t n = property.count ? list_length(property) : 1;
-    if ((text_.size() - at_) / size_of(property.type) < n) {
+    if ((text_.size() - at_) / bytes_of_type(property.type) < n) {
       fail("the file ends within its data: it is truncated, or a count is wrong");
     }
-    at_ += n * size_of(property.type);
+    at_ += n * bytes_of_type(property.type);
   }
 
   void skip(const PlyElement& element) {

@@ -438,7 +438,7 @@ std::string count_text(double count) {
 namespace {
 
 /// Of all active regions.
-double volume_of(const FlatComplex& flat, const RoundedPoints& points) {
+double volume_of_model(const FlatComplex& flat, const RoundedPoints& points) {
   double sum = 0;
   for (Index i = 0; i < flat.regions.size(); ++i) {
     if (!flat.active(i)) continue;
@@ -543,7 +543,7 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
                       kMostOfShapes * strict_n + rationed, each);
   }
   // Features need less where flat tetrahedra are good enough, and more where facets are long and many.
-  const double by_volume = std::min(n, expected_of_volume(volume_of(flat, points), volume));
+  const double by_volume = std::min(n, expected_of_volume(volume_of_model(flat, points), volume));
   return with_costs(n, kLeast * by_volume, kMostOfShapes * strict_n + rationed, each);
 }
 

@@ -27,7 +27,7 @@ using Index = Mesh::Index;
 using Vector = DoubleVector;
 
 /// As the result's drawing, with the triangles and segments of a mesh.
-Drawing drawing_of(const FlatComplex& flat, const FacetMesh& mesh) {
+Drawing drawing_by_facets(const FlatComplex& flat, const FacetMesh& mesh) {
   Drawing drawing = drawing_of(flat);
   drawing.triangles.clear(), drawing.sides.clear();
   drawing.segments.clear(), drawing.around_segments.clear();
@@ -81,7 +81,7 @@ Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, const Sur
     std::vector<SmallAngle> why = refine(mesh, options, said, narrow);
     options.watch.begin("mesh: proof");
     const RoundedPoints points{mesh.points()};
-    const Drawing drawing = drawing_of(flat, mesh);
+    const Drawing drawing = drawing_by_facets(flat, mesh);
     if (is_faithful(points, drawing, options.watch.stop)) {
       const std::size_t kept = std::size_t(std::count(fixed.begin(), fixed.end(), 1));
       return {std::move(mesh), std::move(why), kept};

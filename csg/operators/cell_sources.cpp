@@ -34,7 +34,7 @@ LeafSetId telling_set_in(const std::vector<std::pair<IdT, Component>>& list, con
   return origins[k];
 }
 
-bool add_leaves(const LeafSets& sets, LeafSetId set, std::vector<LeafId>& out) {
+bool add_origin(const LeafSets& sets, LeafSetId set, std::vector<LeafId>& out) {
   if (!set.valid()) return false;
   out.insert(out.end(), sets[set].begin(), sets[set].end());
   return true;
@@ -103,12 +103,12 @@ LeafSetId GroupSources::set_of(VertexId v) const { return set_in(group_.vertices
 // Faces and edges that bound something kept are entities: a group is closed, and walls in a region are entities.
 void GroupSources::leaves_of(FaceId f, std::vector<LeafId>& out) const {
   out.clear();
-  require(add_leaves(sets_, set_of(f), out), "a group was asked for the origin of a face that is no entity");
+  require(add_origin(sets_, set_of(f), out), "a group was asked for the origin of a face that is no entity");
 }
 
 void GroupSources::leaves_of(EdgeId e, std::vector<LeafId>& out) const {
   out.clear();
-  require(add_leaves(sets_, set_of(e), out), "a group was asked for the origin of an edge that is no entity");
+  require(add_origin(sets_, set_of(e), out), "a group was asked for the origin of an edge that is no entity");
 }
 
 ComponentSources::ComponentSources(const Complex& complex, const Components& x)
@@ -161,21 +161,21 @@ bool ComponentSources::is_beside(std::span<const RegionId> around, Component own
 
 void ComponentSources::leaves_of(FaceId f, std::vector<LeafId>& out) const {
   out.clear();
-  if (add_leaves(sets_, set_of(f), out)) return;
+  if (add_origin(sets_, set_of(f), out)) return;
   for (const RegionId r : complex_.face_regions[f]) {
-    add_leaves(sets_, set_in(x_.selection.regions, x_.origins.regions, r), out);
+    add_origin(sets_, set_in(x_.selection.regions, x_.origins.regions, r), out);
   }
   sort_unique(out);
 }
 
 void ComponentSources::leaves_of(EdgeId e, std::vector<LeafId>& out) const {
   out.clear();
-  if (add_leaves(sets_, set_of(e), out)) return;
+  if (add_origin(sets_, set_of(e), out)) return;
   std::vector<RegionId> regions;
-  for (const FaceUse& use : complex_.edge_uses[e]) add_leaves(sets_, set_of(use.face), out);
+  for (const FaceUse& use : complex_.edge_uses[e]) add_origin(sets_, set_of(use.face), out);
   complex_.star_regions(e, regions);
   for (const RegionId r : regions) {
-    add_leaves(sets_, set_in(x_.selection.regions, x_.origins.regions, r), out);
+    add_origin(sets_, set_in(x_.selection.regions, x_.origins.regions, r), out);
   }
   sort_unique(out);
 }

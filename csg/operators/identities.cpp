@@ -18,7 +18,7 @@ namespace cnrg {
 namespace {
 
 template <class IdT>
-std::string cell_name(const char* kind, IdT id) {
+std::string kind_and_number(const char* kind, IdT id) {
   return std::string(kind) + ' ' + std::to_string(id.value());
 }
 
@@ -36,7 +36,7 @@ std::string first_difference(const CellSet& want, const CellSet& have) {
     while (it != w.end() && jt != h.end() && *it == *jt) ++it, ++jt;
     if (it == w.end() && jt == h.end()) return "";
     const bool missing = jt == h.end() || (it != w.end() && *it < *jt);
-    return cell_name(kind, missing ? *it : *jt) + (missing ? " is missing" : " is too much");
+    return kind_and_number(kind, missing ? *it : *jt) + (missing ? " is missing" : " is too much");
   };
   std::string out = compare("region", want.regions, have.regions);
   if (out.empty()) out = compare("face", want.faces, have.faces);
@@ -76,7 +76,7 @@ std::string check_group(const Complex& complex, const Group& g) {
     return "a feature is no entity";
   }
   for (FaceId f : g.faces) {
-    if (complex.on_frame(f)) return cell_name("face", f) + " lies on the frame";
+    if (complex.on_frame(f)) return kind_and_number("face", f) + " lies on the frame";
   }
   const CellSet entities{g.vertices, g.edges, g.faces, {}};
   if (const std::string d = first_difference(closure(complex, entities), entities); !d.empty()) {
@@ -86,13 +86,14 @@ std::string check_group(const Complex& complex, const Group& g) {
   Scratch<RegionId, std::uint32_t> region(complex.region_count);
   for (const auto& [cell, number] : g.cells) {
     if (complex.outside_frame(cell)) return "a region reaches beyond the frame";
-    if (number == 0 || number > g.regions.size()) return cell_name("region", cell) + " has a number out of range";
+    if (number == 0 || number > g.regions.size())
+      return kind_and_number("region", cell) + " has a number out of range";
     region[cell] = number;
   }
   for (FaceId f : IdRange<FaceId>(complex.face_count())) {
     const auto& [front, back] = complex.face_regions[f];
     if (!complex.on_frame(f) && region[front] != region[back] && !g.has(f)) {
-      return cell_name("face", f) + " parts regions and is no entity";
+      return kind_and_number("face", f) + " parts regions and is no entity";
     }
   }
   if (detect_regions(complex, cells_of(g), g.faces) != numbered_as_detected(g)) {
@@ -107,12 +108,12 @@ std::string check_group(const Complex& complex, const Group& g) {
   };
   for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
     if (!complex.on_frame(e) && !g.has(e) && !one_region(e)) {
-      return cell_name("edge", e) + " is no entity and not inside one region";
+      return kind_and_number("edge", e) + " is no entity and not inside one region";
     }
   }
   for (VertexId v : complex.vertices) {
     if (!complex.on_frame(v) && !g.has(v) && !one_region(v)) {
-      return cell_name("vertex", v) + " is no entity and not inside one region";
+      return kind_and_number("vertex", v) + " is no entity and not inside one region";
     }
   }
   return "";
@@ -196,7 +197,7 @@ std::string check_components(const Complex& complex, const Components& x) {
   if (!out.empty()) return out;
   if (std::find(used.begin(), used.end(), 0) != used.end()) return "a component has no cells";
   for (const auto& [face, component] : x.selection.faces) {
-    if (complex.on_frame(face)) return cell_name("face", face) + " lies on the frame";
+    if (complex.on_frame(face)) return kind_and_number("face", face) + " lies on the frame";
   }
   const Features features = active(x.selection, x.features);
   if (features.edges != x.features.edges || features.vertices != x.features.vertices) {

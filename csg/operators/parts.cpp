@@ -125,7 +125,7 @@ class MergeOrder {
 };
 
 template <class List>
-auto merged(const std::vector<const Part*>& parts, List list) {
+auto merged_lists(const std::vector<const Part*>& parts, List list) {
   return MergeOrder(parts, list).gather(list);
 }
 
@@ -167,9 +167,9 @@ Group merge(const std::vector<const Part*>& parts) {
   merge_entities(
       parts, sets, [](const Group& g) -> const auto& { return g.vertices; },
       [](const Group& g) -> const auto& { return g.origins.vertices; }, out.vertices, out.origins.vertices);
-  out.features.edges = merged(
+  out.features.edges = merged_lists(
       parts, [](const Group& g) -> const auto& { return g.features.edges; });
-  out.features.vertices = merged(
+  out.features.vertices = merged_lists(
       parts, [](const Group& g) -> const auto& { return g.features.vertices; });
   return out;
 }

@@ -1,4 +1,4 @@
-# Run by cpack on the files of each package before they are packed: /usr/share/doc/PACKAGE, and compressed manual pages.
+# cpack runs this before it packs: each package gets /usr/share/doc/PACKAGE, manual pages are compressed.
 
 # compress(FILE TO): gzip with neither name nor time, so that the same files make the same package.
 function(compress file to)

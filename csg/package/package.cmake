@@ -1,5 +1,5 @@
-# Packages of Debian, by cpack: `cnrg` (program with all that it opens), `libcnrg-dev` (headers, static libraries, CMake
-# package), `python3-cnrg`. What they need of shared libraries dpkg-shlibdeps reads off the files.
+# Packages of Debian, by cpack: `cnrg` (the program with its plug-ins), `libcnrg-dev` (headers, static libraries, CMake
+# package), `python3-cnrg`. dpkg-shlibdeps finds the shared libraries that each of them depends on.
 #   cmake --workflow --preset package     builds them in build/package
 find_program(CNRG_DPKG dpkg)
 if(NOT CNRG_DPKG)
@@ -31,20 +31,17 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME cnrg)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION math)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${description}")
 
-set(same "cnrg (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcnrg-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-# What cnrgConfig.cmake looks for, and what its targets name.
-set(needed libgmp-dev libmpfr-dev libtbb-dev libyaml-cpp-dev zlib1g-dev libexpat1-dev libtet1.5-dev libhdf5-dev
-  libcairo2-dev libfreetype-dev)
-if(CNRG_WITH_OPENCASCADE)
-  list(APPEND needed libocct-data-exchange-dev)
-endif()
-list(JOIN needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
+# What the targets name; the plug-ins, which programs with the library open, too, are those of the program.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "cnrg (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libgmp-dev, \
+libmpfr-dev, libtbb-dev, libyaml-cpp-dev, zlib1g-dev, libexpat1-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${description}\n\nThis package holds the library for C++.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-cnrg)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/postinst ${CMAKE_CURRENT_LIST_DIR}/prerm)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 if(CNRG_WITH_PYTHON)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS

@@ -59,7 +59,7 @@ PaperSheet::Look look_of(const Figure::Stroke& stroke, double weight) {
 
 /// Strokes of one look that meet at a point where no third one ends, as one: a dash goes on there, and no corner
 /// shows two ends.
-std::vector<PaperSheet::Line> join(std::vector<PaperSheet::Line> lines) {
+std::vector<PaperSheet::Line> join_lines(std::vector<PaperSheet::Line> lines) {
   using Key = std::pair<Point2, std::array<double, 7>>;
   const auto key_of = [](const Point2& p, const PaperSheet::Look& l) {
     return Key{p, {l.width, l.color[0], l.color[1], l.color[2], l.dash, l.gap, l.opacity}};
@@ -269,7 +269,7 @@ class Layout {
     for (const Figure::Stroke& stroke : figure.strokes) {
       lines.push_back({placed(stroke.points), stroke.closed, look_of(stroke, weight_)});
     }
-    sheet.lines = join(std::move(lines));
+    sheet.lines = join_lines(std::move(lines));
     // What is behind or gone first, then thin lines, then thick ones.
     std::stable_sort(
         sheet.lines.begin(), sheet.lines.end(), [](const PaperSheet::Line& a, const PaperSheet::Line& b) {

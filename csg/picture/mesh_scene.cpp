@@ -16,7 +16,7 @@ namespace {
 using Index = Mesh::Index;
 using Triangle = std::array<Index, 3>;
 
-Triangle sorted(Triangle t) {
+Triangle sorted_triangle(Triangle t) {
   std::sort(t.begin(), t.end());
   return t;
 }
@@ -189,7 +189,7 @@ class MeshScene {
       ++kept_;
       for (const auto& s : kSides) {
         const Triangle seen{t[s[0]], t[s[1]], t[s[2]]};
-        const auto [entry, fresh] = open.try_emplace(sorted(seen), Side{seen, i});
+        const auto [entry, fresh] = open.try_emplace(sorted_triangle(seen), Side{seen, i});
         if (fresh) continue;
         inside.push_back(entry->first);
         open.erase(entry);
@@ -198,7 +198,7 @@ class MeshScene {
     std::sort(inside.begin(), inside.end());
     std::map<Triangle, const Mesh::Simplex<3>*> faces;
     for (const auto& t : mesh_.triangles) {
-      const Triangle key = sorted(t.points);
+      const Triangle key = sorted_triangle(t.points);
       if (open.count(key) != 0) faces.emplace(key, &t);
       else if (parts_nothing(t) && stays(t.points) && !std::binary_search(inside.begin(), inside.end(), key))
         add_sheet(t);

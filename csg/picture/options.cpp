@@ -39,7 +39,7 @@ DrawOptions::Camera camera(const std::string& option, const std::string& value) 
           number_within(option, parts[1], -90, 90, "an angle from -90 to 90 degrees, upwards")};
 }
 
-DrawOptions::Cut cut(const std::string& option, const std::string& value) {
+DrawOptions::Cut cut_of(const std::string& option, const std::string& value) {
   const std::string wanted = "a plane such as x=5, or NX,NY,NZ,D for NX x + NY y + NZ z = D";
   DrawOptions::Cut out{{Rational(0), Rational(0), Rational(0)}, Rational(0)};
   if (value.size() > 2 && value[1] == '=' && value[0] >= 'x' && value[0] <= 'z') {
@@ -106,7 +106,7 @@ void set_option(PanelOptions& panel, const std::string& option, const std::strin
   if (option == "camera") {
     panel.draw.camera = camera(name, value);
   } else if (option == "cut") {
-    panel.draw.cuts.push_back(cut(name, value));
+    panel.draw.cuts.push_back(cut_of(name, value));
   } else if (option == "explode") {
     panel.draw.apart = number_within(name, value, 0, 100, "a number from 0 to 100, such as 0.3");
   } else if (option == "opacity") {

@@ -20,14 +20,14 @@ constexpr double kPixels = 2;            // of a .png, for a unit of the page
 constexpr double kPoints = 72.0 / 96.0;  // of a .pdf
 constexpr double kMostPixels = 32767;    // that cairo can
 
-void require(cairo_status_t status) {
+void require_status(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
   // Where libpng gets no memory, cairo speaks of an error in it; here it reads and writes memory only.
   if (status == CAIRO_STATUS_NO_MEMORY || status == CAIRO_STATUS_PNG_ERROR) throw std::bad_alloc();
   throw InvariantError(std::string("cairo: ") + cairo_status_to_string(status));
 }
 
-cairo_status_t append(void* to, const unsigned char* bytes, unsigned n) {
+cairo_status_t append_bytes(void* to, const unsigned char* bytes, unsigned n) {
   try {
     static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), n);
   } catch (const std::bad_alloc&) {
@@ -57,7 +57,7 @@ class CairoFont {
     if (kept != CAIRO_STATUS_SUCCESS) {
       cairo_font_face_destroy(face_);
       FT_Done_FreeType(library);
-      require(kept);
+      require_status(kept);
     }
   }
   ~CairoFont() { cairo_font_face_destroy(face_); }
@@ -174,10 +174,10 @@ void paint(cairo_t* cr, const PaperSheet::Text& text, const Font& font, bool as_
 }
 
 void paint(cairo_surface_t* surface, const PaperSheet& sheet, double scale, bool as_text) {
-  require(cairo_surface_status(surface));
+  require_status(cairo_surface_status(surface));
   const std::unique_ptr<cairo_t, void (*)(cairo_t*)> held(cairo_create(surface), cairo_destroy);
   cairo_t* const cr = held.get();
-  require(cairo_status(cr));
+  require_status(cairo_status(cr));
   cairo_scale(cr, scale, scale);
   choose(cr, kPaper);
   cairo_paint(cr);
@@ -192,7 +192,7 @@ void paint(cairo_surface_t* surface, const PaperSheet& sheet, double scale, bool
   const CairoFont face;
   cairo_set_font_face(cr, face.face());
   for (const PaperSheet::Text& text : sheet.texts) paint(cr, text, *font, as_text);
-  require(cairo_status(cr));
+  require_status(cairo_status(cr));
 }
 
 using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
@@ -200,16 +200,16 @@ using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
 std::string pdf_bytes_once(const PaperSheet& sheet) {
   std::string bytes;
   const Surface surface(
-      cairo_pdf_surface_create_for_stream(append, &bytes, sheet.width * kPoints, sheet.height * kPoints),
+      cairo_pdf_surface_create_for_stream(append_bytes, &bytes, sheet.width * kPoints, sheet.height * kPoints),
       cairo_surface_destroy);
-  require(cairo_surface_status(surface.get()));
+  require_status(cairo_surface_status(surface.get()));
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   if (!sheet.title.empty()) {
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, shown(sheet.title).c_str());
   }
   paint(surface.get(), sheet, kPoints, true);
   cairo_surface_finish(surface.get());
-  require(cairo_surface_status(surface.get()));
+  require_status(cairo_surface_status(surface.get()));
   return bytes;
 }
 
@@ -225,7 +225,7 @@ std::string png_bytes(const PaperSheet& sheet) {
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)),
       cairo_surface_destroy);
   paint(surface.get(), sheet, kPixels, false);
-  require(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
+  require_status(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes));
   return bytes;
 }
 

@@ -1,7 +1,7 @@
-"""Builds the extension by the project's CMakeLists.txt, with the library in it.
+"""A wheel of the module: CMake builds the project, and its component `python` becomes the package.
 
-An sdist holds the sources of the library in the folder `repository`, as they lie in the repository. CNRG_BUILD names a
-folder where CMake has built the package already.
+An sdist holds kernel and csg in its folder `repository`. CNRG_BUILD names a build folder where the target cnrg_package
+is up to date; nothing is compiled then.
 """
 
 import os
@@ -25,10 +25,11 @@ def cmake(*arguments):
 
 
 def built_package(folder):
-    """The folder of the build, in which the package has been built: CNRG_BUILD, or `folder`."""
+    """A build folder where cnrg_package is up to date: CNRG_BUILD, or `folder`."""
     if "CNRG_BUILD" in os.environ:
         return Path(os.environ["CNRG_BUILD"])
-    options = ["-DCNRG_PYTHON=ON", "-DCNRG_EXAMPLES=OFF", "-DBUILD_TESTING=OFF", f"-DPython_EXECUTABLE={sys.executable}"]
+    options = ["-DCNRG_PYTHON=ON", "-DCNRG_EXAMPLES=OFF", "-DBUILD_TESTING=OFF",
+               f"-DPython_EXECUTABLE={sys.executable}"]
     try:
         import pybind11
 
@@ -46,10 +47,11 @@ class BuildByCMake(build_ext):
         folder = Path(self.build_temp).resolve()
         staged = folder / "staged"
         shutil.rmtree(staged, ignore_errors=True)
-        cmake("--install", built_package(folder / "build"), "--component", "python", "--prefix", staged)
+        cmake("--install", built_package(folder / "build"), "--component", "python", "--strip", "--prefix", staged)
         built, = staged.rglob("_cnrg*.so")
         target = Path(self.get_ext_fullpath(extension.name)).parent
         shutil.copytree(built.parent, target, dirs_exist_ok=True)
+        shutil.copy2(ROOT / "LICENSE", target)
 
 
 class SourcesOfAll(sdist):
@@ -59,14 +61,14 @@ class SourcesOfAll(sdist):
             target = Path(base_dir) / "repository" / part
             target.parent.mkdir(parents=True, exist_ok=True)
             if (ROOT / part).is_dir():
-                shutil.copytree(ROOT / part, target, dirs_exist_ok=True,
-                                ignore=shutil.ignore_patterns("__pycache__", "build", "dist", "*.egg-info", Path(base_dir).name))
+                left_out = shutil.ignore_patterns("__pycache__", "build", "dist", "*.egg-info", Path(base_dir).name)
+                shutil.copytree(ROOT / part, target, dirs_exist_ok=True, ignore=left_out)
             else:
                 shutil.copy2(ROOT / part, target)
 
 
 def version():
-    """That of the project."""
+    """The project's version: the root's CMakeLists.txt is its one place."""
     text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
     return re.search(r"^project\(cnrg VERSION ([0-9.]+)", text, re.M).group(1)
 

@@ -44,7 +44,7 @@ std::vector<LeafSetId> origins_of(const Complex& complex, const std::vector<std:
   return origins;
 }
 
-Components components_of(const Complex& complex, Selection selection) {
+Components components_by_selection(const Complex& complex, Selection selection) {
   Components out;
   Component count = 0;
   const auto see = [&](const auto& cells) {
@@ -103,7 +103,7 @@ Result::Result(std::shared_ptr<const Complex> complex, Components components, Re
     : data_(data_of(std::move(complex), NodeValue(std::move(components)), std::move(names), mode)) {}
 
 Result::Result(std::shared_ptr<const Complex> complex, Selection selection, ResultNames names, SimplifyMode mode) {
-  NodeValue value(components_of(*complex, std::move(selection)));
+  NodeValue value(components_by_selection(*complex, std::move(selection)));
   data_ = data_of(std::move(complex), std::move(value), std::move(names), mode);
 }
 

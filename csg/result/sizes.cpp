@@ -11,7 +11,7 @@ namespace {
 /// The shorter one of two lengths, of which 0 says nothing.
 double shorter(double a, double b) { return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b); }
 
-double size_of(const ResultView& view, LeafId leaf) {
+double size_of_leaf(const ResultView& view, LeafId leaf) {
   return leaf.index() < view.leaves->size() ? (*view.leaves)[leaf.index()].size : 0;
 }
 
@@ -72,7 +72,7 @@ double size_in(const ResultView& view, const LeafParts& parts) {
   double longest = 0;
   for (const std::vector<LeafId>& part : parts) {
     double here = 0;
-    for (const LeafId leaf : part) here = shorter(here, size_of(view, leaf));
+    for (const LeafId leaf : part) here = shorter(here, size_of_leaf(view, leaf));
     if (here == 0) return 0;
     longest = std::max(longest, here);
   }
@@ -83,7 +83,7 @@ double size_in(const ResultView& view, const LeafParts& parts) {
 
 double size_of(const ResultView& view, const FlatComplex::Provenance& origin) {
   double size = 0;
-  for (const LeafId leaf : origin.leaves) size = shorter(size, size_of(view, leaf));
+  for (const LeafId leaf : origin.leaves) size = shorter(size, size_of_leaf(view, leaf));
   return size;
 }
 

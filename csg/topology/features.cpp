@@ -187,7 +187,7 @@ std::string word(const Feature& feature) {
 }
 
 /// All points in the closure of a cell, ascending.
-std::vector<Index> closure(const Parts& parts, const Parts::Cell& cell) {
+std::vector<Index> closed_cells(const Parts& parts, const Parts::Cell& cell) {
   const FlatComplex& flat = parts.flat();
   std::vector<Index> out;
   if (cell.dimension == 0) out = {flat.vertices[cell.number].point};
@@ -203,7 +203,7 @@ std::vector<Index> closure(const Parts& parts, const Parts::Cell& cell) {
 }
 bool touch(const Parts& parts, const Parts::Cell& a, const Parts::Cell& b) {
   std::vector<Index> common;
-  std::ranges::set_intersection(closure(parts, a), closure(parts, b), std::back_inserter(common));
+  std::ranges::set_intersection(closed_cells(parts, a), closed_cells(parts, b), std::back_inserter(common));
   return !common.empty();
 }
 

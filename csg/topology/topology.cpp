@@ -230,7 +230,7 @@ std::string adjacency_text(const RegionGraph& graph) {
   return out;
 }
 
-std::vector<Component> components_of(const Selection& selection) {
+std::vector<Component> components_in(const Selection& selection) {
   std::vector<Component> out;
   const auto add = [&](const auto& cells) {
     for (const auto& [cell, c] : cells) out.push_back(c);
@@ -263,7 +263,7 @@ std::optional<Facts> facts_of(const Complex& complex, const Selection& selection
   const CellSet closed = closure(complex, set);
   std::optional<SimplifiedEuler> euler;
   if (!unbounded(complex, closed)) euler = euler_of(complex, closed, simplified, counter);
-  std::vector<Component> active = components_of(selection);
+  std::vector<Component> active = components_in(selection);
   std::vector<BettiNumbers> betti = betti_numbers(selection, active, counter);
   Shapes shapes(complex, set, simplified, neighbourhoods);
   std::vector<Sheet> found = sheets(complex, set);
@@ -279,8 +279,9 @@ std::optional<Facts> facts_of(const Complex& complex, const Selection& selection
                cnrg::manufacturability(complex, selection, simplified, neighbourhoods)};
 }
 
-std::string text_of(const std::optional<Facts>& facts, const Complex& complex, const SimplifiedComplex& simplified,
-                    std::span<const RegionAttributes> components, Neighbourhoods& neighbourhoods) {
+std::string text_of_facts(const std::optional<Facts>& facts, const Complex& complex,
+                          const SimplifiedComplex& simplified, std::span<const RegionAttributes> components,
+                          Neighbourhoods& neighbourhoods) {
   if (!facts) return "the point set is empty\n";
   std::string out;
   if (facts->euler) out += euler_text(*facts->euler, facts->closed);
@@ -370,7 +371,7 @@ std::string topology_text(const Complex& complex, const Selection& selection, co
                           std::span<const RegionAttributes> components) {
   Neighbourhoods neighbourhoods(complex);
   const std::optional<Facts> facts = facts_of(complex, selection, simplified, components, neighbourhoods);
-  return text_of(facts, complex, simplified, components, neighbourhoods);
+  return text_of_facts(facts, complex, simplified, components, neighbourhoods);
 }
 
 TopologyReport topology_report(const Result& result) {
@@ -380,7 +381,7 @@ TopologyReport topology_report(const Result& result) {
   Neighbourhoods neighbourhoods(complex);
   const std::optional<Facts> facts =
       facts_of(complex, result.selection(), result.cells(), components, neighbourhoods);
-  return {text_of(facts, complex, result.cells(), components, neighbourhoods),
+  return {text_of_facts(facts, complex, result.cells(), components, neighbourhoods),
           json_of(facts).dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 

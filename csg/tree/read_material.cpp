@@ -90,7 +90,7 @@ Grade read_distance(const Value& value, const std::string& what, Mentions& menti
 }
 
 /// The material that each mention names, by its place in the file.
-std::vector<std::size_t> materials_of(const std::vector<Material>& materials, const Mentions& mentions) {
+std::vector<std::size_t> mentioned_materials(const std::vector<Material>& materials, const Mentions& mentions) {
   std::map<std::string, std::size_t, std::less<>> places;
   for (std::size_t i = 0; i < materials.size(); ++i) places.emplace(materials[i].name, i);
   std::vector<std::size_t> out;
@@ -114,7 +114,7 @@ class CycleSearch {
   CycleSearch(const std::vector<Material>& materials, const Mentions& mentions)
       : materials_(materials),
         mentions_(mentions),
-        named_(materials_of(materials, mentions)),
+        named_(mentioned_materials(materials, mentions)),
         of_(materials.size()) {
     for (std::size_t k = 0; k < mentions.all.size(); ++k) of_[mentions.all[k].by].push_back(k);
   }

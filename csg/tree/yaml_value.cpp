@@ -24,7 +24,7 @@ Position position_of(const YAML::Mark& mark, Position otherwise) {
 /// The beginning of a text in quotes.
 std::string quoted(const std::string& text) { return "`" + excerpt(text) + "`"; }
 
-std::string describe(const YAML::Node& node) {
+std::string words_of(const YAML::Node& node) {
   switch (node.Type()) {
     case YAML::NodeType::Scalar: return "the text " + quoted(node.Scalar());
     case YAML::NodeType::Sequence:
@@ -105,7 +105,7 @@ Value::Value(Document& document, const YAML::Node& node, Position key_at)
 }
 
 void Value::fail_type(const std::string& what, const std::string& wanted) const {
-  fail(what + " must be " + wanted + ", not " + describe(node_));
+  fail(what + " must be " + wanted + ", not " + words_of(node_));
 }
 
 std::optional<bool> Value::as_bool() const {
@@ -193,7 +193,7 @@ std::vector<Value::Entry> Value::entries(const std::string& what) const {
   for (const auto& item : node_) {
     const Position key_at = position_of(item.first.Mark(), at_);
     if (!item.first.IsScalar())
-      document_->fail(key_at, "a key of " + what + " must be a text, not " + describe(item.first));
+      document_->fail(key_at, "a key of " + what + " must be a text, not " + words_of(item.first));
     const std::string& key = item.first.Scalar();
     if (!seen.insert(key).second) {
       document_->fail(key_at, "the key " + quoted(key) + " is there twice in " + what + "; remove or rename one");

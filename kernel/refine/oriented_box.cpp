@@ -19,7 +19,7 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double size(const Vector& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
-double sum(const Vector& a) { return a[0] + a[1] + a[2]; }
+double sum_of(const Vector& a) { return a[0] + a[1] + a[2]; }
 
 /// At unit length; false if that cannot be said.
 bool normalize(Vector& a) {
@@ -139,7 +139,7 @@ OrientedBox around(const OrientedBox& a, const OrientedBox& b) {
     const Vector d = minus(part->center, out.center);
     for (std::size_t j = 0; j < 3; ++j) {
       const double far =
-          std::fabs(dot(out.axes[j], d)) + extent(*part, out.axes[j]) + 1e-14 * (size(d) + sum(part->half));
+          std::fabs(dot(out.axes[j], d)) + extent(*part, out.axes[j]) + 1e-14 * (size(d) + sum_of(part->half));
       out.half[j] = std::max(out.half[j], at_least(far));
     }
   }
@@ -148,7 +148,7 @@ OrientedBox around(const OrientedBox& a, const OrientedBox& b) {
 
 bool apart(const OrientedBox& a, const OrientedBox& b) {
   const Vector t = minus(b.center, a.center);
-  const double slack = 1e-12 * (size(t) + sum(a.half) + sum(b.half)) + 1e-300;
+  const double slack = 1e-12 * (size(t) + sum_of(a.half) + sum_of(b.half)) + 1e-300;
   for (std::size_t j = 0; j < 3; ++j) {
     if (std::fabs(dot(a.axes[j], t)) > a.half[j] + extent(b, a.axes[j]) + slack) return true;
     if (std::fabs(dot(b.axes[j], t)) > b.half[j] + extent(a, b.axes[j]) + slack) return true;

@@ -28,7 +28,7 @@ std::vector<IdT> ids(const std::vector<std::pair<IdT, Component>>& list, Compone
   return out;
 }
 
-void sort_unique(CellSet& set) {
+void sort_cells(CellSet& set) {
   sort_unique(set.vertices);
   sort_unique(set.edges);
   sort_unique(set.faces);
@@ -185,7 +185,7 @@ CellSet star(const Complex& complex, const CellSet& set) {
   for (VertexId v : set.vertices) walk.of(v);
   for (EdgeId e : set.edges) walk.of(e);
   for (FaceId f : set.faces) walk.of(f);
-  sort_unique(out);
+  sort_cells(out);
   return out;
 }
 

@@ -103,7 +103,7 @@ double volume(const TopoDS_Shape& shape) {
   return properties.Mass();
 }
 
-std::vector<double> volumes(const TopoDS_Shape& shape) {
+std::vector<double> solid_volumes(const TopoDS_Shape& shape) {
   std::vector<double> result;
   for (TopExp_Explorer part(shape, TopAbs_SOLID); part.More(); part.Next())
     result.push_back(volume(part.Current()));
@@ -158,8 +158,8 @@ TEST_CASE("round solids are one face on their surface", "[exports]") {
     CHECK(valid(shape));
     CHECK(count(shape, TopAbs_FACE) == scene.result().cells().faces.size());
     CHECK(surfaces(shape).count(kind) == 1);
-    REQUIRE(volumes(shape).size() == 1);
-    if (exact > 0) CHECK(volumes(shape)[0] == Approx(exact).epsilon(1e-6));
+    REQUIRE(solid_volumes(shape).size() == 1);
+    if (exact > 0) CHECK(solid_volumes(shape)[0] == Approx(exact).epsilon(1e-6));
     for (const std::string& notice : scene.notices) CHECK_THAT(notice, !Contains("facet"));
   }
 }
@@ -191,7 +191,7 @@ TEST_CASE("regions share the faces between them, and a wall has two solids", "[e
   int walls = 0;
   for (int i = 1; i <= solids.Extent(); ++i) walls += solids(i).Extent() == 2;
   CHECK(walls == 1);
-  const std::vector<double> found = volumes(shape);
+  const std::vector<double> found = solid_volumes(shape);
   CHECK(found[0] == Approx(32 * kHalfTurn / 3).epsilon(1e-9));
   CHECK(found[1] == Approx(108 - 16 * kHalfTurn / 3).epsilon(1e-9));
 }
@@ -289,8 +289,8 @@ TEST_CASE("sheets, wires and points are there beside solids, in a sheet's face a
     CAPTURE(step);
     const TopoDS_Shape shape = step ? scene.step() : scene.brep();
     CHECK(valid(shape));
-    REQUIRE(volumes(shape).size() == 1);
-    CHECK(volumes(shape)[0] == Approx(64));
+    REQUIRE(solid_volumes(shape).size() == 1);
+    CHECK(solid_volumes(shape)[0] == Approx(64));
     if (step) continue;
     CHECK(count(shape, TopAbs_FACE) == cells.faces.size());
     CHECK(count(shape, TopAbs_EDGE) == cells.edges.size());
@@ -353,7 +353,7 @@ TEST_CASE("a CAD model that went through a tree has its surfaces", "[exports]") 
   for (const std::string form : {"step", "brep"}) {
     if (form == "brep") scene.brep();
     Scene again("nodes:\n  model: {" + form + ": {file: '" + scene.file("m." + form) + "'}}");
-    CHECK(volumes(again.brep()).size() == 1);
+    CHECK(solid_volumes(again.brep()).size() == 1);
     const TopoDS_Shape shape = again.brep();
     CHECK(valid(shape));
     CHECK(surfaces(shape) == std::multiset<std::string>{"Geom_CylindricalSurface", "Geom_SphericalSurface"});
@@ -438,8 +438,8 @@ TEST_CASE("files are right where OpenCASCADE's own Booleans are not", "[exports]
     Scene scene(leaves + "  model:   {union: [fin, post], dominance: left}");
     const TopoDS_Shape shape = scene.brep();
     CHECK(valid(shape));
-    REQUIRE(volumes(shape).size() == 2);
-    for (const double v : volumes(shape)) CHECK(v == Approx(2 * kHalfTurn));
+    REQUIRE(solid_volumes(shape).size() == 2);
+    for (const double v : solid_volumes(shape)) CHECK(v == Approx(2 * kHalfTurn));
     CHECK(count(shape, TopAbs_FACE) == scene.result().cells().faces.size());
     CHECK(valid(scene.step()));
   }
@@ -515,7 +515,7 @@ TEST_CASE("random solids are valid, with the faces of the result on their surfac
     CHECK(count(shape, TopAbs_SOLID) == active);
     const std::size_t here = result.cells().faces.size();
     faces += here;
-    for (const double v : volumes(shape)) CHECK(v > 0);
+    for (const double v : solid_volumes(shape)) CHECK(v > 0);
     std::size_t of_facets = 0;
     for (const std::string& notice : scene.notices) of_facets += notice.find("flat facet") != std::string::npos;
     faceted += of_facets;

@@ -97,7 +97,7 @@ std::vector<std::array<std::size_t, 4>> counts(const std::string& text, std::siz
   return result;
 }
 
-void check(std::uint64_t count, bool one_axis) {
+void check_scenes(std::uint64_t count, bool one_axis) {
   const std::uint64_t first = from_environment("CNRG_FIRST_SEED", 0);
   count = from_environment("CNRG_SEEDS", count);
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
@@ -116,11 +116,11 @@ void check(std::uint64_t count, bool one_axis) {
 }
 
 TEST_CASE("random leaves about one axis have counts that no fineness and no place changes", "[random]") {
-  check(150, true);
+  check_scenes(150, true);
 }
 
 TEST_CASE("random pairs of leaves on a lattice have counts that no fineness and no place changes", "[random]") {
-  check(200, false);
+  check_scenes(200, false);
 }
 
 }  // namespace

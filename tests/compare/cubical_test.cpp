@@ -97,7 +97,7 @@ Value leaf(Random& random) {
 
 bool has(const Labels& cells, const Cell& c) { return cells.contains(c); }
 
-Labels interior(const Labels& x) {
+Labels inner_labels(const Labels& x) {
   Labels out;
   for (const auto& [c, label] : x) {
     bool inside = true;
@@ -108,7 +108,7 @@ Labels interior(const Labels& x) {
 }
 
 /// What is added is one more component.
-Labels closure(const Labels& x) {
+Labels closed_labels(const Labels& x) {
   Labels out = x;
   for_all([&](const Cell& c) {
     bool beside = false;
@@ -155,8 +155,8 @@ Value random_value(Random& random, int depth) {
     return {std::string("{") + op + ": [" + x.text + ", " + y.text + "]}", overlay(op, x.cells, y.cells)};
   }
   const Value x = random_value(random, depth - 1);
-  if (kind == 6) return {"{interior: " + x.text + "}", interior(x.cells)};
-  return {"{closure: " + x.text + "}", closure(x.cells)};
+  if (kind == 6) return {"{interior: " + x.text + "}", inner_labels(x.cells)};
+  return {"{closure: " + x.text + "}", closed_labels(x.cells)};
 }
 
 using Set = std::set<Cell>;
@@ -236,7 +236,7 @@ bool one_to_one(const Labels& a, const Labels& b) {
          std::all_of(to_a.begin(), to_a.end(), one);
 }
 
-Set difference(const Labels& a, const Labels& b) {
+Set labels_apart(const Labels& a, const Labels& b) {
   Set out;
   for (const auto& [c, label] : a) {
     if (!has(b, c)) out.insert(c);
@@ -248,12 +248,12 @@ struct Verdict {
   bool sets = false, components = false;
 };
 
-Verdict check(const Value& a, const Value& b) {
+Verdict check_values(const Value& a, const Value& b) {
   const std::string tree_a = "v: " + a.text, tree_b = "v: " + b.text;
   INFO("A: " << a.text << "\nB: " << b.text);
   const Comparison comparison = test::compared(tree_a, tree_b);
   INFO(comparison_text(comparison, 100));
-  const Set only_a = difference(a.cells, b.cells), only_b = difference(b.cells, a.cells);
+  const Set only_a = labels_apart(a.cells, b.cells), only_b = labels_apart(b.cells, a.cells);
   check_pieces(comparison.only[0], only_a);
   check_pieces(comparison.only[1], only_b);
   const bool alike = one_to_one(a.cells, b.cells);
@@ -288,11 +288,11 @@ TEST_CASE("Random trees of sets differ where arrays over a grid do", "[compare][
     Random random(seed);
     const Value a = random_value(random, 1 + random.below(3));
     const Value b = random_value(random, 1 + random.below(3));
-    sets += check(a, b).sets;
+    sets += check_values(a, b).sets;
     // Changed in one operand at the top: large parts in common.
     const Value c = random_value(random, 1);
-    check({"{sum: [" + a.text + ", " + b.text + "]}", overlay("sum", a.cells, b.cells)},
-          {"{sum: [" + a.text + ", " + c.text + "]}", overlay("sum", a.cells, c.cells)});
+    check_values({"{sum: [" + a.text + ", " + b.text + "]}", overlay("sum", a.cells, b.cells)},
+                 {"{sum: [" + a.text + ", " + c.text + "]}", overlay("sum", a.cells, c.cells)});
   }
   CHECK(sets < (last - first));
 }
@@ -310,7 +310,7 @@ TEST_CASE("Random trees of sets, written otherwise, mean the same", "[compare][c
     };
     // x + y = y + x, (x + y) + z = x + (y + z), x y = y x, (x - y) - z = x - (y + z), with all components.
     const auto same = [&](const Value& x, const Value& y) {
-      const Verdict verdict = check(x, y);
+      const Verdict verdict = check_values(x, y);
       CHECK(verdict.sets);
       CHECK(verdict.components);
       alike += verdict.components;
@@ -320,7 +320,7 @@ TEST_CASE("Random trees of sets, written otherwise, mean the same", "[compare][c
     same(both("sum", both("sum", a, b), c), both("sum", a, both("sum", b, c)));
     same(both("subtract", both("subtract", a, b), c), both("subtract", a, both("sum", b, c)));
     // x = (x - y) + x y as a set; components of x are parted.
-    const Verdict parted = check(a, both("sum", both("subtract", a, b), both("product", a, b)));
+    const Verdict parted = check_values(a, both("sum", both("subtract", a, b), both("product", a, b)));
     CHECK(parted.sets);
     regrouped += !parted.components;
   }

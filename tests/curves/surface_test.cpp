@@ -32,7 +32,7 @@ struct Made {
 
 double norm(const Vector3<double>& v) { return std::hypot(v[0], v[1], v[2]); }
 
-bool holds(const Interval& x, double value, double slack) {
+bool encloses(const Interval& x, double value, double slack) {
   return x.inf() <= value + slack && value - slack <= x.sup();
 }
 
@@ -77,17 +77,17 @@ std::size_t check(const Shape& shape, double size, const std::set<std::uint32_t>
         const double v = i == 0 ? high[1] : low[1] + any(random) * (high[1] - low[1]);
         const SurfaceJet<double> at = surface->at(u, v);
         for (std::size_t k = 0; k < 3; ++k) {
-          CHECK(holds(box.point[k], at.point[k], 1e-12 * size));
-          CHECK(holds(box.along_u[k], at.along_u[k], 1e-11 * size));
-          CHECK(holds(box.along_v[k], at.along_v[k], 1e-11 * size));
+          CHECK(encloses(box.point[k], at.point[k], 1e-12 * size));
+          CHECK(encloses(box.along_u[k], at.along_u[k], 1e-11 * size));
+          CHECK(encloses(box.along_v[k], at.along_v[k], 1e-11 * size));
         }
         check_direction(at.normal, at.along_u, at.along_v);
         // The direction is in the cone of the box: at a point it is a box of almost no width.
         const SurfaceJet<Interval> point = surface->over(u, v);
         for (std::size_t k = 0; k < 3; ++k) {
           CHECK(point.point[k].sup() - point.point[k].inf() < 1e-12 * size);
-          CHECK(holds(point.point[k], at.point[k], 1e-12 * size));
-          CHECK(holds(box.normal[k], at.normal[k], 1e-9 * norm(at.normal) + 1e-12 * size * size));
+          CHECK(encloses(point.point[k], at.point[k], 1e-12 * size));
+          CHECK(encloses(box.normal[k], at.normal[k], 1e-9 * norm(at.normal) + 1e-12 * size * size));
         }
       }
     }
@@ -197,8 +197,8 @@ TEST_CASE("curves of wires are where their ends are") {
     const Vector3<double> before = curve->at(m - h).point, after = curve->at(m + h).point;
     for (std::size_t k = 0; k < 3; ++k) {
       CHECK(std::abs(curve->at(a).point[k] - to_double(wire.ends[0][k])) < 1e-12);
-      CHECK(holds(box.point[k], middle.point[k], 1e-13));
-      CHECK(holds(box.along[k], middle.along[k], 1e-12));
+      CHECK(encloses(box.point[k], middle.point[k], 1e-13));
+      CHECK(encloses(box.along[k], middle.along[k], 1e-12));
       CHECK(middle.along[k] == Approx((after[k] - before[k]) / (2 * h)).margin(1e-7));
     }
   }

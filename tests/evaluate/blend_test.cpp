@@ -28,13 +28,13 @@ BlendRun run_blend(const std::string& text, bool keep_all = false) {
   return r;
 }
 
-const Group& group_of(const BlendRun& r) { return r.evaluation.value(r.tree.result).value->group(); }
+const Group& blended(const BlendRun& r) { return r.evaluation.value(r.tree.result).value->group(); }
 
 const RegionAttributes* region_at(const BlendRun& r, const RationalPoint& p) {
   const Location at = Locator(*r.evaluation.complex).locate(p);
   REQUIRE(at.dimension == 3);
-  const std::uint32_t region = group_of(r).region_of(at.region);
-  return region == 0 ? nullptr : &group_of(r).regions[region - 1];
+  const std::uint32_t region = blended(r).region_of(at.region);
+  return region == 0 ? nullptr : &blended(r).regions[region - 1];
 }
 
 Mixture mixture_at(const BlendRun& r, const RationalPoint& p) {
@@ -78,7 +78,7 @@ std::vector<RationalPoint> points(int count) {
 
 TEST_CASE("what two boxes share is mixed by the distances to their boundaries", "[blend]") {
   const BlendRun r = run_blend(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
-  CHECK(group_of(r).regions.size() == 3);
+  CHECK(blended(r).regions.size() == 3);
   CHECK(r.evaluation.rows.back().removals.empty());
   CHECK(r.evaluation.diagnostics.empty());
   int shared = 0;
@@ -110,13 +110,13 @@ TEST_CASE("every wall of both operands stays, and touching without overlap blend
   const BlendRun all = run_blend(kBlendHead + kTwoBoxes + "  r: {sum: [{unify: a}, {unify: b}]}\nresult: r\n");
   const NodeValue& value = *r.evaluation.value(r.tree.result).value;
   const NodeValue& sum = *all.evaluation.value(all.tree.result).value;
-  CHECK(group_of(r).faces.size() == selection_of(*all.evaluation.complex, sum).faces.size());
+  CHECK(blended(r).faces.size() == selection_of(*all.evaluation.complex, sum).faces.size());
   CHECK(simplified_counts(*r.evaluation.complex, value, selection_of(*r.evaluation.complex, value))[3] == 3);
   const BlendRun beside = run_blend(kBlendHead +
                                     "  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}, material: steel}\n"
                                     "  b: {box: {min: [1, 0, 0], max: [2, 1, 1]}, material: ceramic}\n"
                                     "  r: {union: [a, b], blend: linear}\nresult: r\n");
-  CHECK(group_of(beside).regions.size() == 2);
+  CHECK(blended(beside).regions.size() == 2);
   CHECK(mixture_at(beside, {Rational(1, 2), Rational(1, 2), Rational(1, 2)}) == Mixture{{"steel", 1}});
   CHECK(mixture_at(beside, {Rational(3, 2), Rational(1, 2), Rational(1, 2)}) == Mixture{{"ceramic", 1}});
 }
@@ -175,7 +175,7 @@ TEST_CASE("one material, and none, have nothing to blend", "[blend]") {
                                  material +
                                  "}\n"
                                  "  r: {union: [a, b], blend: linear}\nresult: r\n");
-    CHECK(group_of(r).regions.size() == 3);
+    CHECK(blended(r).regions.size() == 3);
     CHECK(region_at(r, {3, 2, 2})->material == RegionMaterial("steel"));
   }
 }
@@ -207,7 +207,7 @@ TEST_CASE("a region without a bounded boundary cannot blend", "[blend]") {
                           "has an unbounded one; cut it with a box first"));
   // Where it overlaps nothing it need not.
   const std::string far = "  far: {halfspace: {point: [0, 0, -2], normal: [0, 0, 1]}, material: ceramic}\n";
-  CHECK(group_of(run_blend(kBlendHead + kTwoBoxes + far + "  r: {union: [a, far], blend: linear}\nresult: r\n"))
+  CHECK(blended(run_blend(kBlendHead + kTwoBoxes + far + "  r: {union: [a, far], blend: linear}\nresult: r\n"))
             .regions.size() == 2);
 }
 

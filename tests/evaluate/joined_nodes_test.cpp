@@ -30,7 +30,7 @@ Result alone(Tree tree, const std::string& node) {
   return evaluate(tree).result();
 }
 
-Rational sum(const std::map<std::string, Rational>& volumes) {
+Rational sum_of(const std::map<std::string, Rational>& volumes) {
   Rational all = 0;
   for (const auto& [name, volume] : volumes) all += volume;
   return all;
@@ -74,9 +74,9 @@ TEST_CASE("a joined node is the joined result of its operand", "[joined]") {
   join(joined, Rational(1, 1000), &again);
   CHECK(again.rounds == 0);
   // Placed, named anew, cut, used twice.
-  CHECK(volumes(e.result("moved")) == std::map<std::string, Rational>{{"stone", 8 * sum(volumes(joined))}});
-  CHECK(sum(volumes(e.result("both"))) == 10 * sum(volumes(joined)));
-  CHECK(sum(volumes(joined)) - sum(volumes(e.result("cut"))) == 5 * 100 * 2);
+  CHECK(volumes(e.result("moved")) == std::map<std::string, Rational>{{"stone", 8 * sum_of(volumes(joined))}});
+  CHECK(sum_of(volumes(e.result("both"))) == 10 * sum_of(volumes(joined)));
+  CHECK(sum_of(volumes(joined)) - sum_of(volumes(e.result("cut"))) == 5 * 100 * 2);
   REQUIRE(e.joined.size() == 2);
   CHECK(e.joined[0].report.merged == report.merged);
   CHECK(e.joined[0].report.lost_regions == report.lost_regions);

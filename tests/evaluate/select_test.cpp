@@ -86,7 +86,7 @@ TEST_CASE("a selection may be added to a tree that was read", "[select]") {
 }
 
 /// The criterion as a tree says it.
-std::string words(const Selectable& s) { return "{" + s.key + ": " + s.value + ", dimension: "; }
+std::string selector_text(const Selectable& s) { return "{" + s.key + ": " + s.value + ", dimension: "; }
 
 // On the cells of the refinement: simplification would unite faces where the edge between them goes with others.
 // Edges and vertices come along with faces, so these are not compared.
@@ -116,7 +116,7 @@ TEST_CASE("what is listed is what can be picked", "[select][random]") {
     for (const Selectable& s : listed) {
       if (s.key == "dimension") continue;
       for (const int dimension : {2, 3}) {
-        tree.result = add_selection(tree, model, words(s) + std::to_string(dimension) + "}", "words");
+        tree.result = add_selection(tree, model, selector_text(s) + std::to_string(dimension) + "}", "words");
         const Evaluation e = evaluated_nodes(tree, {}, true);
         const NodeRow& picked = e.rows.back();
         CAPTURE(seed, s.key, s.value, dimension);

@@ -196,7 +196,7 @@ std::string check_boolean_facts(const BooleanFacts& f) {
 }
 
 /// Everything told of every cell at every node, against the kept values and the counts of the rows.
-std::string check(const Run& r, std::set<std::string>& rows) {
+std::string check_stories(const Run& r, std::set<std::string>& rows) {
   const Complex& complex = *r.evaluation.complex;
   const std::vector<CellSide> pieces = all_pieces(complex);
   const std::vector<Life> lives = Lives(r.tree, r.evaluation, r.tree.result).of(pieces, false);
@@ -248,7 +248,7 @@ TEST_CASE("every cell's life agrees with the evaluation, and every row of the ta
   for (std::uint64_t seed = 0; seed < 250; ++seed) {
     const std::string nodes = RandomTree(seed).nodes(false);
     INFO("seed " << seed << "\n" << nodes);
-    CHECK(check(run(nodes, "result"), rows) == "");
+    CHECK(check_stories(run(nodes, "result"), rows) == "");
   }
   const std::string thin = R"(  b: {box: {min: [0, 0, 0], max: [4, 4, 4]}}
   w: {polyline: [[1, 1, 1], [2, 1, 1]]}
@@ -259,7 +259,7 @@ TEST_CASE("every cell's life agrees with the evaluation, and every row of the ta
   k: {intersection: [t, b], dominance: left}
   result: {union: [i, j, k]}
 )";
-  CHECK(check(run(thin, "result"), rows) == "");
+  CHECK(check_stories(run(thin, "result"), rows) == "");
   for (const TableRow& row : table_rows()) {
     INFO(row.id);
     CHECK(rows.count(row.id) == 1);
@@ -271,7 +271,7 @@ TEST_CASE("stars explain the topological operators", "[explain]") {
   for (std::uint64_t seed = 1000; seed < 1060; ++seed) {
     const std::string nodes = RandomTree(seed).nodes(true);
     INFO("seed " << seed << "\n" << nodes);
-    CHECK(check(run(nodes, "result"), rows) == "");
+    CHECK(check_stories(run(nodes, "result"), rows) == "");
   }
 }
 

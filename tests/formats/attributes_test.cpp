@@ -43,7 +43,7 @@ std::map<std::string, std::vector<std::int32_t>> groups(const Result& result, st
   return out;
 }
 
-double sum(const std::vector<double>& sizes, const std::vector<std::int32_t>& cells) {
+double sum_at(const std::vector<double>& sizes, const std::vector<std::int32_t>& cells) {
   double total = 0;
   for (const std::int32_t cell : cells) total += sizes[static_cast<std::size_t>(cell)];
   return total;
@@ -57,12 +57,12 @@ TEST_CASE("groups by name, material and texts in every dimension", "[formats][at
     const Measures measures(result, arrays);
     const std::vector<double> lengths = measures.lengths(), areas = measures.areas();
     const auto wires = groups(result, 1), faces = groups(result, 2), points = groups(result, 0);
-    CHECK(sum(lengths, wires.at("bolts")) == 7);
+    CHECK(sum_at(lengths, wires.at("bolts")) == 7);
     CHECK(wires.at("material steel") == wires.at("bolts"));
     CHECK(wires.at("section 25") == wires.at("bolts"));
-    CHECK(sum(areas, faces.at("fault")) == 16);
+    CHECK(sum_at(areas, faces.at("fault")) == 16);
     CHECK(faces.at("kind normal") == faces.at("fault"));
-    CHECK(sum(areas, faces.at("material shotcrete")) == 16);
+    CHECK(sum_at(areas, faces.at("material shotcrete")) == 16);
     CHECK(faces.count("material steel") == 0);
     CHECK(points.at("tip").size() == 1);
     if (node == "model") CHECK(faces.at("wall block 1 | block 2") == faces.at("fault"));

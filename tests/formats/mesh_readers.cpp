@@ -44,7 +44,7 @@ std::istringstream without_comments(const std::string& text) {
 
 using Vector = std::array<double, 3>;
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
+Vector cross_of(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 double length(const Vector& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
@@ -105,7 +105,7 @@ double MeshFile::measure(const std::vector<Element>& list) const {
   for (const Element& e : list) {
     const Vector u = minus(nodes.at(e.nodes.at(1)), nodes.at(e.nodes[0]));
     const Vector v = minus(nodes.at(e.nodes.back()), nodes.at(e.nodes[0]));
-    sum += e.dimension == 1 ? length(u) : length(cross(u, v)) / 2;
+    sum += e.dimension == 1 ? length(u) : length(cross_of(u, v)) / 2;
   }
   return sum;
 }
@@ -307,7 +307,7 @@ std::map<int, double> tetgen_volumes(const std::string& node_text, const std::st
     next<int>(in);
     Vector p[4];
     for (Vector& corner : p) corner = nodes.at(next<int>(in));
-    const Vector n = cross(minus(p[1], p[0]), minus(p[2], p[0])), d = minus(p[3], p[0]);
+    const Vector n = cross_of(minus(p[1], p[0]), minus(p[2], p[0])), d = minus(p[3], p[0]);
     volumes[next<int>(in)] += std::abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]) / 6;
   }
   return volumes;

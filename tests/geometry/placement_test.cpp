@@ -8,7 +8,7 @@
 namespace cnrg {
 namespace {
 
-Rational fraction(std::mt19937& random) {
+Rational random_fraction(std::mt19937& random) {
   const auto number = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
   Rational value(number(-9, 9), number(1, 9));
   value.canonicalize();
@@ -16,13 +16,15 @@ Rational fraction(std::mt19937& random) {
 }
 
 Transform random_step(std::mt19937& random) {
-  const auto point = [&] { return RationalPoint{fraction(random), fraction(random), fraction(random)}; };
+  const auto point = [&] {
+    return RationalPoint{random_fraction(random), random_fraction(random), random_fraction(random)};
+  };
   const RationalPoint a = point();
   const bool has_direction = a != RationalPoint{0, 0, 0};
   switch (random() % 4) {
     case 0: return Transform::translation(a);
     case 1: return a[0] != 0 && a[1] != 0 && a[2] != 0 ? Transform::scaling(a) : Transform();
-    case 2: return has_direction ? Transform::rotation(a, fraction(random), point()) : Transform();
+    case 2: return has_direction ? Transform::rotation(a, random_fraction(random), point()) : Transform();
     default: return has_direction ? Transform::reflection(a, point()) : Transform();
   }
 }

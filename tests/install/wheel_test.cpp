@@ -1,6 +1,5 @@
-// The Python module as a wheel: made without the network of what is built, it holds the library and works by
-// itself. That the repository alone and an sdist build one, too, tests/packages/run tries, which compiles
-// everything anew.
+// A wheel of the Python module, made without the network of what is built, holds the library and works by itself.
+// tests/packages/run makes one from the sources alone, which takes minutes.
 #ifdef CNRG_PYTHON
 
 #include <filesystem>
@@ -43,12 +42,14 @@ TEST_CASE("a wheel of the Python module is built without the network, and works 
   const Workshop w;
   // As in the repository; what building leaves beside the sources stays here.
   fs::create_directories(w.path("source/csg"));
-  fs::copy(CNRG_SOURCES "/CMakeLists.txt", w.path("source/CMakeLists.txt"));
+  for (const char* file : {"CMakeLists.txt", "LICENSE"})
+    fs::copy(fs::path(CNRG_SOURCES) / file, w.path("source") / file);
   fs::copy(CNRG_SOURCES "/csg/python", w.path("source/csg/python"), fs::copy_options::recursive);
   succeed(w, "PIP_DISABLE_PIP_VERSION_CHECK=1 CNRG_BUILD='" CNRG_BUILD "' '" CNRG_PYTHON
              "' -m pip wheel --no-build-isolation --no-deps --no-index -w wheels source/csg/python");
   succeed(w, "'" CNRG_PYTHON "' -m pip install --no-index --no-deps --target site wheels/cnrg-*.whl");
-  for (const char* file : {"__init__.py", "py.typed", "_cnrg.pyi"}) CHECK(fs::exists(w.path("site/cnrg") / file));
+  for (const char* file : {"__init__.py", "py.typed", "_cnrg.pyi", "LICENSE"})
+    CHECK(fs::exists(w.path("site/cnrg") / file));
   w.write("script.py", kScript);
   CHECK_THAT(succeed(w, "env -i PATH=\"$PATH\" PYTHONPATH=\"$PWD/site\" '" CNRG_PYTHON
                         "' -s script.py \"$PWD/site\" \"$('" CNRG_PROGRAM "' --version)\""),

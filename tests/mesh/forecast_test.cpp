@@ -137,7 +137,7 @@ std::pair<MeshForecast, double> told_and_made(const std::string& nodes, Tetrahed
   return {told, double(made.mesh.tetrahedra.size())};
 }
 
-double volume_of(const Model& model) {
+double volume_of_model(const Model& model) {
   double volume = 0;
   for (const RegionTetrahedra& region : tetrahedra(result_of(model.nodes), {}).regions)
     volume += to_double(region.volume);
@@ -263,7 +263,7 @@ TEST_CASE("what a bound of volumes makes is foretold within 30 %", "[forecast]")
   for (const Model& model : models()) {
     if (model.nodes.find("size:") != std::string::npos) continue;
     TetrahedraOptions options;
-    options.max_volume = volume_of(model) / 10'000;
+    options.max_volume = volume_of_model(model) / 10'000;
     const auto [told, made] = told_and_made(model.nodes, options);
     INFO(model.name << ": " << told.tetrahedra << " foretold, " << made << " made");
     check_close(told, made);
@@ -284,7 +284,7 @@ TEST_CASE("what a bound of volumes makes of constrained tetrahedra is foretold",
     if (model.nodes.find("size:") != std::string::npos) continue;
     TetrahedraOptions options;
     options.constrained = true;
-    options.max_volume = volume_of(model) / 10'000;
+    options.max_volume = volume_of_model(model) / 10'000;
     const auto [told, made] = told_and_made(model.nodes, options);
     INFO(model.name << ": " << told.least << " to " << told.most << " foretold, " << made << " made");
     CHECK(told.least < made);

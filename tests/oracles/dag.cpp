@@ -122,7 +122,7 @@ std::string declared_materials(const RandomDag& dag) {
   return out.empty() ? out : out + "}\n";
 }
 
-RationalPoint middle(const RationalPoint& p, const RationalPoint& q) {
+RationalPoint middle_of(const RationalPoint& p, const RationalPoint& q) {
   return {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
 }
 
@@ -147,8 +147,8 @@ scenes::Leaf echo(Random& random, const std::vector<scenes::Leaf>& leaves) {
     const RationalPoint &p = corners[at], &q = corners[(at + 1) % corners.size()];
     switch (random.below(5)) {
       case 0: out.points.push_back(p); break;
-      case 1: out.points.push_back(middle(p, q)); break;
-      case 2: out.wires.push_back({p, random.one_in(2) ? q : middle(p, q)}); break;
+      case 1: out.points.push_back(middle_of(p, q)); break;
+      case 2: out.wires.push_back({p, random.one_in(2) ? q : middle_of(p, q)}); break;
       case 3: out.wires.push_back({p, q}); break;
       default:
         if (corners.size() > 2) scenes::add_sheet(out, {corners});

@@ -20,7 +20,7 @@ namespace {
 using Index = FlatComplex::Index;
 using Vector = std::array<double, 3>;
 
-std::string text_of(const Attributes& a) {
+std::string attributes_text(const Attributes& a) {
   std::string out = a.name + " | " + a.material.name();
   for (const auto& [key, value] : a.properties) out += " | " + key + " = " + to_text(value);
   return out;
@@ -117,7 +117,7 @@ class Moved {
     if (at.dimension != 3) return "on a cell of dimension " + std::to_string(at.dimension);
     const SimplifiedComplex::Place place = shape.result.place(at);
     const Component c = shape.result.component(place);
-    return c == 0 ? "outside" : text_of(shape.attributes(c));
+    return c == 0 ? "outside" : attributes_text(shape.attributes(c));
   }
 
   /// Points between the middles of triangles, on both sides of them, and in a grid around all.
@@ -168,7 +168,7 @@ class Moved {
     std::map<std::string, Measure> out;
     for (Component c = 1; c <= Component(shape.result.component_count()); ++c) {
       const auto volume = shape.result.volume(c);
-      Measure& m = out[text_of(shape.result.attributes(c))];
+      Measure& m = out[attributes_text(shape.result.attributes(c))];
       if (volume) m.volume += *volume;
       else m.bounded = false;
     }
@@ -232,7 +232,8 @@ class Moved {
     const auto see = [&](const auto& cells, auto add) {
       for (Index i = 0; i < cells.size(); ++i) {
         if (cells[i].component != 0)
-          (of_component.try_emplace(text_of(before_.attributes(cells[i].component)), before_).first->second.*
+          (of_component.try_emplace(attributes_text(before_.attributes(cells[i].component)), before_)
+               .first->second.*
            add)(i);
       }
     };
@@ -251,7 +252,7 @@ class Moved {
             for (const std::string& what : parts_of(*cells[i].origin.said))
               if (fails(said, what)) return where + " has `" + what + "`, which nothing near by had";
           }
-          const std::string component = text_of(after_.attributes(cells[i].component));
+          const std::string component = attributes_text(after_.attributes(cells[i].component));
           if (fails(of_component, component)) return where + " is of `" + component + "`, and nothing near by was";
         }
       }
@@ -410,8 +411,8 @@ std::string file_failure(const Result& result, const std::string& folder) {
   for (Component i = 1; i <= Component(result.component_count()); ++i) {
     const std::string words = "component " + std::to_string(i) + ", read back: ";
     if (result.volume(i) != read.volume(i)) return words + "another volume";
-    if (!(text_of(result.attributes(i)) == text_of(read.attributes(i))))
-      return words + text_of(read.attributes(i)) + " in place of " + text_of(result.attributes(i));
+    if (!(attributes_text(result.attributes(i)) == attributes_text(read.attributes(i))))
+      return words + attributes_text(read.attributes(i)) + " in place of " + attributes_text(result.attributes(i));
   }
   write(path, read);
   const std::string text = text_of_file(path);

@@ -159,7 +159,7 @@ Nef common(const Nef& a, const Nef& b) { return with_unbounded(a * b, unbounded_
 
 /// As an intersection: where an edge meets a facet, the difference of CGAL 5.5.1 takes the marks of edge and
 /// facet in this order, whichever is of `a` (create_edge_facet_overlay): that is wrong for open sets.
-Nef difference(const Nef& a, const Nef& b) { return common(a, b.complement()); }
+Nef set_difference(const Nef& a, const Nef& b) { return common(a, b.complement()); }
 
 /// Of closed sets, where all marks are equal.
 Nef closed_difference(const Nef& a, const Nef& b) {
@@ -261,7 +261,7 @@ NefSet NefSet::subtract(const NefSet& other) const {
 
 NefSet NefSet::without(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(difference(data_->nef, other.data_->nef)); });
+  set.data_ = guarded([&] { return shared<Data>(set_difference(data_->nef, other.data_->nef)); });
   return set;
 }
 

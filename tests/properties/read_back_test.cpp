@@ -30,7 +30,7 @@ Json said(const std::string& file) {
   return json;
 }
 
-std::string difference(const Json& a, const Json& b) {
+std::string json_changes(const Json& a, const Json& b) {
   const Json changes = Json::diff(a, b);
   return changes.empty() ? ""
                          : changes[0].dump() + " in place of " +
@@ -66,7 +66,7 @@ std::string read_back_failure(const RandomDag& dag) {
           again.nodes = {around.find("r")};
           write(dir / "b.json", evaluate(around, again).result("r"));
           const Json got = said(dir / "b.json");
-          if (got != wanted) return what + (cut ? " beside a box: " : ": ") + difference(wanted, got);
+          if (got != wanted) return what + (cut ? " beside a box: " : ": ") + json_changes(wanted, got);
         }
       }
     }
@@ -87,7 +87,7 @@ TEST_CASE("Every node of a dag is read back as it was written", "[dag]") {
       SUCCEED();
       continue;
     }
-    const auto [least, why] = shrink(dag, failure, failure_of);
+    const auto [least, why] = shrink(dag, failure, read_back_failure);
     FAIL_CHECK("seed " << seed << ": " << failure << "\nshrunk: " << why << "\n" << tree_file(least));
   }
 }

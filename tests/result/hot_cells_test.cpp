@@ -18,7 +18,7 @@ RationalPoint exact(const Xyz& p) { return {from_double(p[0]), from_double(p[1])
 
 double largest(const Xyz& p) { return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}); }
 
-double distance(const Xyz& p, const std::array<Xyz, 2>& line) {
+double distance_to(const Xyz& p, const std::array<Xyz, 2>& line) {
   const Xyz way = minus(line[1], line[0]), area = accurate_cross(way, minus(p, line[0]));
   return std::sqrt(dot(area, area) / dot(way, way));
 }
@@ -69,7 +69,7 @@ TEST_CASE("hot cells: lines are found near each other however small their angle"
     if (exactly.distance > 0.999 * within) continue;
     ++near;
     REQUIRE(found.size() == 1);
-    for (const auto& line : lines) CHECK(distance(found[0], line) < 0.51 * within);  // it is in the middle
+    for (const auto& line : lines) CHECK(distance_to(found[0], line) < 0.51 * within);  // it is in the middle
   }
   CHECK(near > 300);
 }

@@ -36,7 +36,7 @@ Rational of_segments(const RationalPoint& a, const RationalPoint& b, const Ratio
   return std::min<Rational>(least, dot(apart, apart));
 }
 
-bool holds(const std::array<Index, 2>& ends, Index p) { return ends[0] == p || ends[1] == p; }
+bool is_end(const std::array<Index, 2>& ends, Index p) { return ends[0] == p || ends[1] == p; }
 
 /// The least squared distance that pairs have with a part, by kind and number.
 std::map<std::array<Index, 3>, Rational> told_by(const std::vector<NearPair>& pairs) {
@@ -85,7 +85,7 @@ TEST_CASE("near: pairs of parts against all pairs", "[near][random]") {
       }
       for (Index s = 0; s < segments.size(); ++s) {
         const auto& ends = segments[s].ends;
-        if (holds(ends, p)) continue;
+        if (is_end(ends, p)) continue;
         const Rational distance = to_segment(x[p], x[ends[0]], x[ends[1]]);
         if (distance >= square) {
           CHECK(!told.contains({Index(Near::point_segment), p, s}));
@@ -121,7 +121,7 @@ TEST_CASE("near: pairs of parts against all pairs", "[near][random]") {
     for (Index s = 0; s < segments.size(); ++s) {
       for (Index t = s + 1; t < segments.size(); ++t) {
         const auto &a = segments[s].ends, &b = segments[t].ends;
-        if (holds(a, b[0]) || holds(a, b[1])) continue;
+        if (is_end(a, b[0]) || is_end(a, b[1])) continue;
         const Rational distance = of_segments(x[a[0]], x[a[1]], x[b[0]], x[b[1]]);
         if (distance >= square) {
           CHECK(!told.contains({Index(Near::segments), s, t}));

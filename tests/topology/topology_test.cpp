@@ -14,7 +14,7 @@ using cnrg::test::Case;
 
 namespace {
 
-std::string text_of(const Case& c) {
+std::string text_of_case(const Case& c) {
   std::vector<RegionAttributes> components = c.group.regions;
   components.push_back({"entities", "", {}});
   return topology_text(*c.complex, selection_of(*c.complex, c.group), c.simplified, components);
@@ -76,7 +76,7 @@ TEST_CASE("topology of a box with a core and a sheet", "[topology]") {
   test::add_wire(soup, {0, 0, 0}, {-1, 0, 0});
   Case c(soup, {{{"rock", "granite", {}}}, {{"core", "", {}}}, {}, {}});
   c.show(c.unite(Dominance::right));
-  const std::string text = text_of(c);
+  const std::string text = text_of_case(c);
   CHECK(says(text, "v - e + (f - r) - (V - Vh + Vc) = C - Ch + Cc\n"));
   CHECK(says(text, "  21 - 29 + (13 - 1) - (2 - 0 + 1) = 1 - 0 + 0   (1 = 1)\n"));
   CHECK(says(text, "  point set          1        0        0      1      0      0\n"));
@@ -96,7 +96,7 @@ TEST_CASE("around the edge that two boxes share: radial order, neighbourhoods, s
   test::add_box(soup, {1, 1, 0}, {2, 2, 1});
   Case c(soup, {{{"left", "", {}}}, {{"right", "", {}}}});
   c.show(c.unite());
-  const std::string text = text_of(c);
+  const std::string text = text_of_case(c);
   CHECK(says(text, "4 boundary faces meet: 2 solid sectors: e"));
   const std::size_t at = text.find("radial order (faces and regions about the edge)\n  e");
   REQUIRE(at != std::string::npos);
@@ -129,7 +129,7 @@ TEST_CASE("topology of a curved patch, an open set, an unbounded one, and none",
   CHECK(t.f == 3);
   CHECK(t.r == 1);
   CHECK(t.left() == 1);
-  CHECK(says(text_of(drum), "  0 - (2 - 2) + (3 - 1 + 0) - (1 - 0 + 0) = 1 - 0 + 0   (1 = 1)\n"));
+  CHECK(says(text_of_case(drum), "  0 - (2 - 2) + (3 - 1 + 0) - (1 - 0 + 0) = 1 - 0 + 0   (1 = 1)\n"));
 
   Selection open;
   for (RegionId r : IdRange<RegionId>(drum.complex->region_count)) {

@@ -31,7 +31,7 @@ Cell cube() {
 }
 
 /// The part of a cell where normal . p <= offset.
-Cell part(const Cell& cell, const RationalPoint& normal, const Rational& offset) {
+Cell half_of(const Cell& cell, const RationalPoint& normal, const Rational& offset) {
   Cell result;
   Polygon lid;
   for (const Polygon& polygon : cell) {
@@ -77,8 +77,8 @@ std::vector<Cell> cut_cube(std::mt19937_64& random, std::size_t count) {
       for (const RationalPoint& p : polygon) at = at + p, ++corners;
     }
     const Rational offset = dot(normal, at) / corners;
-    const Cell below = part(cells[i], normal, offset);
-    const Cell above = part(cells[i], Rational(-1) * normal, -offset);
+    const Cell below = half_of(cells[i], normal, offset);
+    const Cell above = half_of(cells[i], Rational(-1) * normal, -offset);
     cells[i] = below;
     cells.push_back(above);
   }

@@ -116,7 +116,7 @@ void add_nef(Families& families) {
   };
   curved.compare = compare_pair;
   curved.smaller = [](const CurvedPair&) { return std::vector<CurvedPair>(); };
-  curved.text = text_of;
+  curved.text = pair_text;
   add(families, curved);
 }
 

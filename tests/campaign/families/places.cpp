@@ -262,7 +262,7 @@ void add_places(Families& families) {
     recipe.make = make;
     recipe.compare = compare_places;
     recipe.smaller = smaller;
-    recipe.text = text_of;
+    recipe.text = places_text;
     add(families, recipe);
   };
   places("places", "points by definition", 1, [](std::uint64_t seed) {

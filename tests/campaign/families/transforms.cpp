@@ -38,7 +38,7 @@ Motion about(Motion motion, const RationalPoint& center) {
   return motion;
 }
 
-Step random_step(Random& random, int kind) {
+Step random_move_step(Random& random, int kind) {
   const auto number = [&]() -> Rational { return Rational(random.between(-6, 6)) / random.between(1, 5); };
   const auto point = [&] { return RationalPoint{number(), number(), number()}; };
   Step step;
@@ -94,7 +94,7 @@ Moved random_moved(std::uint64_t seed) {
   Moved out;
   out.dag = properties::random_dag(seed + 900'000'000, properties::position_of(seed));
   const int first = random.below(4), count = random.between(1, 3), stride = random.one_in(2) ? 1 : 3;
-  for (int i = 0; i < count; ++i) out.steps.push_back(random_step(random, (first + i * stride) % 4));
+  for (int i = 0; i < count; ++i) out.steps.push_back(random_move_step(random, (first + i * stride) % 4));
   return out;
 }
 
@@ -150,7 +150,7 @@ void add_transforms(Families& families) {
     for (RandomDag& less : properties::smaller(moved.dag)) out.push_back({std::move(less), moved.steps});
     return out;
   };
-  recipe.text = text_of;
+  recipe.text = moved_text;
   add(families, recipe);
 }
 
