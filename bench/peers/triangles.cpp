@@ -13,7 +13,7 @@ namespace cnrg::bench {
 namespace {
 
 /// Along the axis in which the face is largest.
-Projection projection_of(const std::vector<RationalPoint>& points, const Model::Face& face) {
+Projection face_projection(const std::vector<RationalPoint>& points, const Model::Face& face) {
   RationalPoint area{0, 0, 0};
   for (const PointLoop& loop : face.loops) {
     const RationalPoint part = doubled_area(points, loop);
@@ -49,7 +49,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Rationa
     }
   }
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (const auto& [a, b, c] : triangulate(table, projection_of(points, face), loops))
+  for (const auto& [a, b, c] : triangulate(table, face_projection(points, face), loops))
     triangles.push_back({place[a.index()], place[b.index()], place[c.index()]});
   return triangles;
 }

@@ -61,7 +61,7 @@ Arguments arguments_of(std::span<char*> words) {
   return out;
 }
 
-int run(std::span<char*> words) {
+int evaluate_as_told(std::span<char*> words) {
   for (const std::string_view word : words) {
     if (word == "--help" || word == "-h") std::cout << kUsage;
     else if (word == "--version") std::cout << version_text("cnrg-eval") << '\n';
@@ -95,6 +95,6 @@ int run(std::span<char*> words) {
 }  // namespace cnrg::app
 
 int main(int argc, char** argv) {
-  return cnrg::app::run_program("cnrg-eval",
-                                [&] { return cnrg::app::run(std::span(argv, std::size_t(argc)).subspan(1)); });
+  return cnrg::app::run_program(
+      "cnrg-eval", [&] { return cnrg::app::evaluate_as_told(std::span(argv, std::size_t(argc)).subspan(1)); });
 }

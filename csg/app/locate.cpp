@@ -33,12 +33,12 @@ namespace cnrg::app {
 namespace {
 
 /// The words of a line and the columns at which they begin, from 1.
-struct Word {
+struct LineWord {
   std::string_view text;
   int column;
 };
-std::vector<Word> words_of(std::string_view line) {
-  std::vector<Word> words;
+std::vector<LineWord> words_of(std::string_view line) {
+  std::vector<LineWord> words;
   const char* const kBlank = " \t\r";
   for (std::size_t begin = line.find_first_not_of(kBlank); begin != std::string_view::npos;) {
     const std::size_t end = std::min(line.find_first_of(kBlank, begin), line.size());
@@ -49,7 +49,7 @@ std::vector<Word> words_of(std::string_view line) {
   return words;
 }
 
-RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
+RationalPoint point_of(const std::vector<LineWord>& words, int line, int line_end) {
   RationalPoint point;
   for (std::size_t k = 0; k < 3; ++k) {
     if (k >= words.size()) {
@@ -131,9 +131,9 @@ class Materials {
 /// All points at once would say how large the frame must be; but then no point could be answered before the last
 /// one is read. A frame that is too small is left behind far, so that the next points are inside: each time it
 /// grows by a larger factor.
-class Places {
+class PlacesOfNodes {
  public:
-  Places(const Tree& tree, const LocateArguments& arguments)
+  PlacesOfNodes(const Tree& tree, const LocateArguments& arguments)
       : tree_(tree), arguments_(arguments), node_(node_of(tree, arguments.node)) {
     evaluate_with(false);
   }
@@ -197,11 +197,11 @@ int run_locate(const LocateArguments& arguments) {
     throw InputError("cnrg: error: `cnrg locate` reads points from standard input, so the tree has to be a file");
   }
   const Tree tree = tree_of(arguments);
-  Places places(tree, arguments);
+  PlacesOfNodes places(tree, arguments);
   LineReader lines([] { std::cout << std::flush; });
   std::string_view line;
   while (std::cout && lines.next(line)) {
-    const std::vector<Word> words = words_of(line);
+    const std::vector<LineWord> words = words_of(line);
     const int end = static_cast<int>(line.size()) + 1;
     if (!words.empty()) std::cout << places.describe(point_of(words, lines.number(), end), lines.number());
     std::cout << '\n';

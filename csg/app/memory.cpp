@@ -23,7 +23,7 @@ namespace {
 
 void say(const char* text) noexcept {
   for (std::size_t left = std::strlen(text); left > 0;) {
-    const ssize_t n = write(STDERR_FILENO, text, left);
+    const ssize_t n = ::write(STDERR_FILENO, text, left);
     if (n < 0) return;
     text += n, left -= static_cast<std::size_t>(n);
   }

@@ -154,7 +154,7 @@ std::string text_of(const CurvedReport& bent) {
   return text + "\n";
 }
 
-std::string number_text(double value) { return decimal(value, "%.6g"); }
+std::string short_number(double value) { return decimal(value, "%.6g"); }
 
 /// A row per group of faces and one for all. `quads`: these were asked for.
 std::string table_of(const SurfaceTriangles& made, bool quads) {
@@ -190,7 +190,7 @@ std::string table_of(const SurfaceTriangles& made, bool quads) {
       cells.push_back(std::to_string(of.quads));
       cells.push_back(of.quads == 0 ? "" : decimal(of.least_quad, "%.2f"));
     }
-    for (std::string& cell : std::vector<std::string>{std::to_string(of.triangles), number_text(of.area), angle,
+    for (std::string& cell : std::vector<std::string>{std::to_string(of.triangles), short_number(of.area), angle,
                                                       at, std::to_string(below), since})
       cells.push_back(std::move(cell));
     table.add_row(std::move(cells));

@@ -33,7 +33,7 @@ PictureRequest picture_request(const PictureWords& words) {
     }
     out.given = true;
     if (option == "--size") {
-      read([&](const OptionNames& names) { out.size = picture_size(value, names); });
+      read_option([&](const OptionNames& names) { out.size = picture_size(value, names); });
       continue;
     }
     PanelRequest& panel = out.panels.empty() ? common : out.panels.back();
@@ -41,11 +41,11 @@ PictureRequest picture_request(const PictureWords& words) {
       if (first_cut) panel.draw.cuts.clear();
       first_cut = false;
     }
-    read([&](const OptionNames& names) { set_option(panel, option.substr(2), value, names); });
+    read_option([&](const OptionNames& names) { set_option(panel, option.substr(2), value, names); });
   }
   if (out.panels.empty()) out.panels.push_back(common);
   for (const PanelRequest& panel : out.panels) {
-    read([&](const OptionNames& names) { check_options(panel, names); });
+    read_option([&](const OptionNames& names) { check_options(panel, names); });
   }
   return out;
 }

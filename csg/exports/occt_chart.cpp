@@ -118,7 +118,7 @@ std::optional<Rational> square_of_scale(const Transform& map) {
   return square;
 }
 
-gp_Pnt moved(const gp_Pnt& p, const Transform& map) {
+gp_Pnt moved_pole(const gp_Pnt& p, const Transform& map) {
   CadPoint result{};
   for (std::size_t i = 0; i < 3; ++i) {
     result[i] = to_double(map.offset[i]);
@@ -217,7 +217,8 @@ Handle(Geom_Surface) surface_of(const SurfaceForm& form) {
     spline = GeomConvert::SurfaceToBSplineSurface(surface);
   }
   for (int i = 1; i <= spline->NbUPoles(); ++i) {
-    for (int j = 1; j <= spline->NbVPoles(); ++j) spline->SetPole(i, j, moved(spline->Pole(i, j), form.placed));
+    for (int j = 1; j <= spline->NbVPoles(); ++j)
+      spline->SetPole(i, j, moved_pole(spline->Pole(i, j), form.placed));
   }
   return spline;
 }
@@ -226,7 +227,7 @@ Handle(Geom_Curve) curve_of(const CurveForm& form) {
   const Handle(Geom_Curve) curve = basis_of(form.curve);
   const Handle(Geom_BSplineCurve) spline = Handle(Geom_BSplineCurve)::DownCast(curve);
   require(!spline.IsNull(), "exports: a curve that is no spline");
-  for (int i = 1; i <= spline->NbPoles(); ++i) spline->SetPole(i, moved(spline->Pole(i), form.placed));
+  for (int i = 1; i <= spline->NbPoles(); ++i) spline->SetPole(i, moved_pole(spline->Pole(i), form.placed));
   return curve;
 }
 

@@ -163,7 +163,7 @@ bool is_empty(const TopoDS_Shape& shape) {
 
 /// A BREP text is whole: OpenCASCADE's reader of one that is cut short may not end. Its last table says how many
 /// entries it has, each ends with an asterisk, and the number of the shape itself follows.
-bool is_whole(const std::string& brep) {
+bool is_complete(const std::string& brep) {
   const std::string title = "\nTShapes ";
   const std::size_t table = brep.find(title);
   if (table == std::string::npos) return false;
@@ -214,7 +214,7 @@ CadFile read_brep(const CadShape& shape, const std::string& content) {
   }
   CadFile file;
   std::istringstream stream(content);
-  if (is_whole(content)) BRepTools::Read(file.shape, stream, BRep_Builder());
+  if (is_complete(content)) BRepTools::Read(file.shape, stream, BRep_Builder());
   if (file.shape.IsNull()) {
     throw LeafFileError(shape.file +
                         ": error: OpenCASCADE cannot read this BREP file: it may be cut short; write it "

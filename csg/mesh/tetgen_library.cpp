@@ -108,7 +108,7 @@ const TooLarge* asked_of_all = nullptr;
 const SharedCount* looks = nullptr;
 
 /// How often it may look; 0: no bound.
-std::size_t most_looks = 0;
+std::size_t looks_allowed = 0;
 
 /// The child's own bound of processor time, raised with each step that it takes: a walk through a facet may turn
 /// in a circle, where it looks at nothing any more.
@@ -140,7 +140,7 @@ class TimeOfStep {
 bool has_to_be_split(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL) {
   time_of_step.next();
   looks->add();
-  if (most_looks > 0 && looks->value() > most_looks) std::raise(SIGXCPU);
+  if (looks_allowed > 0 && looks->value() > looks_allowed) std::raise(SIGXCPU);
   if (!*asked_of_all) return false;
   const auto at = [](const REAL* p) { return std::array<double, 3>{p[0], p[1], p[2]}; };
   return (*asked_of_all)({at(a), at(b), at(c), at(d)});
@@ -158,7 +158,7 @@ CNRG_PLUGIN_EXPORT int cnrg_tetgen_mesh(const cnrg::Plc& plc, const cnrg::Tetgen
     fill(plc, work.frame, in);
     asked_of_all = work.too_large;
     looks = work.looked;
-    most_looks = work.most_looks;
+    looks_allowed = work.most_looks;
     in.tetunsuitable = &has_to_be_split;
     std::string switches = work.switches;
     tetrahedralize(switches.data(), &in, &out);

@@ -105,7 +105,7 @@ RandomDag with_differences(const RandomDag& a, const RandomDag& b) {
 Tree tree_of(const RandomDag& dag, const std::string& name) { return parse_tree(tree_file(dag), name); }
 
 /// Compares; throws what evaluation throws. What is wrong is a failed check.
-bool check(const Workshop& shop, const RandomDag& a, const RandomDag& b) {
+bool check_dags(const Workshop& shop, const RandomDag& a, const RandomDag& b) {
   const Tree tree_a = tree_of(a, "a.yaml"), tree_b = tree_of(b, "b.yaml");
   const Json json_a = said(shop, tree_a, tree_a.result), json_b = said(shop, tree_b, tree_b.result);
   const Comparison comparison = compare(tree_a, tree_a.result, tree_b, tree_b.result);
@@ -153,13 +153,13 @@ TEST_CASE("Random trees are the same, or differ, as their files do", "[compare][
     INFO("CNRG_FIRST_SEED=" << seed << " CNRG_SEEDS=1");
     const RandomDag dag = random_dag(seed, position_of(seed));
     Random random(seed + 77);
-    const bool same = check(shop, dag, rewritten(dag, random));
+    const bool same = check_dags(shop, dag, rewritten(dag, random));
     CHECK(same);
     const std::vector<RandomDag> less = smaller(dag);
     if (less.empty()) continue;
     const RandomDag& other = less[static_cast<std::size_t>(random.below(static_cast<int>(less.size())))];
     try {
-      different += !check(shop, dag, other);
+      different += !check_dags(shop, dag, other);
       ++changed;
     } catch (const TreeError&) {  // what became smaller may aggregate what overlaps, or the same twice
     }

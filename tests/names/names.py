@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 # Folders of programs and of stand-ins: what is in one of these files meets nothing of the others.
-ALONE = ("csg/examples", "bench", "bench/peers/external", "tests/campaign/fuzz/targets", "tests/consumer", "tests/threads")
+ALONE = ("csg/examples", "bench", "bench/peers/external", "tests/consumer", "tests/threads")
 
 
 class Name(NamedTuple):
@@ -34,10 +34,10 @@ class Name(NamedTuple):
         return f"{self.file}:{self.line}"
 
 
-NO_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^()\\ ]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\''
-                     r'|^[ \t]*#(?:\\\n|[^\n])*', re.S | re.M)
-CLASS = re.compile(r"(?:template ?<.*> )?(?:requires .* )?(?:struct|class|union|enum(?: class| struct)?) (?:alignas\(\w+\) )?"
-                   r"(?:\[\[.*?\]\] )?(\w+)(?: final)?(?: ?:[^:(].*)?$")
+NO_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^()\\ ]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"'
+                     r"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'|^[ \t]*#(?:\\\n|[^\n])*", re.S | re.M)
+CLASS = re.compile(r"(?:template ?<.*> )?(?:requires .* )?(?:struct|class|union|enum(?: class| struct)?) "
+                   r"(?:alignas\(\w+\) )?(?:\[\[.*?\]\] )?(\w+)(?: final)?(?: ?:[^:(].*)?$")
 FORWARD = re.compile(r"(?:template ?<.*> ?)?(?:struct|class|union|enum(?: class)?) [\w:<>, ]+(?: : [\w:]+)?$")
 OPERATOR = re.compile(r"operator ?(?:[^\w\s(]+|\(\)|[\w:<>, ]+(?=\())")
 ANGLES = re.compile(r"<[^<>()]*>")
@@ -97,7 +97,7 @@ def declared(head):
             return "function", match[1], parameters(head, match.end())
         head = re.sub(r"\bHandle\((\w+)\)", r"\1", re.sub(r"alignas\(\w+\)", "", head))
         match = re.search(r"([\w:~]+)\(", without_angles(OPERATOR.sub("operator", head)))
-        if not match or "::" in match[1] or match[1].startswith("operator") or re.fullmatch(r"[A-Z_]+", match[1]):  # a macro
+        if not match or "::" in match[1] or re.fullmatch(r"operator.*|[A-Z_]+", match[1]):  # or a macro
             return None
         return "function", match[1], parameters(head, head.index(match[1] + "(") + len(match[1]) + 1)
     match = re.search(r"(?:^|[\s&*])(\w+)$", re.split(r"[={\[,]", without_angles(head), maxsplit=1)[0].strip())
@@ -130,9 +130,9 @@ def names_in(file, source):
         else:
             if body:
                 # Braces between round brackets or in the initializers of a constructor belong to the head.
-                inner = head.count("(") > head.count(")") or (is_function(head) and not text[found.start() - 1].isspace())
+                inner = head.count("(") > head.count(")")
                 at = past_brackets(text, at)
-                if inner:
+                if inner or (is_function(head) and not text[found.start() - 1].isspace()):
                     continue
             named = CLASS.match(head) if body else None
             entry = ("type", named[1], "") if named else declared(head) if head else None
@@ -142,7 +142,8 @@ def names_in(file, source):
                 at = found.end()
         if entry:
             first = begin + len(text[begin:]) - len(text[begin:].lstrip())
-            own = entry[0] == "alias" or re.match(r"static " if entry[0] == "function" else r"(?:static|const|constexpr) ", head)
+            kept = "static " if entry[0] == "function" else "(?:static|const|constexpr) "
+            own = entry[0] == "alias" or re.match(kept, head)
             hidden = "" in scopes or (file.endswith(".cpp") and bool(own))
             yield Name(file, text.count("\n", 0, first) + 1, "::".join(s for s in scopes if s), hidden, *entry, body)
         begin = at
@@ -240,8 +241,9 @@ class House:
                 if len({n.file for n in names}) > 1 and not self.are_one(names):
                     yield f"`{name}` is in more than one file of {room}: " + ", ".join(n.at() for n in names)
                 for other in shown[name] if name in shown else []:
-                    if other.file in seen and scope == ("" if other.scope in used else other.scope) and \
-                            not (names[0].kind == other.kind == "alias" and self.are_one([other, *names])):
+                    around = (scope + "::").startswith(other.scope + "::") or (scope == "" and other.scope in used)
+                    one = names[0].kind == other.kind == "alias" and self.are_one([other, *names])
+                    if other.file in seen and around and not one:
                         yield f"`{name}` hides what the room sees: {names[0].at()}, {other.at()}"
                         break
 

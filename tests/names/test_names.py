@@ -36,16 +36,17 @@ class OfAProgram(unittest.TestCase):
         box = "struct Box {\n  int lo, hi;\n};"
         self.assertEqual(faults({"kernel/refine/box.h": box, "csg/picture/labels.h": "class Box final : Base {\n};"}),
                          ["cnrg::Box is defined in more than one file: kernel/refine/box.h:2, csg/picture/labels.h:2"])
-        self.assertEqual(faults({"kernel/refine/box.h": box, "csg/picture/labels.cpp": "enum class Box { a };"}),
-                         ["cnrg::Box is defined in more than one file: kernel/refine/box.h:2, csg/picture/labels.cpp:2"])
+        self.assertEqual(faults({"kernel/refine/box.h": box, "csg/weld/box.cpp": "enum class Box { a };"}),
+                         ["cnrg::Box is defined in more than one file: kernel/refine/box.h:2, csg/weld/box.cpp:2"])
 
     def test_a_name_in_another_namespace_or_class_is_another_one(self):
         self.assertEqual(faults({"kernel/a/a.h": "struct Box {};\nstruct Model {\n  struct Part {};\n};",
-                                 "csg/b/b.h": "namespace picture {\nstruct Box {};\n}\nclass Box;\nstruct Part {};"}), [])
+                                 "csg/b/b.h": "namespace b {\nstruct Box {};\n}\nclass Box;\nstruct Part {};"}), [])
 
     def test_inline_functions_and_constants_are_found(self):
-        found = faults({"kernel/a/a.h": "inline int size(const Box& b) { return 1; }\ninline constexpr int kMost = 1;",
-                        "csg/b/b.h": "inline int size(const Box& other) { return 2; }\ninline constexpr int kMost = 2;"})
+        found = faults({
+            "kernel/a/a.h": "inline int size(const Box& b) { return 1; }\ninline constexpr int kMost = 1;",
+            "csg/b/b.h": "inline int size(const Box& other) { return 2; }\ninline constexpr int kMost = 2;"})
         self.assertEqual([f.split(" ")[0] for f in found], ["cnrg::kMost", "cnrg::size"])
         self.assertEqual(faults({"kernel/a/a.h": "int size(const Box& b);",
                                  "kernel/a/a.cpp": "int size(const Box& other) { return 1; }"}), [])
@@ -90,6 +91,12 @@ class OfARoom(unittest.TestCase):
             self.assertEqual(len(found), 1, text)
             self.assertTrue(found[0].startswith(f"`{name}` hides what the room sees: csg/mesh/a.cpp:3, "), found)
 
+    def test_names_of_the_namespaces_around_are_hidden_too(self):
+        inside = hidden("int text(double x) { return 1; }")
+        files = {"csg/app/a.cpp": f'#include "csg/text/a.h"\nnamespace app {{\n{inside}\n}}'}
+        self.assertEqual(len(faults(files | {"csg/text/a.h": "int text(const Rational& x);"})), 1)
+        self.assertEqual(faults(files | {"csg/text/a.h": "namespace text {\nint text(const Rational& x);\n}"}), [])
+
     def test_a_global_name_meets_those_of_a_namespace_that_a_file_uses(self):
         files = {"csg/mesh/a.cpp": "// a\n" + hidden("int same() { return 1; }\n"),
                  "csg/mesh/b.cpp": hidden("int same() { return 2; }")}
@@ -100,10 +107,12 @@ class OfARoom(unittest.TestCase):
     def test_it_reads_on_behind_what_is_hard_to_read(self):
         hard = ['const char* const text = R"({{{)"; // {{', "/* { */ int digits = 1'000'000;", "#define OPEN {\\\n {",
                 "A::A(int b) : b_{b}, c_(b) {\n  if (b) {\n  }\n}", "void f(B b = {}) {}", "char c = '{', d = '\\'';",
-                "const auto g = [](int x) { return x; };", "std::vector<int> list{1, {2}};", "A& A::operator=(const A& b) { return *this; }",
-                "template <>\nstruct std::hash<A> {\n};", "bool operator==(const A& a, const A& b) { return true; }",
-                'extern "C" {\nint h();\n}', "enum E : int { kA, kB };", "template <class T>\n  requires Small<T>\nint k(T t) {\n  return 1;\n}",
-                "namespace fs = std::filesystem;", "struct A::Inner {\n  int x;\n};", "int m(int (*n)(int)) noexcept {\n  return 1;\n}"]
+                "const auto g = [](int x) { return x; };", "std::vector<int> list{1, {2}};",
+                "A& A::operator=(const A& b) { return *this; }", "template <>\nstruct std::hash<A> {\n};",
+                "bool operator==(const A& a, const A& b) { return true; }", 'extern "C" {\nint h();\n}',
+                "enum E : int { kA, kB };", "template <class T>\n  requires Small<T>\nint k(T t) {\n  return 1;\n}",
+                "namespace fs = std::filesystem;", "struct A::Inner {\n  int x;\n};",
+                "int m(int (*n)(int)) noexcept {\n  return 1;\n}"]
         for text in hard:
             with self.subTest(text):
                 self.assertEqual(len(faults({"csg/mesh/a.cpp": text + "\n" + hidden("int same = 1;"),

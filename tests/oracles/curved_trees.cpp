@@ -213,21 +213,21 @@ std::string check_simplified(const Complex& complex, const SimplifiedComplex& s)
 }
 
 // The group that a node is, or stands for: the complement of one.
-const Group& group_of(const Evaluation& evaluation, NodeId id) {
+const Group& group_value(const Evaluation& evaluation, NodeId id) {
   const NodeValue& value = *evaluation.value(id).value;
   return value.is_group() ? value.group() : value.stands_for.value();
 }
 
 std::string check_node(const Tree& tree, const Evaluation& evaluation, const Locator& locator, NodeId id) {
   const Complex& complex = *evaluation.complex;
-  const Group& g = group_of(evaluation, id);
+  const Group& g = group_value(evaluation, id);
   std::string out = check_group(complex, g);
   const std::vector<NodeId> operands = tree.operands(id);
   if (out.empty() && tree.nodes[id].operator_name == "complement") {
-    out = check_complement(complex, group_of(evaluation, operands[0]), g);
+    out = check_complement(complex, group_value(evaluation, operands[0]), g);
   }
   if (const auto op = boolean_of(tree.nodes[id].operator_name); op && out.empty()) {
-    const Group &a = group_of(evaluation, operands[0]), &b = group_of(evaluation, operands[1]);
+    const Group &a = group_value(evaluation, operands[0]), &b = group_value(evaluation, operands[1]);
     out = check_boolean(complex, *op, a, b, g);
     if (out.empty() && (classify_by_location(complex, locator, a, b) != classify_by_propagation(complex, a, b) ||
                         classify_by_location(complex, locator, b, a) != classify_by_propagation(complex, b, a))) {

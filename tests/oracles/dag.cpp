@@ -12,7 +12,7 @@ using scenes::Random;
 
 constexpr int kMostDepth = 8;
 
-const char* name(Operator op) {
+const char* word_of(Operator op) {
   switch (op) {
     case Operator::leaf: return "group";
     case Operator::unite: return "union";
@@ -39,7 +39,7 @@ const char* name(Operator op) {
   throw std::logic_error("random dags do not draw this operator");
 }
 
-const char* name(DominantOperand d) {
+const char* word_of(DominantOperand d) {
   return d == DominantOperand::left ? "left" : d == DominantOperand::right ? "right" : "equal";
 }
 
@@ -361,7 +361,7 @@ void smaller_leaves(const RandomDag& dag, std::vector<RandomDag>& out) {
 }  // namespace
 
 std::string operator_name(const DagNode& node) {
-  return std::string(name(node.op)) + (node.each ? " each" : "") + (node.points ? " points" : "") +
+  return std::string(word_of(node.op)) + (node.each ? " each" : "") + (node.points ? " points" : "") +
          (node.within ? " within" : "");
 }
 
@@ -378,7 +378,7 @@ std::string tree_file(const RandomDag& dag) {
       out << "  " << name_of(dag, i) << ":\n" << text_of_leaf(node, dag.leaves[node.leaf]);
       continue;
     }
-    out << "  " << name_of(dag, i) << ": {" << name(node.op) << ": ";
+    out << "  " << name_of(dag, i) << ": {" << word_of(node.op) << ": ";
     if (node.op == Operator::simplify && (node.points || node.within)) {
       out << "{of: " << name_of(dag, node.operands[0]) << (node.points ? ", mode: points" : "")
           << (node.within ? ", within: " + to_string(*node.within) : "") << "}";
@@ -389,7 +389,7 @@ std::string tree_file(const RandomDag& dag) {
         out << (k == 0 ? "[" : ", ") << name_of(dag, node.operands[k]);
       out << "]";
     }
-    if (node.dominant) out << ", dominance: " << name(*node.dominant);
+    if (node.dominant) out << ", dominance: " << word_of(*node.dominant);
     if (node.number) out << ", dominance: " << *node.number;
     for (const std::string& field : attribute_fields(node.said)) out << ", " << field;
     if (node.each) out << ", each: true";

@@ -23,7 +23,7 @@ struct Form {
   friend bool operator==(const Form&, const Form&) = default;
 };
 
-bool before(const Skeleton& a, const Skeleton& b) {
+bool is_before(const Skeleton& a, const Skeleton& b) {
   const auto key = [](const Skeleton& s) {
     std::vector<RationalPoint> points;
     std::vector<char> marks;
@@ -53,7 +53,7 @@ std::vector<Form> forms(const RandomDag& dag, const DagValues& values, const Mot
     for (Component c = 1; c <= values.values[i]->component_count(); ++c)
       form.components.push_back(
           moved(skeleton(values.complex(), joined(restrict_to(selection, support(selection, c)))), motion));
-    std::sort(form.components.begin(), form.components.end(), before);
+    std::sort(form.components.begin(), form.components.end(), is_before);
     for (const NodeRow& row : values.evaluation.rows)
       if (row.name == name_of(dag, i)) form.cells = row.cells, form.volumes = row.volumes;
     std::sort(form.volumes.begin(), form.volumes.end());

@@ -24,7 +24,7 @@ Labels numbered(const std::vector<Key>& keys) {
   return out;
 }
 
-Set complement(Set set) {
+Set complement_cells(Set set) {
   for (char& c : set) c = !c;
   return set;
 }
@@ -38,7 +38,7 @@ Set topological(const CellIncidence& cells, Operator op, const Set& x) {
   switch (op) {
     case Operator::interior: return cells.interior(x);
     case Operator::closure: return cells.closure(x);
-    case Operator::boundary: return common_cells(cells.closure(x), cells.closure(complement(x)));
+    case Operator::boundary: return common_cells(cells.closure(x), cells.closure(complement_cells(x)));
     default: return cells.closure(cells.interior(x));
   }
 }
@@ -73,7 +73,7 @@ Labels overlay(Operator op, const Labels& x, const Labels& y) {
   return numbered(keys);
 }
 
-Labels aggregate(const std::vector<Labels>& x) {
+Labels aggregate_labels(const std::vector<Labels>& x) {
   std::vector<Key> keys(x[0].size());
   for (std::uint32_t k = 0; k < x.size(); ++k)
     for (std::size_t i = 0; i < keys.size(); ++i)
@@ -92,7 +92,7 @@ std::string check_group_components(const Complex& complex, const CellIncidence& 
 
 Labels operator_by_definition(const CellIncidence& cells, const DagNode& node, const std::vector<Labels>& x) {
   switch (node.op) {
-    case Operator::aggregate: return aggregate(x);
+    case Operator::aggregate: return aggregate_labels(x);
     case Operator::unify: {
       Labels one = x[0];
       for (auto& c : one) c = c != 0;

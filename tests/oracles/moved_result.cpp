@@ -34,14 +34,14 @@ Vector cross_of(const Vector& a, const Vector& b) {
 double length(const Vector& a) { return std::sqrt(dot_of(a, a)); }
 
 /// A result with its points, exactly and rounded.
-struct Shape {
+struct ShapeOfResult {
   ResultView view;
   FlatComplex flat;
   std::vector<RationalPoint> points;
   std::vector<Vector> xyz;
   const Result& result;
 
-  explicit Shape(const Result& of) : view(of.data().view()), flat(flatten(view)), result(of) {
+  explicit ShapeOfResult(const Result& of) : view(of.data().view()), flat(flatten(view)), result(of) {
     for (const VertexId v : flat.points) {
       points.push_back(view.complex->points.rational(v));
       xyz.push_back(to_doubles(points.back()));
@@ -65,7 +65,7 @@ struct Shape {
 /// Squares of distances from a set of cells, made when somebody asks.
 class Near {
  public:
-  explicit Near(const Shape& shape) : shape_(shape) {}
+  explicit Near(const ShapeOfResult& shape) : shape_(shape) {}
   void add_face(Index f) {
     for (const auto& t : shape_.flat.faces[f].triangles) triangles_.push_back(t);
   }
@@ -84,7 +84,7 @@ class Near {
   }
 
  private:
-  const Shape& shape_;
+  const ShapeOfResult& shape_;
   std::vector<std::array<std::uint32_t, 1>> vertices_;
   std::vector<std::array<std::uint32_t, 2>> segments_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
@@ -107,12 +107,12 @@ class Moved {
   }
 
  private:
-  const Shape before_, after_;
+  const ShapeOfResult before_, after_;
   const ToldMove& told_;
   Near faces_;  // of the result before
 
   /// What is said of the region that a point lies in; of the outside that.
-  static std::string region_at(const Shape& shape, const Locator& locator, const RationalPoint& p) {
+  static std::string region_at(const ShapeOfResult& shape, const Locator& locator, const RationalPoint& p) {
     const Location at = locator.locate(p);
     if (at.dimension != 3) return "on a cell of dimension " + std::to_string(at.dimension);
     const SimplifiedComplex::Place place = shape.result.place(at);
@@ -123,7 +123,7 @@ class Moved {
   /// Points between the middles of triangles, on both sides of them, and in a grid around all.
   std::vector<RationalPoint> samples() const {
     std::vector<RationalPoint> out;
-    for (const Shape* const shape : {&before_, &after_}) {
+    for (const ShapeOfResult* const shape : {&before_, &after_}) {
       std::vector<RationalPoint> middles;
       for (const auto& face : shape->flat.faces)
         for (const auto& t : face.triangles) middles.push_back(shape->middle(t));
@@ -164,7 +164,7 @@ class Moved {
     bool bounded = true;
   };
   /// By what is said.
-  static std::map<std::string, Measure> measures(const Shape& shape) {
+  static std::map<std::string, Measure> measures(const ShapeOfResult& shape) {
     std::map<std::string, Measure> out;
     for (Component c = 1; c <= Component(shape.result.component_count()); ++c) {
       const auto volume = shape.result.volume(c);
@@ -178,7 +178,7 @@ class Moved {
   double swept() const {
     const double d = told_.displacement;
     double out = 0;
-    for (const Shape* const shape : {&before_, &after_}) {
+    for (const ShapeOfResult* const shape : {&before_, &after_}) {
       for (const auto& face : shape->flat.faces)
         for (const auto& t : face.triangles) out += d * (shape->area(t) + d * shape->rim(t) + 4 * d * d);
     }
@@ -281,7 +281,7 @@ class Moved {
   }
 
   /// Names of components with regions.
-  static std::multiset<std::string> names(const Shape& shape) {
+  static std::multiset<std::string> names(const ShapeOfResult& shape) {
     std::set<Component> components;
     for (const auto& region : shape.flat.regions)
       if (region.component != 0) components.insert(region.component);
@@ -324,7 +324,7 @@ std::string moved_failure(const Result& before, const Result& after, const ToldM
 }
 
 std::string near_failure(const Result& result, double within) {
-  const Shape shape(result);
+  const ShapeOfResult shape(result);
   const auto& x = shape.xyz;
   const double bound = within * (1 - 1e-9);
   std::set<std::array<Index, 2>> segments;

@@ -10,8 +10,10 @@ using scenes::Polygon;
 RationalPoint point_difference(const RationalPoint& a, const RationalPoint& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
+Rational exact_dot(const RationalPoint& a, const RationalPoint& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+RationalPoint exact_cross(const RationalPoint& a, const RationalPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 bool zero(const RationalPoint& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
@@ -20,7 +22,7 @@ bool zero(const RationalPoint& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; 
 RationalPoint vector_area(const Polygon& polygon) {
   RationalPoint sum{0, 0, 0};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const RationalPoint n = cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+    const RationalPoint n = exact_cross(polygon[i], polygon[(i + 1) % polygon.size()]);
     for (int k = 0; k < 3; ++k) sum[k] += n[k];
   }
   return sum;
@@ -29,8 +31,8 @@ RationalPoint vector_area(const Polygon& polygon) {
 }  // namespace
 
 bool on_segment(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
-  return zero(cross(point_difference(b, a), point_difference(p, a))) &&
-         dot(point_difference(p, a), point_difference(p, b)) <= 0;
+  return zero(exact_cross(point_difference(b, a), point_difference(p, a))) &&
+         exact_dot(point_difference(p, a), point_difference(p, b)) <= 0;
 }
 
 Side side_in_plane(const std::vector<Polygon>& loops, const RationalPoint& p) {
@@ -49,7 +51,7 @@ Side side_in_plane(const std::vector<Polygon>& loops, const RationalPoint& p) {
 }
 
 bool on_polygon(const std::vector<Polygon>& loops, const RationalPoint& p) {
-  return dot(vector_area(loops[0]), point_difference(p, loops[0][0])) == 0 &&
+  return exact_dot(vector_area(loops[0]), point_difference(p, loops[0][0])) == 0 &&
          side_in_plane(loops, p) != Side::outside;
 }
 
@@ -62,7 +64,7 @@ Side side(const scenes::Solid& solid, const RationalPoint& p) {
     bool inside = false, generic = true;
     for (const Polygon& facet : solid) {
       const RationalPoint n = vector_area(facet);
-      const Rational slope = dot(n, direction), height = dot(n, point_difference(facet[0], p));
+      const Rational slope = exact_dot(n, direction), height = exact_dot(n, point_difference(facet[0], p));
       if (slope == 0) {
         generic = generic && height != 0;
         continue;
@@ -93,7 +95,7 @@ bool contains(const scenes::Leaf& leaf, const RationalPoint& p) {
 
 Rational volume(const scenes::Solid& solid) {
   Rational sum = 0;
-  for (const Polygon& facet : solid) sum += dot(facet[0], vector_area(facet));
+  for (const Polygon& facet : solid) sum += exact_dot(facet[0], vector_area(facet));
   return sum / 6;
 }
 
@@ -102,7 +104,7 @@ bool convex(const scenes::Solid& solid) {
     const RationalPoint n = vector_area(facet);
     for (const Polygon& other : solid)
       for (const RationalPoint& p : other)
-        if (dot(n, point_difference(p, facet[0])) > 0) return false;
+        if (exact_dot(n, point_difference(p, facet[0])) > 0) return false;
   }
   return true;
 }

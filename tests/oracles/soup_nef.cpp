@@ -13,7 +13,7 @@ RationalPoint grid_point(Random& random, int size) {
   return {random.between(0, size), random.between(0, size), random.between(0, size)};
 }
 
-bool collinear(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+bool on_a_line(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3;
     if ((b[k] - a[k]) * (c[i] - a[i]) != (b[i] - a[i]) * (c[k] - a[k])) return false;
@@ -46,14 +46,14 @@ std::vector<Leaf> random_soup(std::uint64_t seed, int parts, int size) {
         if (a != b) leaf.wires.push_back({a, b});
         break;
       case 3: {  // a parallelogram, which may stick out of the grid
-        if (collinear(a, b, c)) break;
+        if (on_a_line(a, b, c)) break;
         RationalPoint d;
         for (int k = 0; k < 3; ++k) d[k] = a[k] + c[k] - b[k];
         scenes::add_sheet(leaf, {{a, b, c, d}});
         break;
       }
       default:
-        if (!collinear(a, b, c)) scenes::add_sheet(leaf, {{a, b, c}});
+        if (!on_a_line(a, b, c)) scenes::add_sheet(leaf, {{a, b, c}});
         break;
     }
   }

@@ -52,12 +52,12 @@ std::vector<Solid> solids_of(const Boxes& boxes) {
   return out;
 }
 
-bool holds(const Expression& e, std::size_t atom) {
+bool holds_atom(const Expression& e, std::size_t atom) {
   switch (e.op) {
     case Op::leaf: return (atom >> e.leaf & 1) != 0;
-    case Op::unite: return holds(*e.left, atom) || holds(*e.right, atom);
-    case Op::intersect: return holds(*e.left, atom) && holds(*e.right, atom);
-    default: return holds(*e.left, atom) && !holds(*e.right, atom);
+    case Op::unite: return holds_atom(*e.left, atom) || holds_atom(*e.right, atom);
+    case Op::intersect: return holds_atom(*e.left, atom) && holds_atom(*e.right, atom);
+    default: return holds_atom(*e.left, atom) && !holds_atom(*e.right, atom);
   }
 }
 
@@ -91,7 +91,7 @@ class Check {
     if (std::string f = properties::validate(*built_, group); !f.empty()) return "no group: " + f;
     Rational want = 0;
     for (std::size_t atom = 1; atom < atoms_.size(); ++atom)
-      if (holds(e, atom)) want += atoms_[atom];
+      if (holds_atom(e, atom)) want += atoms_[atom];
     const Rational have = properties::volume(*built_, group);
     if (have == want) return {};
     const char* const names[] = {"leaf", "union", "intersection", "difference"};
@@ -107,7 +107,7 @@ class Check {
   std::vector<Rational> atoms_;
 };
 
-std::string check(const Scene& scene, std::vector<Rational> common) {
+std::string check_volumes(const Scene& scene, std::vector<Rational> common) {
   const Check c(scene, std::move(common));
   if (std::string f = c.valid(); !f.empty()) return "the complex is not valid: " + f;
   Group group;
@@ -157,7 +157,7 @@ std::string compare_boxes(const Boxes& boxes) {
     }
     common[set] = volume;
   }
-  return check(scene_of(solids_of(boxes), boxes.root), std::move(common));
+  return check_volumes(scene_of(solids_of(boxes), boxes.root), std::move(common));
 }
 
 std::vector<Boxes> smaller_boxes(const Boxes& boxes) {
@@ -217,7 +217,7 @@ std::string compare_solids(const Solids& s) {
     const auto built = build_complex(scenes::make_soup(scene.leaves), {.threads = 1});
     common[set] = properties::volume(*built, properties::evaluate(*built, leaf_groups(*built), *all));
   }
-  return check(scene_of(s.solids, s.root), std::move(common));
+  return check_volumes(scene_of(s.solids, s.root), std::move(common));
 }
 
 /// A convex solid in a slightly larger copy of itself, or the other way round.

@@ -19,7 +19,7 @@
 namespace cnrg::fuzz {
 namespace {
 
-constexpr int kMostParts = 12;
+constexpr int kMostPartsOfLeaves = 12;
 
 class Bytes {
  public:
@@ -52,7 +52,7 @@ class SoupMaker {
     turned_ = head / 4 % 4 == 3;
     constexpr Fill kFills[] = {Fill::none, Fill::cells, Fill::parity, Fill::winding, Fill::sides, Fill::solids};
     for (unsigned i = 0; i <= head % 4; ++i) leaves_.push_back(soup_.add_leaf(kFills[bytes_.next() % 6]));
-    for (int i = 0; i < kMostParts && bytes_.more(); ++i) add_part();
+    for (int i = 0; i < kMostPartsOfLeaves && bytes_.more(); ++i) add_part();
     return std::move(soup_);
   }
   /// Of what is checked.
