@@ -1,4 +1,4 @@
-"""Each file below some folders, read by the compiler of a build with its warnings as errors, without code made of it.
+"""Each file (or batch of files) below some folders, read by the compiler of a build with its warnings as errors, without code made of it.
 
     syntax.py COMPILE_COMMANDS JOBS FOLDER...
 
