@@ -15,7 +15,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 using Point = std::array<double, 3>;
 
-Point unit(const RationalPoint& v) {
+Point rounded_unit(const RationalPoint& v) {
   const Point d = to_doubles(v);
   const double length = std::hypot(d[0], d[1], d[2]);
   return {d[0] / length, d[1] / length, d[2] / length};
@@ -23,7 +23,8 @@ Point unit(const RationalPoint& v) {
 
 CadAxes axes_of(const RationalPoint& origin, const RationalPoint& axis) {
   const CircleFrame frame(axis);
-  return {to_doubles(origin), unit(frame.first()), unit(frame.second()), unit(frame.axis())};
+  return {to_doubles(origin), rounded_unit(frame.first()), rounded_unit(frame.second()),
+          rounded_unit(frame.axis())};
 }
 
 Point along(const Point& p, double s, const Point& direction) {
@@ -179,7 +180,7 @@ std::optional<SurfaceForm> extruded_form(const ExtrudeShape& shape, const Ration
   if (shape.scale == 1) {
     SurfaceForm form;
     form.surface.kind = CadSurface::Kind::extrusion;
-    form.surface.axes.z = unit(shape.vector);
+    form.surface.axes.z = rounded_unit(shape.vector);
     form.surface.profile = spline_of(segment, [](const RationalPoint& p) { return to_doubles(p); });
     const Point way = to_doubles(shape.vector);
     form.one = {1, std::hypot(way[0], way[1], way[2])};

@@ -104,6 +104,14 @@ Quantity_Color color_of(const std::string& hex) {
   return {part(red), part(green), part(blue), Quantity_TOC_sRGB};
 }
 
+/// Collects the styles that were added in `made`. OpenCASCADE 7.8 asks for the model, too.
+template <class Styles, class Made>
+void collect(Styles& styles, const Handle(StepRepr_RepresentationContext) & context, Made& made,
+             Handle(StepData_StepModel) model) {
+  if constexpr (requires { styles.CreateMDGPR(context, made, model); }) styles.CreateMDGPR(context, made, model);
+  else styles.CreateMDGPR(context, made);
+}
+
 class StepMaker {
  public:
   StepMaker(const CadParts& parts, const CadModelMade& model) : parts_(parts), model_(model) {}
@@ -187,7 +195,7 @@ class StepMaker {
       styles.AddStyle(item, styles.MakeColorPSA(item, encoded_color, encoded_color, nullptr, 0), nullptr);
     }
     Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation) made;
-    styles.CreateMDGPR(shape->ContextOfItems(), made);
+    collect(styles, shape->ContextOfItems(), made, Handle(StepData_StepModel)::DownCast(session_->Model()));
     if (!made.IsNull()) session_->Model()->AddWithRefs(made);
   }
 

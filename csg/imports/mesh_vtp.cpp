@@ -47,6 +47,21 @@ struct XmlElement {
   throw LeafFileError(path + ":" + std::to_string(line) + ": error: " + text);
 }
 
+// The line of the parser's current event, and the byte behind the event: since expat 2.9 by functions of their own
+// for 64 bits.
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+std::size_t line_of(XML_Parser parser) { return XML_GetCurrentLineNumber64(parser); }
+std::size_t end_of_event(XML_Parser parser) {
+  return static_cast<std::size_t>(XML_GetCurrentByteIndex64(parser)) + XML_GetCurrentByteCount64(parser);
+}
+#else
+std::size_t line_of(XML_Parser parser) { return XML_GetCurrentLineNumber(parser); }
+std::size_t end_of_event(XML_Parser parser) {
+  return static_cast<std::size_t>(XML_GetCurrentByteIndex(parser)) +
+         static_cast<std::size_t>(XML_GetCurrentByteCount(parser));
+}
+#endif
+
 /// The elements of a file up to its appended data.
 class XmlTree {
  public:
@@ -81,7 +96,7 @@ class XmlTree {
   std::optional<std::size_t> appended_;
   std::exception_ptr fault_;
 
-  int line() const { return static_cast<int>(XML_GetCurrentLineNumber(parser_.get())); }
+  int line() const { return static_cast<int>(line_of(parser_.get())); }
   [[noreturn]] void fail() const {
     const XML_Error code = XML_GetErrorCode(parser_.get());
     if (code == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
@@ -130,8 +145,7 @@ class XmlTree {
     else open_.back()->children.push_back(std::move(element));
     open_.push_back(made);
     if (made->name != "AppendedData") return;
-    appended_ = static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get())) +
-                static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get()));
+    appended_ = end_of_event(parser_.get());
     XML_StopParser(parser_.get(), XML_FALSE);
   }
 };

@@ -1,14 +1,21 @@
 // CGAL's tree of boxes over exact simplices; its lazy numbers decide most comparisons by intervals.
 #include "kernel/exact/distance.h"
 
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <mpfr.h>
 
 #include <optional>
+
+#if __has_include(<CGAL/AABB_traits_3.h>)  // CGAL 6 has a second dimension of these
+#include <CGAL/AABB_segment_primitive_3.h>
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include "kernel/base/error.h"
 
@@ -18,8 +25,17 @@ namespace {
 using K = CGAL::Epeck;
 using Segments = std::vector<K::Segment_3>;
 using Triangles = std::vector<K::Triangle_3>;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+template <class Primitive>
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<K, Primitive>>;
+using SegmentTree = Tree<CGAL::AABB_segment_primitive_3<K, Segments::const_iterator>>;
+using TriangleTree = Tree<CGAL::AABB_triangle_primitive_3<K, Triangles::const_iterator>>;
+#else
 template <class Primitive>
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<K, Primitive>>;
+using SegmentTree = Tree<CGAL::AABB_segment_primitive<K, Segments::const_iterator>>;
+using TriangleTree = Tree<CGAL::AABB_triangle_primitive<K, Triangles::const_iterator>>;
+#endif
 
 // The exact type below CGAL's lazy one depends on how CGAL was set up; all of them are made of GMP's fractions.
 using Exact = std::decay_t<decltype(std::declval<K::FT>().exact())>;
@@ -40,8 +56,8 @@ K::Point_3 point(const RationalPoint& p) { return {number(p[0]), number(p[1]), n
 struct DistanceTo::Trees {
   Segments segments;
   Triangles triangles;
-  Tree<CGAL::AABB_segment_primitive<K, Segments::const_iterator>> of_segments;
-  Tree<CGAL::AABB_triangle_primitive<K, Triangles::const_iterator>> of_triangles;
+  SegmentTree of_segments;
+  TriangleTree of_triangles;
 };
 
 DistanceTo::DistanceTo(std::span<const RationalPoint> points,

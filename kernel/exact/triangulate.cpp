@@ -31,7 +31,6 @@ struct Plane2 {
 struct VertexTraits {
   struct Point_2 {
     VertexId id;
-    friend bool operator==(const Point_2&, const Point_2&) = default;
   };
   struct Segment_2 {
     Point_2 a, b;

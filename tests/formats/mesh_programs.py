@@ -7,6 +7,7 @@ regions, areas of faces, lengths of wires. Gmsh reads .mesh and .bdf, MED's own 
 the sets of .h5m, and CalculiX computes with .inp.
 """
 import re
+import shutil
 import subprocess
 import sys
 from math import pi
@@ -228,36 +229,44 @@ def abaqus():
         label = {name: key for key, name in names.items()}
         of = lambda name: label.get(name, name)
         assert (mesh.points[mesh.point_sets[of("point of mark")]] == 6).all()
-        sets = {name: value for name, value in VOLUMES.items() if not name.startswith("material")}
-        surfaces = {**BOUNDARIES, **SHEETS}
-        deck = ["*INCLUDE, INPUT=t.inp", "*MATERIAL, NAME=M", "*ELASTIC", "1., 0."]
-        for name in sets:
-            deck += [f"*SOLID SECTION, ELSET={of(name)}, MATERIAL=M"]
-        deck += [f"*SHELL SECTION, ELSET={of('flap: a sheet')}, MATERIAL=M", ".01"]
-        for name in ("bolt", "wire of cable"):
-            deck += [f"*SOLID SECTION, ELSET={of(name)}, MATERIAL=M", ".01"]
-        deck += ["*BOUNDARY"] + [f"{of(name)}, 1, 3" for name in (
-            "bolt", "wire of cable", "flap: a sheet", "boundary of rock 1", "boundary of rock 2", "boundary of seam")]
-        deck += ["*STEP", "*STATIC"]
-        for name in [*sets, "bolt", "wire of cable"]:
-            deck += [f"*EL PRINT, ELSET={of(name)}, TOTALS=ONLY", "EVOL"]
-        for k, name in enumerate(surfaces):
-            deck += [f"*SECTION PRINT, SURFACE={of(name)}, NAME=S{k}", "SOF, SOM"]
-        # CalculiX calls Abaqus's STRI65 S6.
-        (FOLDER / "t.inp").write_text(text.replace("TYPE=STRI65", "TYPE=S6"))
-        (FOLDER / "deck.inp").write_text("\n".join([*deck, "*END STEP"]) + "\n")
-        ended = subprocess.run(["ccx", "deck"], cwd=FOLDER, capture_output=True, text=True)
-        said = ended.stdout + ended.stderr
-        assert ended.returncode == 0 and "*ERROR" not in said and "Job finished" in said, said[-3000:]
-        results = (FOLDER / "deck.dat").read_text()
-        volumes = {name: float(value) for name, value in
-                   re.findall(r"total volume.*?set\s+(\S+)\s+and time.*?\n\s*\n\s*(\S+)", results)}
-        for name, exact in {**sets, "bolt": .01, "wire of cable": .07}.items():
-            assert abs(volumes[of(name).upper()] - exact) <= 1e-5 * exact, (order, name, volumes)
-        areas = [float(value) for value in re.findall(r"^ *area,.*\n\s*\n\s*(\S+)", results, re.M)]
-        assert len(areas) == len(surfaces), (areas, len(surfaces))
-        for found, (name, exact) in zip(areas, surfaces.items()):
-            assert abs(found - exact) <= 1e-5 * exact, (order, name, found, exact)
+        if shutil.which("ccx"):
+            in_calculix(order, text, of)
+        else:
+            print("not run: .inp in CalculiX, which is not installed (Debian 12: calculix-ccx)")
+
+
+def in_calculix(order, text, of):
+    """Volumes of sets and areas of surfaces of t.inp, as CalculiX computes with them; `of` is the label of a name."""
+    sets = {name: value for name, value in VOLUMES.items() if not name.startswith("material")}
+    surfaces = {**BOUNDARIES, **SHEETS}
+    deck = ["*INCLUDE, INPUT=t.inp", "*MATERIAL, NAME=M", "*ELASTIC", "1., 0."]
+    for name in sets:
+        deck += [f"*SOLID SECTION, ELSET={of(name)}, MATERIAL=M"]
+    deck += [f"*SHELL SECTION, ELSET={of('flap: a sheet')}, MATERIAL=M", ".01"]
+    for name in ("bolt", "wire of cable"):
+        deck += [f"*SOLID SECTION, ELSET={of(name)}, MATERIAL=M", ".01"]
+    deck += ["*BOUNDARY"] + [f"{of(name)}, 1, 3" for name in (
+        "bolt", "wire of cable", "flap: a sheet", "boundary of rock 1", "boundary of rock 2", "boundary of seam")]
+    deck += ["*STEP", "*STATIC"]
+    for name in [*sets, "bolt", "wire of cable"]:
+        deck += [f"*EL PRINT, ELSET={of(name)}, TOTALS=ONLY", "EVOL"]
+    for k, name in enumerate(surfaces):
+        deck += [f"*SECTION PRINT, SURFACE={of(name)}, NAME=S{k}", "SOF, SOM"]
+    # CalculiX calls Abaqus's STRI65 S6.
+    (FOLDER / "t.inp").write_text(text.replace("TYPE=STRI65", "TYPE=S6"))
+    (FOLDER / "deck.inp").write_text("\n".join([*deck, "*END STEP"]) + "\n")
+    ended = subprocess.run(["ccx", "deck"], cwd=FOLDER, capture_output=True, text=True)
+    said = ended.stdout + ended.stderr
+    assert ended.returncode == 0 and "*ERROR" not in said and "Job finished" in said, said[-3000:]
+    results = (FOLDER / "deck.dat").read_text()
+    volumes = {name: float(value) for name, value in
+               re.findall(r"total volume.*?set\s+(\S+)\s+and time.*?\n\s*\n\s*(\S+)", results)}
+    for name, exact in {**sets, "bolt": .01, "wire of cable": .07}.items():
+        assert abs(volumes[of(name).upper()] - exact) <= 1e-5 * exact, (order, name, volumes)
+    areas = [float(value) for value in re.findall(r"^ *area,.*\n\s*\n\s*(\S+)", results, re.M)]
+    assert len(areas) == len(surfaces), (areas, len(surfaces))
+    for found, (name, exact) in zip(areas, surfaces.items()):
+        assert abs(found - exact) <= 1e-5 * exact, (order, name, found, exact)
 
 
 def in_mdump(file):
