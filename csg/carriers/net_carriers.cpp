@@ -266,9 +266,9 @@ std::vector<std::array<Rational, 2>> scales(const PowerBasis& net, const PowerBa
   return result;
 }
 
-using Interval = std::array<Rational, 2>;
+using RationalRange = std::array<Rational, 2>;
 
-Interval ascending(const Interval& x) { return x[0] < x[1] ? x : Interval{x[1], x[0]}; }
+RationalRange ascending(const RationalRange& x) { return x[0] < x[1] ? x : RationalRange{x[1], x[0]}; }
 
 }  // namespace
 

@@ -21,12 +21,12 @@
 namespace cnrg {
 namespace {
 
-using Interval = std::array<Rational, 2>;  // in either order
+using RationalRange = std::array<Rational, 2>;  // in either order
 
-using Intervals = std::array<Interval, 3>;
+using RationalRanges = std::array<RationalRange, 3>;
 
 /// A box that holds the product of intervals, whatever doubles round.
-Box interval_box(const Intervals& intervals) {
+Box interval_box(const RationalRanges& intervals) {
   Box box;
   for (std::size_t k = 0; k < 3; ++k) {
     box.lo[k] = std::nextafter(to_double(intervals[k][0]), -std::numeric_limits<double>::infinity());
@@ -39,12 +39,12 @@ Box interval_box(const Intervals& intervals) {
 /// stands for all. It is visited with each of the others, so that they all hang together.
 template <class Item, class IntervalsOf, class Visit>
 void each_meeting(const std::vector<Item>& items, IntervalsOf intervals_of, Visit visit) {
-  std::map<Intervals, std::size_t> first;
+  std::map<RationalRanges, std::size_t> first;
   std::vector<std::size_t> different;
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    Intervals intervals = intervals_of(items[i]);
-    for (Interval& along : intervals) {
+    RationalRanges intervals = intervals_of(items[i]);
+    for (RationalRange& along : intervals) {
       if (along[1] < along[0]) std::swap(along[0], along[1]);
     }
     const auto [it, is_new] = first.try_emplace(std::move(intervals), i);
@@ -68,12 +68,12 @@ void each_meeting(const std::vector<Item>& items, IntervalsOf intervals_of, Visi
 /// A strand on its carrier.
 struct Run {
   std::size_t strand;
-  Interval at;
+  RationalRange at;
 };
 /// A curve swept along a vector, on its carrier by its projection.
 struct Wall {
   Run run;
-  Interval heights;
+  RationalRange heights;
   std::size_t number;  // of `walls_alike_`
 };
 /// A piece of a patch on its carrier: by the carrier's parameters.
@@ -185,7 +185,7 @@ class CommonNetsOfLeaves {
   void link() {
     for (const std::vector<Run>& runs : runs_) {
       each_meeting(
-          runs, [](const Run& run) { return Intervals{run.at}; },
+          runs, [](const Run& run) { return RationalRanges{run.at}; },
           [&](const Run& a, const Run& b) { cuts_.link(a.strand, a.at, b.strand, b.at); });
     }
     // Walls need the same rulings where they overlap or stand on each other.
@@ -193,7 +193,7 @@ class CommonNetsOfLeaves {
       each_meeting(
           walls,
           [](const Wall& wall) {
-            return Intervals{wall.run.at, wall.heights};
+            return RationalRanges{wall.run.at, wall.heights};
           },
           [&](const Wall& a, const Wall& b) {
             if (a.heights[1] < b.heights[0] || b.heights[1] < a.heights[0]) return;
@@ -205,7 +205,7 @@ class CommonNetsOfLeaves {
       each_meeting(
           sheets,
           [](const Sheet& sheet) {
-            return Intervals{sheet.along[0].at, sheet.along[1].at};
+            return RationalRanges{sheet.along[0].at, sheet.along[1].at};
           },
           [&](const Sheet& a, const Sheet& b) {
             for (std::size_t d = 0; d < 2; ++d) {

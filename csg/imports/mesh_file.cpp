@@ -16,20 +16,9 @@ MeshData read_mesh(const std::string& path, bool decimal, const std::string& ins
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   using Reader = MeshData (*)(const std::string&, const std::string&, bool);
   const std::pair<const char*, Reader> readers[] = {
-      {".off", &read_off}, {".obj", &read_obj},  {".stl", &read_stl},  {".ply", &read_ply},
-      {".vtk", &read_vtk}, {".ts", &read_gocad}, {".pl", &read_gocad}, {".wl", &read_gocad},
-#ifdef CNRG_WITH_VTP
-      {".vtp", &read_vtp},
-#endif
+      {".off", &read_off},  {".obj", &read_obj},  {".stl", &read_stl},  {".ply", &read_ply}, {".vtk", &read_vtk},
+      {".ts", &read_gocad}, {".pl", &read_gocad}, {".wl", &read_gocad}, {".vtp", &read_vtp},
   };
-#ifndef CNRG_WITH_VTP
-  if (extension == ".vtp") {
-    throw InputError(
-        "mesh: '" + path +
-        "': this cnrg has no Expat and zlib: install libexpat1-dev and zlib1g-dev and build cnrg again, "
-        "or give the mesh as .vtk");
-  }
-#endif
   for (const auto& [name, reader] : readers) {
     if (extension != name) continue;
     return reader(path, read_leaf_file(path, inside, "write the mesh again"), decimal);
