@@ -71,7 +71,7 @@ TEST_CASE("groups by name, material and texts in every dimension", "[formats][at
 
 TEST_CASE("what is said of cells comes back from .json, and stays when a result is snapped",
           "[formats][attributes]") {
-  const Scratch dir;
+  const ScratchFolder dir;
   for (const std::string node : {"model", "one", "bolts", "shell"}) {
     INFO(node);
     const Result result = result_of(node);
@@ -126,7 +126,7 @@ TEST_CASE("what is said of cells comes back from .json, and stays when a result 
 }
 
 TEST_CASE("a node says of a result read back what its file does not say", "[formats][attributes]") {
-  const Scratch dir;
+  const ScratchFolder dir;
   const std::string file = dir / ("bolts.json");
   write(file, result_of("bolts"));
   const std::string head = "cnrg: 1\nmaterials: {steel: {}, gold: {}}\nnodes:\n  r: {cnrg: " + file +
@@ -144,7 +144,7 @@ TEST_CASE("a node says of a result read back what its file does not say", "[form
 }
 
 TEST_CASE("properties are arrays of .vtu and data of .msh", "[formats][attributes]") {
-  const Scratch dir;
+  const ScratchFolder dir;
   const Result result = result_of("model");
   write(dir / ("m.vtu"), result);
   write(dir / ("m.msh"), result);

@@ -139,13 +139,13 @@ struct Case {
 };
 
 /// A directory of its own, removed at the end.
-class Scratch {
+class ScratchFolder {
  public:
-  Scratch() {
+  ScratchFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "cnrg-output-XXXXXX").string();
     path_ = mkdtemp(name.data());
   }
-  ~Scratch() {
+  ~ScratchFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }

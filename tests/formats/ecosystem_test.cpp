@@ -17,7 +17,7 @@ namespace {
 /// Runs a script of this folder with the program, words, and an empty folder. What it leaves out it says in lines
 /// that begin with `not run: `.
 void check_script(const std::string& script, const std::string& words) {
-  const Scratch dir;
+  const ScratchFolder dir;
   const std::string log = dir / "log";
   const std::string command = "/usr/bin/python3 '" CNRG_SOURCES "/tests/formats/" + script +
                               "' '" CNRG_PROGRAM "' " + words + " '" + dir.path() + "' >'" + log + "' 2>&1";

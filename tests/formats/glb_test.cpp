@@ -142,7 +142,7 @@ Glb read_glb(const std::string& bytes) {
 Result glb_result(const std::string& tree) { return evaluate(parse_tree(tree, "t.yaml")).result(); }
 
 std::string glb_bytes(const Result& result, RoundingReport* report = nullptr) {
-  const Scratch dir;
+  const ScratchFolder dir;
   const RoundingReport said = write(dir / "m.glb", result);
   if (report != nullptr) *report = said;
   return text_of(dir / "m.glb");
@@ -239,7 +239,7 @@ result: model
   CHECK(flat > 6);
 
   // Without true surfaces facets are what is meant.
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "m.json", glb_result(tree));
   const Glb plain = read_glb(glb_bytes(read_result(dir / "m.json")));
   for (const Vertex& v : plain.parts.begin()->second[0].corners) {
@@ -336,7 +336,7 @@ nodes:
   const Glb glb = read_glb(glb_bytes(glb_result(head + "result: none\n")));
   CHECK(glb.parts.empty());
   CHECK_FALSE(glb.document.contains("buffers"));
-  const Scratch dir;
+  const ScratchFolder dir;
   CHECK_THROWS_WITH(write(dir / "m.glb", glb_result(head + "result: inner\n")),
                     Catch::Contains("apply `closure`"));
   CHECK_THROWS_WITH(write(dir / "m.glb", glb_result(head + "result: rest\n")), Catch::Contains("without bounds"));
@@ -354,7 +354,7 @@ TEST_CASE("glb: the same result gives the same bytes") {
 }
 
 TEST_CASE("glb: Khronos's validator has nothing to say", "[programs]") {
-  const Scratch dir;
+  const ScratchFolder dir;
   std::string files;
   const auto add = [&](const std::string& name, const std::string& tree) {
     write(dir / name, glb_result(tree));

@@ -36,7 +36,7 @@ nodes:
 result: all
 )";
 
-std::string file_of(const std::string& text, const std::string& name, bool parameters, const Scratch& dir) {
+std::string file_of(const std::string& text, const std::string& name, bool parameters, const ScratchFolder& dir) {
   const Tree tree = parse_tree(text, dir / "t.yaml");
   write(dir / name, evaluate(tree).result(), {.parameters = parameters});
   return text_of(dir / name);
@@ -58,7 +58,7 @@ Json parts_with_patches(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a result without curved leaves has the same file with parameters") {
-  const Scratch dir;
+  const ScratchFolder dir;
   const std::string boxes = "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\nresult: a\n";
   CHECK(file_of(boxes, "a.json", true, dir) == file_of(boxes, "b.json", false, dir));
   // What is not asked for is not there.
@@ -71,7 +71,7 @@ TEST_CASE("a result without curved leaves has the same file with parameters") {
 }
 
 TEST_CASE("json: every facet of a curved patch has its cells, and they are kept when the file is read back") {
-  const Scratch dir;
+  const ScratchFolder dir;
   const std::string text = file_of(kPatchTree, "a.json", true, dir);
   const Json json = Json::parse(text);
   std::map<std::size_t, std::string> names;
@@ -154,7 +154,7 @@ TEST_CASE("json: every facet of a curved patch has its cells, and they are kept 
 }
 
 TEST_CASE("a file whose cells are broken is refused with its place") {
-  const Scratch dir;
+  const ScratchFolder dir;
   const Json good = Json::parse(file_of(kPatchTree, "a.json", true, dir));
   const auto fault = [&](const std::function<void(Json&)>& change) -> std::string {
     Json json = good;
@@ -189,7 +189,7 @@ TEST_CASE("a file whose cells are broken is refused with its place") {
 }
 
 TEST_CASE("vtu: points of curved patches carry u and v, split where they differ") {
-  const Scratch dir;
+  const ScratchFolder dir;
   const Vtu plain{file_of(kPatchTree, "a.vtu", false, dir)}, with{file_of(kPatchTree, "b.vtu", true, dir)};
   CHECK(plain.text.find("parameters") == std::string::npos);
   CHECK(plain.text.find("\"patch ") == std::string::npos);

@@ -41,7 +41,7 @@ std::shared_ptr<const Complex> two_boxes() {
 }  // namespace
 
 TEST_CASE("a result outlives its evaluation") {
-  const Scratch dir;
+  const ScratchFolder dir;
   std::optional<Result> kept;
   {
     const Evaluation evaluation = evaluation_of({"rest"});
@@ -57,7 +57,7 @@ TEST_CASE("a result outlives its evaluation") {
 }
 
 TEST_CASE("a result by hand has the file of the tree's") {
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "tree.json", evaluation_of().result());
   std::optional<Result> by_hand;
   {
@@ -90,12 +90,12 @@ TEST_CASE("a selection is a result without names") {
   CHECK(result.component(result.place(locator.locate({Rational(3, 2), Rational(3, 2), Rational(3, 2)}))) == 1);
   CHECK(result.component(result.place(locator.locate({1, 1, 1}))) == 2);
   CHECK(result.component(result.place(locator.locate({5, 5, 5}))) == 0);
-  const Scratch dir;
+  const ScratchFolder dir;
   CHECK(write(dir / "common.vtu", result).moved == 0);
 }
 
 TEST_CASE("a result read back has the cells, the names and the materials of its file") {
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "both.json", evaluation_of().result());
   const Result read = read_result(dir / "both.json");
   REQUIRE(read.component_count() == 3);
@@ -109,7 +109,7 @@ TEST_CASE("a result read back has the cells, the names and the materials of its 
 }
 
 TEST_CASE("a snapped result is on doubles and needs the exact one no more") {
-  const Scratch dir;
+  const ScratchFolder dir;
   SnapReport report;
   std::optional<Result> snapped = snap(evaluation_of().result(), &report);
   CHECK(report.moved == 0);  // plain rounding is right here
@@ -130,7 +130,7 @@ result: model
 }
 
 TEST_CASE("pictures of a result and of an evaluation") {
-  const Scratch dir;
+  const ScratchFolder dir;
   const Evaluation evaluation = evaluation_of();
   write(dir / "m.regions.dot", evaluation.result());
   write(dir / "m.dot", evaluation);

@@ -52,7 +52,7 @@ Case read_back(const std::string& path, const Transform& transform = {}) {
 
 /// Read and written, a result is the same but for where it came from; then it stays the same file.
 void check_round_trip(const Case& c) {
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "a.json", c.view());
   Case again = read_back(dir / "a.json");
   again.materials = c.materials;
@@ -219,7 +219,7 @@ TEST_CASE("a leaf of a result mirrors and moves exactly") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {1, 2, 3});
   Case c(soup);
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "a.json", c.view());
   const auto leaf = prepare_result({dir / "a.json"});
   Soup mirrored;
@@ -244,7 +244,7 @@ TEST_CASE("a group without bounds is read back, a plane is not") {
   check_round_trip(c);
   const auto halfspace = prepare(Shape(HalfspaceShape{{0, 0, 0}, {0, 0, 1}}));
   Case half(make_soup({{halfspace}}));
-  const Scratch dir;
+  const ScratchFolder dir;
   for (const Topological op : {Topological::interior, Topological::closure}) {
     half.show(topological_operation(*half.complex, op, components_of(*half.complex, half.leaves[0])).value);
     write(dir / "half.json", half.view());
@@ -293,7 +293,7 @@ TEST_CASE("round trip: components that are open, closed, neither; of every dimen
   check_round_trip(c);
   c.show(topological_operation_of_each(*c.complex, Topological::boundary, all).value);
   check_round_trip(c);
-  const Scratch dir;
+  const ScratchFolder dir;
   c.show(all);
   write(dir / "all.json", c.view());
   const Case again = read_back(dir / "all.json");
@@ -353,7 +353,7 @@ void check_random_scene(std::uint64_t seed, scenes::Position position) {
   check_round_trip(c);
 
   // Where another leaf cuts its cells the value is the same, and operators give the same.
-  const Scratch dir;
+  const ScratchFolder dir;
   c.show(value);
   write(dir / "a.json", c.view());
   const auto leaf = prepare_result({dir / "a.json"});
@@ -391,7 +391,7 @@ TEST_CASE("broken files are refused with their place") {
   add_point(soup, {3, 3, 3});
   Case c(soup);
   c.show(c.unite());
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "good.json", c.view());
   const std::string good = text_of(dir / "good.json");
   const auto refused = [&](const std::string& text) -> std::string {
@@ -463,7 +463,7 @@ TEST_CASE("what a file says and its cells do not is refused at the first cell") 
   add_sheet(soup, {{0, 0, 6}, {1, 0, 6}, {1, 1, 6}, {0, 1, 6}});
   Case c(soup, {{{"stone", "rock", {}}}});
   c.show(c.unite());
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "good.json", c.view());
   const Json good = Json::parse(text_of(dir / "good.json"));
   const auto fault = [&](const std::function<void(Json&)>& change) -> std::string {
@@ -535,7 +535,7 @@ TEST_CASE("components have the numbers of their file, also beside leaves that cu
   add_box(soup, {0, 0, 0}, {1, 1, 1});
   Case c(soup, {{{"far", "", {}}}, {{"near", "", {}}}});
   c.show(c.unite());
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "a.json", c.view());
   const Json json = Json::parse(text_of(dir / "a.json"));
   REQUIRE(json["components"][0]["name"] == "far");

@@ -308,7 +308,7 @@ class Mutations {
   }
 
   const MutatedModel& model_;
-  const Scratch dir_;
+  const ScratchFolder dir_;
   OrderedJson good_;
   std::size_t tried_ = 0, refused_ = 0;
 };
@@ -328,7 +328,7 @@ TEST_CASE("result files with one change are refused, or read as what they say") 
 }
 
 TEST_CASE("a member that stands twice is refused") {
-  const Scratch dir;
+  const ScratchFolder dir;
   const Tree tree = parse_tree("cnrg: 1\nnodes: {a: {points: [[1, 2, 3]]}}\nresult: a\n", dir / "t.yaml");
   write(dir / "a.json", evaluate(tree).result());
   const std::string text = text_of(dir / "a.json");

@@ -160,13 +160,13 @@ Model read_3mf(const std::string& bytes) {
 Result evaluated(const std::string& tree) { return evaluate(parse_tree(tree, "t.yaml")).result(); }
 
 std::string written(const Result& result) {
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "m.3mf", result);
   return text_of(dir / "m.3mf");
 }
 
 std::string refusal_of(const Result& result) {
-  const Scratch dir;
+  const ScratchFolder dir;
   try {
     write(dir / "m.3mf", result);
   } catch (const InputError& error) {
@@ -364,7 +364,7 @@ TEST_CASE("3mf: the same result gives the same bytes, and doubles are not rounde
 
 TEST_CASE("3mf: lib3MF reads it without a warning and finds closed objects") {
   using namespace NMR;
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "m.3mf", evaluated(kLayers));
   PLib3MFModel* model = nullptr;
   PLib3MFModelReader* reader = nullptr;

@@ -13,7 +13,7 @@ using namespace cnrg::test;
 namespace {
 
 Vtu vtu_of(const ResultView& view) {
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "m.vtu", view);
   return {text_of(dir / "m.vtu")};
 }

@@ -151,7 +151,7 @@ Case two_overlapping_boxes() {
 
 TEST_CASE("off, ply, stl and obj of a union parse back to the exact solid") {
   const Case c = two_overlapping_boxes();
-  const Scratch dir;
+  const ScratchFolder dir;
   for (const std::string name : {"m.off", "m.ply", "m.stl", "m.obj"}) {
     CAPTURE(name);
     const RoundingReport rounding = write(dir / name, c.view());
@@ -177,7 +177,7 @@ TEST_CASE("walls, sheets, wires and points: obj holds them, the others say which
   add_point(soup, {5, 5, 5});
   Case c(soup);
   c.show(c.unite());
-  const Scratch dir;
+  const ScratchFolder dir;
   const std::string message = message_of(dir / "m.stl", c.view());
   CHECK(has(message, "m.stl: STL"));
   CHECK(has(message, "1 wall between regions"));
@@ -202,7 +202,7 @@ TEST_CASE("a region without bounds is refused by surface formats, not by json") 
   add_box(soup, {0, 0, 0}, {1, 1, 1});
   Case c(soup);
   c.show(complement(*c.complex, c.leaves[0]));
-  const Scratch dir;
+  const ScratchFolder dir;
   for (const std::string name : {"m.off", "m.ply", "m.stl", "m.obj"}) {
     CHECK(has(message_of(dir / name, c.view()), "without bounds"));
   }
@@ -222,7 +222,7 @@ TEST_CASE("an open set is refused by formats of closed ones") {
   Case c(soup);
   c.show(topological_operation(*c.complex, Topological::interior, components_of(*c.complex, c.group)).value);
   const ResultView view = c.view();
-  const Scratch dir;
+  const ScratchFolder dir;
   CHECK(has(message_of(dir / "m.obj", view), "closure"));
   CHECK(has(message_of(dir / "m.off", view), "lacks 6 boundary faces, 12 boundary edges, 8 boundary vertices;"));
   write(dir / "m.json", view);
@@ -241,7 +241,7 @@ TEST_CASE("formats of closed sets name the operator that helps, and it does") {
   const Complex& complex = *c.complex;
   std::vector<Components> leaves;
   for (const Group& group : c.leaves) leaves.push_back(components_of(complex, group));
-  const Scratch dir;
+  const ScratchFolder dir;
   const auto says = [&](const Components& value, const std::string& format) {
     c.show(value);
     return message_of(dir / ("m." + format), c.view());
@@ -281,7 +281,7 @@ TEST_CASE("solids that touch in an edge are what they are") {
   add_box(soup, {1, 1, 0}, {2, 2, 1});
   Case c(soup);
   c.show(c.unite());
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "m.off", c.view());
   const Triangles mesh = read_off_text(text_of(dir / "m.off"));
   CHECK(mesh.points.size() == 14);
@@ -297,7 +297,7 @@ TEST_CASE("json: counts, exact volumes, names, provenance, sides") {
   Case c(soup, {{{"rock", "granite", {}}}, {{"core", "ore", {}}}});
   c.materials = {{"granite", "#998877"}, {"ore", ""}};
   c.show(c.unite(Dominance::right));
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "m.json", c.view());
   const auto json = nlohmann::json::parse(text_of(dir / "m.json"));
   CHECK(json["format"] == "cnrg result");
@@ -338,7 +338,7 @@ TEST_CASE("coordinates that are no doubles: the report counts them and checks th
   Soup soup;
   add_box(soup, {0, 0, 0}, {Rational(1, 3), 1, 1});
   Case c(soup);
-  const Scratch dir;
+  const ScratchFolder dir;
   const RoundingReport rounding = write(dir / "m.off", c.view());
   CHECK(rounding.moved == 4);
   CHECK(rounding.embedded);
@@ -349,7 +349,7 @@ TEST_CASE("a shape thinner than doubles is reported as not embedded") {
   const Rational thin(1, Integer("1000000000000000000000000"));
   add_box(soup, {1, 0, 0}, {1 + thin, 1, 1});
   Case c(soup);
-  const Scratch dir;
+  const ScratchFolder dir;
   const RoundingReport rounding = write(dir / "m.off", c.view());
   CHECK(rounding.moved == 4);
   CHECK_FALSE(rounding.embedded);
@@ -359,7 +359,7 @@ TEST_CASE("faces of a curved patch are one face with facets") {
   Soup soup;
   add_drum(soup, 12, 0, 4);
   Case c(soup);
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "m.json", c.view());
   const auto json = nlohmann::json::parse(text_of(dir / "m.json"));
   CHECK(json["faces"].size() == 3);
@@ -399,7 +399,7 @@ TEST_CASE("the numbering does not depend on the order of the input") {
     }
     Case c(soup);
     c.show(c.unite());
-    const Scratch dir;
+    const ScratchFolder dir;
     write(dir / "m.obj", c.view());
     return text_of(dir / "m.obj");
   };
@@ -409,7 +409,7 @@ TEST_CASE("the numbering does not depend on the order of the input") {
 TEST_CASE("raw cells are written too, and are no walls") {
   Case c = two_overlapping_boxes();
   c.show(c.group, SimplifyMode::raw);
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "m.off", c.view());
   CHECK(enclosed(read_off_text(text_of(dir / "m.off"))) == 15);
   write(dir / "m.json", c.view());
@@ -420,7 +420,7 @@ TEST_CASE("raw cells are written too, and are no walls") {
 TEST_CASE("an empty result is a valid file") {
   Case c = two_overlapping_boxes();
   c.show(boolean_operation(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[0]).group);
-  const Scratch dir;
+  const ScratchFolder dir;
   for (const std::string name : {"m.off", "m.ply", "m.stl", "m.obj", "m.json", "m.vtu"}) {
     CHECK(write(dir / name, c.view()).embedded);
   }
@@ -429,7 +429,7 @@ TEST_CASE("an empty result is a valid file") {
 
 TEST_CASE("an unknown extension names the known ones") {
   const Case c = two_overlapping_boxes();
-  const Scratch dir;
+  const ScratchFolder dir;
   CHECK(has(message_of(dir / "m.xyz", c.view()),
             "`.xyz`; use one of .json .vtu .msh .mesh .smesh .poly .inp .bdf .h5m .med .obj"));
   CHECK(has(message_of(dir / "model", c.view()), "no writer"));
@@ -438,7 +438,7 @@ TEST_CASE("an unknown extension names the known ones") {
 
 TEST_CASE("a file that cannot be written: the old one stays, nothing is left behind") {
   const Case c = two_overlapping_boxes();
-  const Scratch dir;
+  const ScratchFolder dir;
   CHECK_THROWS_AS(write(dir / "no/such/m.off", c.view()), FileError);
   std::filesystem::create_directory(dir / "d.off");
   CHECK_THROWS_AS(write(dir / "d.off", c.view()), FileError);
@@ -466,7 +466,7 @@ TEST_CASE("a file that cannot be written: the old one stays, nothing is left beh
 }
 
 TEST_CASE("a replaced file keeps its permissions, a link its target") {
-  const Scratch dir;
+  const ScratchFolder dir;
   replace_file(dir / "a.txt", "one");
   chmod((dir / "a.txt").c_str(), 0640);
   std::filesystem::create_symlink(dir / "a.txt", dir / "b.txt");

@@ -15,7 +15,7 @@ using namespace cnrg::test;
 namespace {
 
 std::string written(const ResultView& view, const std::string& extension) {
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / ("m" + extension), view);
   return text_of(dir / ("m" + extension));
 }
@@ -63,7 +63,7 @@ void check_topology(const MeshFile& mesh) {
 
 /// The volume of each region by Gmsh.
 std::map<int, double> by_gmsh(const ResultView& view) {
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "m.msh", view);
   const std::string run = "cd '" + dir.path() + "' && gmsh -3 m.msh -o out.msh >log 2>&1";
   const int status = std::system(run.c_str());
@@ -81,7 +81,7 @@ std::map<int, double> by_gmsh(const ResultView& view) {
 
 /// The volume of each region by tetgen.
 std::map<int, double> by_tetgen(const ResultView& view, const std::string& extension) {
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / ("m" + extension), view);
   const std::string run = "cd '" + dir.path() + "' && tetgen -pAQ m" + extension + " >log 2>&1";
   const int status = std::system(run.c_str());
@@ -237,7 +237,7 @@ TEST_CASE("formats of meshers hold closed and bounded results, and TetGen's embe
   add_box(soup, {beyond, 0, 0}, {2, 1, 1});
   Case c(soup);
   c.show(c.unite());
-  const Scratch dir;
+  const ScratchFolder dir;
   for (const std::string extension : {".smesh", ".poly"}) {
     CHECK_THROWS_WITH(write(dir / ("m" + extension), c.view()),
                       Catch::Contains("makes facets cross") && Catch::Contains("4 vertices move"));

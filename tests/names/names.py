@@ -210,6 +210,7 @@ class House:
     def faults(self):
         yield from self.classes_of_one_name()
         yield from self.hidden_names()
+        yield from self.ambiguous_names()
 
     def classes_of_one_name(self):
         known = defaultdict(list)
@@ -246,6 +247,26 @@ class House:
                     if other.file in seen and around and not one:
                         yield f"`{name}` hides what the room sees: {names[0].at()}, {other.at()}"
                         break
+
+    def ambiguous_names(self):
+        """What one file of a room uses two namespaces for, and another one sees in both."""
+        rooms = defaultdict(set)
+        for file in self.includes:
+            if file.endswith(".cpp"):
+                rooms[file.rpartition("/")[0]].add(file)
+        for room, seen in sorted(rooms.items()):
+            used = set().union(*(self.used[file] for file in seen))
+            if len(used) < 2:
+                continue
+            for file in list(seen):
+                self.sees(file, seen)
+            known = defaultdict(dict)
+            for n in self.names:
+                if n.file in seen and n.scope in used and not n.hidden and n.kind != "function":
+                    known[n.name].setdefault(n.scope, n)
+            for name, by_scope in sorted(known.items()):
+                if len(by_scope) > 1 and not self.are_one(list(by_scope.values())):
+                    yield f"`{name}` is ambiguous in {room}: " + ", ".join(n.at() for n in by_scope.values())
 
 
 def main():

@@ -104,6 +104,13 @@ class OfARoom(unittest.TestCase):
         files["csg/mesh/a.cpp"] += "\nusing namespace cnrg;\n"
         self.assertEqual(len(faults(files)), 1)
 
+    def test_a_name_of_two_namespaces_that_are_used_is_ambiguous(self):
+        files = {"csg/mesh/a.cpp": '// a\n#include "csg/mesh/a.h"\nusing namespace cnrg;\nusing namespace cnrg::test;\n',
+                 "csg/mesh/b.cpp": '// b\n#include "csg/mesh/b.h"\n', "csg/mesh/a.h": "struct Scratch {};"}
+        self.assertEqual(faults(files | {"csg/mesh/b.h": "namespace test {\nint scratch();\n}"}), [])
+        self.assertEqual(faults(files | {"csg/mesh/b.h": "// b\nnamespace cnrg::test {\nclass Scratch {};\n}"}),
+                         ["`Scratch` is ambiguous in csg/mesh: csg/mesh/a.h:2, csg/mesh/b.h:3"])
+
     def test_it_reads_on_behind_what_is_hard_to_read(self):
         hard = ['const char* const text = R"({{{)"; // {{', "/* { */ int digits = 1'000'000;", "#define OPEN {\\\n {",
                 "A::A(int b) : b_{b}, c_(b) {\n  if (b) {\n  }\n}", "void f(B b = {}) {}", "char c = '{', d = '\\'';",

@@ -77,7 +77,7 @@ std::string node_failure(const RandomDag& dag, std::size_t i, const Evaluation& 
 }
 
 std::string failure_of(const RandomDag& dag) {
-  const test::Scratch folder;
+  const test::ScratchFolder folder;
   const Tree tree = parse_tree(tree_file(dag), folder / "joined.yaml");
   EvaluateOptions options;
   options.threads = 1;

@@ -150,7 +150,7 @@ std::string join_failure(const NearTree& tree) {
     std::string near = near_failure(after, to_double(tree.within));
     if (near.empty() != (report.remaining == 0))
       return told + (near.empty() ? "told that something is near, and nothing is" : near);
-    const test::Scratch folder;
+    const test::ScratchFolder folder;
     if (std::string f = file_failure(after, folder.path()); !f.empty()) return told + f;
     // The node does the same, and says so.
     EvaluateOptions options;
@@ -180,7 +180,7 @@ std::string snap_failure(const NearTree& tree) {
       const RationalPoint p = after.complex().points.rational(v);
       if (!is_double(p[0]) || !is_double(p[1]) || !is_double(p[2])) return told + "a vertex is no double";
     }
-    const test::Scratch folder;
+    const test::ScratchFolder folder;
     if (std::string f = file_failure(after, folder.path()); !f.empty()) return told + f;
     return {};
   });

@@ -45,7 +45,7 @@ std::string tree_around(const std::string& file, bool cut) {
 }
 
 std::string read_back_failure(const RandomDag& dag) {
-  const test::Scratch dir;
+  const test::ScratchFolder dir;
   try {
     const Tree tree = parse_tree(tree_file(dag), dir / "dag.yaml");
     for (const bool raw : {false, true}) {

@@ -246,7 +246,7 @@ TEST_CASE("join: a region thinner than the distance vanishes and is named", "[jo
   CHECK(report.reach == Rational(1, 1000));
   // What has vanished is no component of the file, which is read back.
   CHECK(after.component_count() == 3);  // low, high, their entities
-  const test::Scratch scratch;
+  const test::ScratchFolder scratch;
   write(scratch / "left.json", after);
   const Result read = read_result(scratch / "left.json");
   CHECK(volumes(read) == volumes(after));
@@ -381,7 +381,7 @@ TEST_CASE("join: a group is a group again, and its file has the same cells", "[j
   const Result after = join(before, Rational(1, 250), &report);
   check_joined(before, after, report, Rational(1, 250));
   CHECK(after.data().value->is_group());
-  const test::Scratch scratch;
+  const test::ScratchFolder scratch;
   write(scratch / "group.json", after);
   const Result read = read_result(scratch / "group.json");
   CHECK(read.data().value->is_group());
@@ -448,7 +448,7 @@ TEST_CASE("join: written, read back, and meshed", "[join]") {
   JoinReport report;
   const Result after = join(before, Rational(1, 100), &report);
   check_joined(before, after, report, Rational(1, 100));
-  const test::Scratch scratch;
+  const test::ScratchFolder scratch;
   for (const char* const name : {"j.json", "j.vtu", "j.msh", "j.obj", "j.glb", "j.poly"})
     CHECK_NOTHROW(write(scratch / name, after));
   const Result read = read_result(scratch / "j.json");

@@ -116,7 +116,7 @@ TEST_CASE("wires, points, and cells of components name where they came from") {
   CHECK(inside->origin.cells == ShortList<LeafCell, 4>{{LeafId(0), 3, 1}, {LeafId(1), 1, 0}});
 
   c.show(sum(complex, sum(complex, a, wire).value, components_of(complex, c.leaves[2])).value);
-  const Scratch dir;
+  const ScratchFolder dir;
   write(dir / "m.json", c.view());
   const Json json = Json::parse(text_of(dir / "m.json"));
   std::size_t points = 0, wires = 0;

@@ -81,7 +81,7 @@ void check_snapped(const ResultView& exact, const SnappedResult& snapped) {
   }
 
   // Read back by a leaf of ours: the same triangles, and nothing new.
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const RoundingReport report = write(scratch / "s.obj", view);
   CHECK((report.moved == 0 && report.embedded));
   const auto leaf = prepare(MeshShape{scratch / "s.obj", Fill::none, false});
@@ -212,7 +212,7 @@ TEST_CASE("snap: regions that vanish are named, and their components are gone", 
   CHECK_THAT(told[1], Catch::StartsWith("the region sand, r") && Catch::Contains(", at (7, 0, 1), "));
   // The file has no component without cells, and is read back.
   CHECK(snapped.component_count() + 2 == exact.component_count());
-  const Scratch scratch;
+  const ScratchFolder scratch;
   write(scratch / "left.json", snapped);
   const Result read = read_result(scratch / "left.json");
   CHECK(volumes(read) == std::map<std::string, Rational>{{"rock", 1}, {"sand", 2}});
