@@ -6,7 +6,7 @@
 
 namespace cnrg::bench {
 
-inline cnrg::Outcome evaluate_node(const Complex& complex, Operation operation, std::vector<NodeValue>& leaves) {
+inline StepOutcome evaluate_node(const Complex& complex, Operation operation, std::vector<NodeValue>& leaves) {
   Node node;
   node.op = operation == Operation::unite ? Operator::unite : Operator::subtract;
   node.name = "node";
