@@ -2,7 +2,7 @@
 # package), `python3-cnrg`. dpkg-shlibdeps finds the shared libraries that each of them depends on.
 #   cmake --workflow --preset package     builds them in build/package
 find_program(CNRG_DPKG dpkg)
-if(NOT CNRG_DPKG)
+if(NOT CNRG_DPKG OR NOT CNRG_PROGRAM)
   return()
 endif()
 set(CPACK_GENERATOR DEB)
