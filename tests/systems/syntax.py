@@ -1,4 +1,4 @@
-"""Each file (or batch of files) below some folders, read by the compiler of a build with its warnings as errors, without code made of it.
+"""Files (or batches of files) below some folders, read by a compiler with its warnings as errors and no code made of them.
 
     syntax.py COMPILE_COMMANDS JOBS FOLDER...
 
