@@ -1,4 +1,4 @@
-"""Files (or batches of files) below some folders, read by a compiler with its warnings as errors and no code made of them.
+"""Reads files (or batches of them) below some folders by the compiler of a build, warnings as errors, without code made.
 
     syntax.py COMPILE_COMMANDS JOBS FOLDER...
 
