@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/cases/shapes.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg::bench {
 namespace {
@@ -91,12 +92,6 @@ Triangles convex_hull(const std::vector<GridPoint>& points) {
   return hull;
 }
 
-Rational fraction(long numerator, long denominator) {
-  Rational value(numerator, denominator);
-  value.canonicalize();
-  return value;
-}
-
 }  // namespace
 
 RationalPoint AffineMap::operator()(const RationalPoint& p) const {
@@ -144,11 +139,7 @@ Model mapped(Model model, const AffineMap& map) {
   return model;
 }
 
-Rational power_of_tenth(int k) {
-  Integer power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(k));
-  return Rational(Integer(1), power);
-}
+Rational power_of_tenth(int k) { return Rational(Integer(1), power_of_ten(static_cast<std::size_t>(k))); }
 
 Model box_between(const RationalPoint& min, const RationalPoint& max) {
   const auto& [x0, y0, z0] = min;
@@ -172,13 +163,13 @@ Model tetrahedron(const std::array<RationalPoint, 4>& corners) {
 Polygon random_polygon(std::size_t corners, Random& random) {
   if (corners < 3) throw std::logic_error("a polygon has at least three corners");
   // A corner stands out by about 5 / corners^2 of the radius, some by a fifth of that: many units.
-  const auto unit = static_cast<long>(std::bit_ceil(128 * corners * corners));
+  const auto unit = static_cast<std::int64_t>(std::bit_ceil(128 * corners * corners));
   Polygon polygon;
   for (std::size_t i = 0; i < corners; ++i) {
     const double jitter = i == 0 ? 0 : random.real(-0.15, 0.15);
     const double angle = 2 * M_PI * (static_cast<double>(i) + jitter) / static_cast<double>(corners);
-    polygon.push_back({fraction(std::lround(std::cos(angle) * static_cast<double>(unit)), unit),
-                       fraction(std::lround(std::sin(angle) * static_cast<double>(unit)), unit)});
+    polygon.push_back({fraction(std::llround(std::cos(angle) * static_cast<double>(unit)), unit),
+                       fraction(std::llround(std::sin(angle) * static_cast<double>(unit)), unit)});
   }
   return polygon;
 }
@@ -262,7 +253,7 @@ Model random_hull(std::size_t faces, Random& random) {
     for (auto& x : p) x = random.integer(-kUnit, kUnit);
     const double length = std::sqrt(static_cast<double>(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
     if (length < kUnit / 4 || length > kUnit) continue;
-    for (auto& x : p) x = std::lround(static_cast<double>(x) / length * kUnit);
+    for (auto& x : p) x = std::llround(static_cast<double>(x) / length * kUnit);
     points.push_back(p);
   }
   const Triangles hull = convex_hull(points);

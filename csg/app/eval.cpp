@@ -16,6 +16,7 @@
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
 #include "csg/text/file.h"
+#include "csg/text/plugin.h"
 #include "csg/text/table.h"
 #include "csg/topology/selectables.h"
 #include "csg/topology/topology.h"
@@ -175,6 +176,7 @@ int run_eval(const EvalArguments& arguments) {
     if (is_picture(path)) {
       pictures = true;
       require_no_directory(path);
+      require_plugin(kPaperPlugin, path, "write .vtu or .json");
     } else {
       check_file_name(path, " .svg .png .pdf");
     }

@@ -39,10 +39,10 @@ void put(const std::string& text) {
 
 /// 0:07, 12:34, 1:02:03.
 std::string clock_text(double seconds) {
-  const auto all = static_cast<unsigned long>(seconds);
+  const auto all = static_cast<unsigned long long>(seconds);
   char text[48];
-  if (all < 3600) std::snprintf(text, sizeof text, "%lu:%02lu", all / 60, all % 60);
-  else std::snprintf(text, sizeof text, "%lu:%02lu:%02lu", all / 3600, all / 60 % 60, all % 60);
+  if (all < 3600) std::snprintf(text, sizeof text, "%llu:%02llu", all / 60, all % 60);
+  else std::snprintf(text, sizeof text, "%llu:%02llu:%02llu", all / 3600, all / 60 % 60, all % 60);
   return text;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <set>
@@ -92,12 +93,12 @@ class Keepout {
 std::vector<RationalPoint> grid(const Ball& ball, int segments, int rings) {
   std::vector<RationalPoint> result;
   for (int j = 0; j <= rings; ++j) {
-    const Rational latitude = fraction(180L * j, rings) - 90;
+    const Rational latitude = fraction(std::int64_t{180} * j, rings) - 90;
     const Rational out = ball.radius * from_double(cosine_degrees(latitude));
     RationalPoint p = ball.center;
     p[2] = rounded_for(p[2] + ball.radius * from_double(sine_degrees(latitude)), ball.radius);
     for (int i = 0; i < (out == 0 ? 1 : segments); ++i) {
-      const Rational longitude = fraction(360L * i, segments);
+      const Rational longitude = fraction(std::int64_t{360} * i, segments);
       p[0] = rounded_for(ball.center[0] + out * from_double(cosine_degrees(longitude)), ball.radius);
       p[1] = rounded_for(ball.center[1] + out * from_double(sine_degrees(longitude)), ball.radius);
       result.push_back(p);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "csg/geometry/circle.h"
@@ -284,7 +285,7 @@ void MeridianPlane::sample(Arc& arc) const {
     return !marked.empty() && (marked.front() + 360 - angle <= near || angle + 360 - marked.back() <= near);
   };
   for (int j = 0; j < arc.steps; ++j) {
-    Rational degrees = fraction(360L * j, arc.steps) - (sphere ? 90 : 0);
+    Rational degrees = fraction(std::int64_t{360} * j, arc.steps) - (sphere ? 90 : 0);
     if (degrees > 180) degrees -= 360;
     if (is_marked(to_double(degrees))) continue;
     const Point p = on_arc(arc, degrees);

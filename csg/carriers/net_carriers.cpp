@@ -22,10 +22,10 @@ void add(Homogeneous& sum, const Rational& factor, const Homogeneous& h) {
   }
 }
 
-Rational power(const Rational& base, long exponent) {
+Rational power(const Rational& base, int exponent) {
   Rational result = 1;
   const Rational factor = exponent < 0 ? Rational(1 / base) : base;
-  for (long i = 0; i < std::abs(exponent); ++i) result *= factor;
+  for (int i = 0; i < std::abs(exponent); ++i) result *= factor;
   return result;
 }
 
@@ -195,11 +195,11 @@ PowerBasis directions(PowerBasis c) {
 }
 
 /// The rational x with x^n = value: none, one, or two of which the other is -x.
-std::vector<Rational> roots(const Rational& value, long n) {
+std::vector<Rational> roots(const Rational& value, unsigned n) {
   const Rational size = abs(value);
   Integer numerator, denominator;
-  if (mpz_root(numerator.get_mpz_t(), size.get_num_mpz_t(), static_cast<unsigned long>(n)) == 0) return {};
-  if (mpz_root(denominator.get_mpz_t(), size.get_den_mpz_t(), static_cast<unsigned long>(n)) == 0) return {};
+  if (mpz_root(numerator.get_mpz_t(), size.get_num_mpz_t(), n) == 0) return {};
+  if (mpz_root(denominator.get_mpz_t(), size.get_den_mpz_t(), n) == 0) return {};
   const Rational root(numerator, denominator);
   if (n % 2 == 1) return {value < 0 ? Rational(-root) : root};
   if (value < 0) return {};
@@ -208,14 +208,14 @@ std::vector<Rational> roots(const Rational& value, long n) {
 
 /// a^i c^j = value.
 struct Monomial {
-  long i = 0, j = 0;
+  int i = 0, j = 0;
   Rational value = 1;
 };
 
 /// Euclid's algorithm on exponents of u: the product of powers of both equations in which i is the least.
 void reduce(Monomial& one, Monomial& other) {
   while (other.i != 0) {
-    const long times = one.i / other.i;
+    const int times = one.i / other.i;
     one.i -= times * other.i;
     one.j -= times * other.j;
     one.value /= power(other.value, times);
@@ -224,7 +224,7 @@ void reduce(Monomial& one, Monomial& other) {
 }
 void reduce_v(Monomial& one, Monomial& other) {
   while (other.j != 0) {
-    const long times = one.j / other.j;
+    const int times = one.j / other.j;
     one.j -= times * other.j;
     one.value /= power(other.value, times);
     std::swap(one, other);
@@ -238,7 +238,7 @@ std::vector<std::array<Rational, 2>> scales(const PowerBasis& net, const PowerBa
   for (std::size_t i = 0; i < net.size(); ++i) {
     for (std::size_t j = 0; j < net[i].size(); ++j) {
       const std::size_t e = first_of(net[i][j]);
-      if (e < 4) ratios.push_back({static_cast<long>(i), static_cast<long>(j), net[i][j][e] / carrier[i][j][e]});
+      if (e < 4) ratios.push_back({static_cast<int>(i), static_cast<int>(j), net[i][j][e] / carrier[i][j][e]});
     }
   }
   const Monomial base = ratios[0];
@@ -254,9 +254,10 @@ std::vector<std::array<Rational, 2>> scales(const PowerBasis& net, const PowerBa
   if (in_u.i == 0 || (in_v.j == 0 && !curve)) return {};  // a curve in the place of a surface, a point of a curve
   std::vector<std::array<Rational, 2>> result;
   for (const Rational& c :
-       curve ? std::vector<Rational>{1} : roots(power(in_v.value, in_v.j < 0 ? -1 : 1), std::abs(in_v.j))) {
+       curve ? std::vector<Rational>{1}
+             : roots(power(in_v.value, in_v.j < 0 ? -1 : 1), static_cast<unsigned>(std::abs(in_v.j)))) {
     const Rational of_a = in_u.value / power(c, in_u.j);
-    for (const Rational& a : roots(power(of_a, in_u.i < 0 ? -1 : 1), std::abs(in_u.i))) {
+    for (const Rational& a : roots(power(of_a, in_u.i < 0 ? -1 : 1), static_cast<unsigned>(std::abs(in_u.i)))) {
       const Rational k = base.value / (power(a, base.i) * power(c, base.j));
       const auto holds = [&](const Monomial& m) { return m.value == k * power(a, m.i) * power(c, m.j); };
       if (k > 0 && std::all_of(ratios.begin(), ratios.end(), holds)) result.push_back({a, c});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 
 #include "csg/geometry/circle.h"
@@ -53,9 +54,9 @@ void add_images(const Ball& inner, const std::vector<RationalPoint>& corners, co
   const Rational tangent = from_double(std::sqrt(nearest) / (8 * to_double(outer.radius))),
                  whole = 1 + tangent * tangent;
   for (int k = 0; k < kRing; ++k) {
-    points.push_back(outer.center +
-                     outer.radius * (Rational((1 - tangent * tangent) / whole) * up +
-                                     Rational(2 * tangent / whole) * frame.offset(1, fraction(360L * k, kRing))));
+    points.push_back(outer.center + outer.radius * (Rational((1 - tangent * tangent) / whole) * up +
+                                                    Rational(2 * tangent / whole) *
+                                                        frame.offset(1, fraction(std::int64_t{360} * k, kRing))));
   }
 }
 

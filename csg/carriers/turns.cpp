@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <set>
 
@@ -42,7 +43,7 @@ Turns::Turns(const RationalPoint& axis, const RationalPoint& start, int segments
   const Rational across = 1 / dot(axis, axis);  // the second vector is as long as the axis
   lines_.reserve(static_cast<std::size_t>(segments) + marks.size());
   for (int i = 0; i < segments; ++i) {
-    const Rational degrees = fraction(360L * i, segments);
+    const Rational degrees = fraction(std::int64_t{360} * i, segments);
     const RationalPoint direction =
         scaled_cosine(degrees, 1) * frame_.first + scaled_cosine(90 - degrees, across) * frame_.second;
     lines_.push_back({direction, fraction(i, segments), true, false});

@@ -35,11 +35,7 @@ Integer take_squares(Integer& n) {
   }
   Integer out = 1;
   for (const unsigned p : kPrimes) {
-    const unsigned square = p * p;
-    while (mpz_divisible_ui_p(n.get_mpz_t(), square) != 0) {
-      mpz_divexact_ui(n.get_mpz_t(), n.get_mpz_t(), square);
-      out *= p;
-    }
+    for (const unsigned square = p * p; n % square == 0; n /= square) out *= p;
   }
   if (is_square(n)) {
     out *= sqrt(n);

@@ -2,9 +2,11 @@
 #include "csg/curves/bezier.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -20,15 +22,7 @@ Homogeneous between(const Homogeneous& a, const Homogeneous& b, const Rational& 
 }
 
 Rational ratio(std::size_t a, std::size_t b) {
-  Rational r(static_cast<unsigned long>(a), static_cast<unsigned long>(b));
-  r.canonicalize();
-  return r;
-}
-
-Rational binomial(std::size_t n, std::size_t k) {
-  Integer result;
-  mpz_bin_uiui(result.get_mpz_t(), n, k);
-  return result;
+  return fraction(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b));
 }
 
 // Numbers in Bernstein form.

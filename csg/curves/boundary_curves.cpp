@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "csg/curves/chord.h"
 #include "kernel/base/error.h"
@@ -56,7 +57,7 @@ void Fineness::fail_unlike() const {
 }
 
 void Fineness::check_facets(double count) const {
-  constexpr long kMost = 10'000'000;
+  constexpr std::int64_t kMost = 10'000'000;
   if (count <= static_cast<double>(kMost)) return;
   throw InputError(shape_ + ": it would have more than " + std::to_string(kMost) + " facets: give " +
                    (by_chord() ? "a larger chord" : "fewer segments"));

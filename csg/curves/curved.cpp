@@ -9,6 +9,7 @@
 // from `from` to `to`, of the meridian from the south pole to the north pole, or of the turn about the tube, from
 // its outermost circle up. Caps are planes and have none.
 #include <algorithm>
+#include <cstdint>
 
 #include "csg/curves/boundary_curves.h"
 #include "csg/curves/revolved.h"
@@ -33,8 +34,8 @@ void check_count(const char* shape, const char* what, int count, int least) {
 
 /// A grid of facets that no machine of today holds is refused before it is begun.
 void check_facets(const char* shape, int segments, int rings) {
-  constexpr long kMost = 10'000'000;
-  const long facets = static_cast<long>(segments) * rings;
+  constexpr std::int64_t kMost = 10'000'000;
+  const std::int64_t facets = static_cast<std::int64_t>(segments) * rings;
   if (facets <= kMost) return;
   throw InputError(std::string(shape) + ": " + std::to_string(segments) + " segments by " + std::to_string(rings) +
                    " rings are " + std::to_string(facets) + " facets: give at most " + std::to_string(kMost));
@@ -181,14 +182,11 @@ std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParam
     if (j == rings) {
       upper.assign(n, builder.point({c[0], c[1], c[2] + shape.radius}));
     } else {
-      Rational latitude(180L * j, rings);
-      latitude.canonicalize();
-      latitude -= 90;
+      const Rational latitude = fraction(std::int64_t{180} * j, rings) - 90;
       const Rational out = shape.radius * from_double(cosine_degrees(latitude));
       const Rational z = rounded_for(c[2] + shape.radius * from_double(sine_degrees(latitude)), shape.radius);
       for (int i = 0; i < shape.segments; ++i) {
-        Rational longitude(360L * i, shape.segments);
-        longitude.canonicalize();
+        const Rational longitude = fraction(std::int64_t{360} * i, shape.segments);
         upper.push_back(
             builder.point({rounded_for(c[0] + out * from_double(cosine_degrees(longitude)), shape.radius),
                            rounded_for(c[1] + out * from_double(sine_degrees(longitude)), shape.radius), z}));
@@ -231,8 +229,7 @@ std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape, LeafParamet
   LeafBuilder builder(Fill::winding, record);
   std::vector<Ring> rows;
   for (int j = 0; j < shape.rings; ++j) {
-    Rational degrees(360L * j, shape.rings);
-    degrees.canonicalize();
+    const Rational degrees = fraction(std::int64_t{360} * j, shape.rings);
     const Rational out = shape.radius + shape.tube * from_double(cosine_degrees(degrees));
     const RationalPoint center = shape.center + Rational(shape.tube * from_double(sine_degrees(degrees))) * up;
     Ring row;

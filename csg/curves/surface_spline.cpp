@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "kernel/base/error.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -27,7 +28,7 @@ ConstantRow row_of(const ControlRow& row, const RationalPoint& origin) {
 
 Homogeneous step(const Homogeneous& a, const Homogeneous& b, std::size_t degree) {
   Homogeneous d;
-  for (std::size_t k = 0; k < 4; ++k) d[k] = Rational(static_cast<unsigned long>(degree)) * (b[k] - a[k]);
+  for (std::size_t k = 0; k < 4; ++k) d[k] = to_integer(degree) * (b[k] - a[k]);
   return d;
 }
 

@@ -19,7 +19,7 @@ namespace {
 /// The decimal number in `text`, or nothing when it is too long to be an index.
 std::optional<std::size_t> index_in(const std::string& text) {
   if (text.size() > 9) return std::nullopt;
-  return static_cast<std::size_t>(std::stoul(text));
+  return static_cast<std::size_t>(std::stoull(text));
 }
 
 /// What the reader of `file` said, apart: `file:line:column: error: rest`, `file:line: error: rest` or

@@ -8,6 +8,7 @@
 // library: a tree that unites the cells that are there is evaluated, from nothing after each operator.
 #include <cnrg.h>
 
+#include <cstdint>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -73,15 +74,15 @@ std::string inverse(std::string name) {
 
 /// The numbers of the formula, by their signs in it.
 const std::vector<std::string> kTerms{"v", "e", "f", "r", "V", "Vh", "Vc", "C", "Ch", "Cc"};
-using Terms = std::map<std::string, long>;
-long left(const Terms& t) {
+using Terms = std::map<std::string, std::int64_t>;
+std::int64_t left(const Terms& t) {
   return t.at("v") - t.at("e") + (t.at("f") - t.at("r")) - (t.at("V") - t.at("Vh") + t.at("Vc"));
 }
-long right(const Terms& t) { return t.at("C") - t.at("Ch") + t.at("Cc"); }
+std::int64_t right(const Terms& t) { return t.at("C") - t.at("Ch") + t.at("Cc"); }
 
 /// Changes the numbers as the name says.
 void apply(const std::string& name, Terms& terms) {
-  long change = 0;
+  std::int64_t change = 0;
   for (std::size_t i = 0; i < name.size(); ++i) {
     if (is_sign(name[i])) {
       change = makes(name[i]) ? 1 : -1;

@@ -41,7 +41,7 @@ namespace {
 
 /// How many bytes the character at a place of a UTF-8 text has, line ends in it left out; 0 if it is none. `code`
 /// is its number.
-std::size_t character(const std::string& text, std::size_t at, unsigned long& code) {
+std::size_t character(const std::string& text, std::size_t at, std::uint32_t& code) {
   const auto lead = static_cast<unsigned char>(text[at]);
   const std::size_t n = lead < 0x80 ? 1 : lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 0;
   code = n < 2 ? lead : lead & (0xffu >> (n + 1));
@@ -57,7 +57,7 @@ std::size_t character(const std::string& text, std::size_t at, unsigned long& co
 /// Without control characters and bytes that are no UTF-8.
 std::string cleaned(const std::string& name) {
   std::string result;
-  unsigned long code = 0;
+  std::uint32_t code = 0;
   for (std::size_t i = 0; i < name.size();) {
     const std::size_t n = character(name, i, code);
     result += n == 0 || code < 0x20 || code == 0x7f ? "?" : name.substr(i, n);
@@ -71,7 +71,7 @@ std::string cleaned(const std::string& name) {
 std::string encoded(const std::string& file) {
   std::string result;
   std::size_t width = 0;  // of the characters in a run
-  unsigned long code = 0;
+  std::uint32_t code = 0;
   for (std::size_t i = 0; i < file.size();) {
     const std::size_t n = character(file, i, code);
     require(n != 0, "exports: a STEP text that is no UTF-8");
@@ -85,7 +85,7 @@ std::string encoded(const std::string& file) {
       result += file[i];
     } else {
       char text[16];
-      std::snprintf(text, sizeof text, "%0*lX", static_cast<int>(wide), code);
+      std::snprintf(text, sizeof text, "%0*X", static_cast<int>(wide), unsigned{code});
       result += text;
     }
     i += n;

@@ -12,7 +12,7 @@ namespace cnrg {
 namespace {
 
 using Index = std::uint32_t;
-using FacetTurns = std::array<long, 2>;
+using FacetTurns = std::array<std::int64_t, 2>;
 using DirectedEdge = std::array<Index, 2>;
 
 /// Facets that were put together, each with its turns against the first one of them.
@@ -76,12 +76,12 @@ class Unroller {
     std::array<bool, 2> around{false, false};
     if (lay(Cut{}, &around)) return walk();
     if (!around[0] && !around[1]) return std::nullopt;
-    std::array<std::vector<long>, 2> lines;
-    for (std::size_t d = 0; d < 2; ++d) lines[d] = around[d] ? lines_of(d) : std::vector<long>{-1};
+    std::array<std::vector<std::int64_t>, 2> lines;
+    for (std::size_t d = 0; d < 2; ++d) lines[d] = around[d] ? lines_of(d) : std::vector<std::int64_t>{-1};
     constexpr std::size_t kMost = 64;
     std::size_t tried = 0;
-    for (const long u : lines[0]) {
-      for (const long v : lines[1]) {
+    for (const std::int64_t u : lines[0]) {
+      for (const std::int64_t v : lines[1]) {
         if (++tried > kMost) return std::nullopt;
         if (lay(Cut{{u, v}}, nullptr)) return walk();
       }
@@ -95,14 +95,14 @@ class Unroller {
     Index next, facet;
     Index twin = kNone;
     FacetTurns turns{0, 0};  // of the twin's facet against this one
-    std::array<long, 2> line{-1, -1};
+    std::array<std::int64_t, 2> line{-1, -1};
     bool open = false;
   };
   /// The line of each parameter along which facets are cut; -1: none.
   struct Cut {
-    std::array<long, 2> line{-1, -1};
+    std::array<std::int64_t, 2> line{-1, -1};
   };
-  static constexpr long kLines = 1L << 30;
+  static constexpr std::int64_t kLines = std::int64_t{1} << 30;
 
   const std::vector<UnrollFacet>& facets_;
   const std::array<double, 2> period_, slack_;
@@ -129,11 +129,11 @@ class Unroller {
       if (half.twin == kNone) continue;
       const Half& twin = halves_[half.twin];
       for (std::size_t d = 0; d < 2; ++d) {
-        std::optional<long> turns;
+        std::optional<std::int64_t> turns;
         for (const auto& [a, b] : {std::pair(&half.from, &twin.to), std::pair(&half.to, &twin.from)}) {
           if (a->free[d] || b->free[d]) continue;
           const double gap = a->at[d] - b->at[d];
-          const long n = period_[d] == 0 ? 0 : std::lround(gap / period_[d]);
+          const std::int64_t n = period_[d] == 0 ? 0 : std::llround(gap / period_[d]);
           if (std::abs(gap - static_cast<double>(n) * period_[d]) > slack_[d]) return false;
           if (turns && *turns != n) return false;
           turns = n;
@@ -146,30 +146,30 @@ class Unroller {
   }
 
   /// The number of the line of a parameter on which the side lies; -1: none.
-  long line_of(const Half& half, std::size_t d) const {
+  std::int64_t line_of(const Half& half, std::size_t d) const {
     if (period_[d] == 0 || (half.from.free[d] && half.to.free[d])) return -1;
     const double a = half.from.free[d] ? half.to.at[d] : half.from.at[d];
     const double b = half.to.free[d] ? half.from.at[d] : half.to.at[d];
     if (std::abs(a - b) > slack_[d]) return -1;
     const double part = a / period_[d] - std::floor(a / period_[d]);
-    return std::lround(part * static_cast<double>(kLines)) % kLines;
+    return std::llround(part * static_cast<double>(kLines)) % kLines;
   }
 
-  bool near_line(long a, long b, std::size_t d) const {
+  bool near_line(std::int64_t a, std::int64_t b, std::size_t d) const {
     if (a < 0 || b < 0) return false;
-    const long gap = std::abs(a - b), way = std::min(gap, kLines - gap);
+    const std::int64_t gap = std::abs(a - b), way = std::min(gap, kLines - gap);
     return static_cast<double>(way) <= 2 + slack_[d] / period_[d] * static_cast<double>(kLines);
   }
 
   /// Lines between facets: the one where the parameter begins, then those with most sides.
-  std::vector<long> lines_of(std::size_t d) const {
-    std::map<long, long> sides;
+  std::vector<std::int64_t> lines_of(std::size_t d) const {
+    std::map<std::int64_t, std::int64_t> sides;
     for (const Half& half : halves_) {
       if (half.twin != kNone && half.line[d] >= 0) ++sides[half.line[d]];
     }
-    std::vector<long> lines;
+    std::vector<std::int64_t> lines;
     for (const auto& [line, n] : sides) lines.push_back(line);
-    std::stable_sort(lines.begin(), lines.end(), [&](long a, long b) {
+    std::stable_sort(lines.begin(), lines.end(), [&](std::int64_t a, std::int64_t b) {
       const bool zero_a = near_line(a, 0, d), zero_b = near_line(b, 0, d);
       return zero_a != zero_b ? zero_a : sides.at(a) > sides.at(b);
     });

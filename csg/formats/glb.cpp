@@ -27,6 +27,7 @@
 #include "csg/result/palette.h"
 #include "csg/result/solid.h"
 #include "csg/text/escape.h"
+#include "kernel/base/counts.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -99,7 +100,7 @@ class ShapeMaker {
   std::map<std::pair<Index, Floats>, Index> known_;
 
   void add(Index point, const Floats& normal) {
-    const auto [entry, fresh] = known_.try_emplace({point, normal}, Index(shape_.points.size()));
+    const auto [entry, fresh] = known_.try_emplace({point, normal}, next_number(shape_.points.size(), "points"));
     if (fresh) {
       shape_.points.push_back(point);
       if (shape_.mode == kTriangles) shape_.normals.push_back(normal);

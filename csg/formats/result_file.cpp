@@ -24,6 +24,7 @@
 #include "csg/result/rounding.h"
 #include "csg/result/vanished.h"
 #include "csg/text/file.h"
+#include "csg/text/plugin.h"
 #include "csg/text/table.h"
 #include "csg/topology/region_graph.h"
 #include "kernel/selection/canonical.h"
@@ -82,6 +83,13 @@ const MeshFormat& mesh_format_of(const std::string& path, const std::string& oth
                    "; use one of" + known_mesh_formats(false) + others);
 }
 
+/// Before the work.
+void require_plugin_of(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (is_cad_file(path)) require_plugin(kCadPlugin, path, "write .msh or .json");
+  if (extension == ".h5m" || extension == ".med") require_plugin(kHdf5Plugin, path, "write .msh or .vtu");
+}
+
 }  // namespace
 
 bool shows_dag(const std::string& path) { return extension_of(path) == ".dot" && !shows_regions(path); }
@@ -94,7 +102,7 @@ void check_file_name(const std::string& path, const std::string& others) {
   } catch (const InputError& e) {
     throw InputError(std::string(e.what()) + " .dot .regions.dot" + others);
   }
-  if (is_cad_file(path)) require_cad_writer(path);
+  require_plugin_of(path);
 }
 
 bool is_exact(const std::string& path) {
@@ -157,6 +165,7 @@ Result read_result(const std::string& path) {
 void check_mesh_file_name(const std::string& path, const std::string& others) {
   require_no_directory(path);
   mesh_format_of(path, others);
+  require_plugin_of(path);
 }
 
 namespace {
@@ -280,7 +289,7 @@ class MadeOfDoubles {
 TetrahedralMesh snapped_in_time(Result& result, TetrahedraOptions options, SnapReport& report,
                                 const Deadline& deadline) {
   MadeOfDoubles<TetrahedralMesh> made_of(result, report, deadline.watch());
-  TetgenTrial trial{!options.constrained, {}};
+  TetgenTrial trial{!options.constrained && plugin_fault(kTetgenPlugin).empty(), {}};
   const auto make = [&] { return tetrahedra_in_time(result, options, deadline, trial); };
   const std::span<const double> digits(kJoined, kDigits);
   if (trial.only) {

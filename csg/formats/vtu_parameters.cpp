@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "kernel/base/counts.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -60,7 +61,7 @@ VtuSplit::VtuSplit(const ResultView& view, const FlatComplex& flat, const std::v
 }
 
 VtuSplit::Index VtuSplit::split(Index point, std::int32_t patch, const Parameters& at) {
-  const auto [it, fresh] = number_.try_emplace({point, patch, at}, static_cast<Index>(xyz_.size()));
+  const auto [it, fresh] = number_.try_emplace({point, patch, at}, next_number(xyz_.size(), "points"));
   if (fresh) {
     xyz_.push_back(std::array<double, 3>(xyz_[point]));
     for (const Rational& x : at) parameters_.uv.push_back(to_double(x));

@@ -1,6 +1,8 @@
 // Orthogonal integer frames and circles in them.
 #include "csg/geometry/circle.h"
 
+#include <cstdint>
+
 #include "kernel/base/parallel.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
@@ -70,9 +72,7 @@ std::vector<RationalPoint> CircleFrame::offsets(const Rational& radius, int segm
   for_each_index(
       n / 2 + 1,
       [&](std::size_t i) {
-        Rational degrees(360L * static_cast<long>(i), segments);
-        degrees.canonicalize();
-        const auto [first, second] = components(radius, degrees);
+        const auto [first, second] = components(radius, fraction(360 * static_cast<std::int64_t>(i), segments));
         if (i < n) result[i] = first + second;
         if (i > 0) result[n - i] = first - second;
       },

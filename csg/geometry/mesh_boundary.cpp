@@ -22,7 +22,7 @@ std::array<Integer, 3> direction_of(const RationalPoint& a, const RationalPoint&
   return d;
 }
 
-bool is_nought(long coefficient, bool parity) { return parity ? coefficient % 2 == 0 : coefficient == 0; }
+bool is_nought(std::int64_t coefficient, bool parity) { return parity ? coefficient % 2 == 0 : coefficient == 0; }
 
 }  // namespace
 
@@ -43,9 +43,9 @@ SideTable::SideTable(const std::vector<PolygonSide>& sides, std::size_t point_co
 std::vector<ChainEdge> boundary(const SideTable& table, bool parity) {
   std::vector<ChainEdge> chain;
   table.each_edge([&](std::span<const PolygonSide> sides) {
-    long sum = 0;
+    std::int64_t sum = 0;
     for (const PolygonSide& side : sides) sum += side.forward ? 1 : -1;
-    if (parity) sum = static_cast<long>(sides.size() % 2);
+    if (parity) sum = static_cast<std::int64_t>(sides.size() % 2);
     if (sum > 0) chain.push_back({sides[0].low, sides[0].high, sum});
     if (sum < 0) chain.push_back({sides[0].high, sides[0].low, -sum});
   });
@@ -65,12 +65,12 @@ bool vanishes(const std::vector<ChainEdge>& chain, bool parity,
   const auto first = std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
                        return a.second < b.second;
                      })->first;
-  std::map<std::array<Integer, 3>, std::pair<long, ChainEdge>> leaving;
+  std::map<std::array<Integer, 3>, std::pair<std::int64_t, ChainEdge>> leaving;
   for (const ChainEdge& e : chain) {
     if (e.from != first && e.to != first) continue;
     bool reversed = false;
     const auto direction = direction_of(points[e.from], points[e.to], reversed);
-    auto& [sum, edge] = leaving.try_emplace(direction, 0L, e).first->second;
+    auto& [sum, edge] = leaving.try_emplace(direction, std::int64_t{0}, e).first->second;
     sum += reversed ? -e.coefficient : e.coefficient;
   }
   for (const auto& [direction, entry] : leaving) {
@@ -81,7 +81,7 @@ bool vanishes(const std::vector<ChainEdge>& chain, bool parity,
   // Everything else line by line: the coefficients of the edges that cover a piece must add up to zero.
   struct Event {
     Rational position;
-    long change;
+    std::int64_t change;
     ChainEdge edge;
   };
   std::map<Line, std::vector<Event>> lines;
@@ -91,14 +91,14 @@ bool vanishes(const std::vector<ChainEdge>& chain, bool parity,
     const std::array<Integer, 3> d = direction_of(a, b, reversed);
     const RationalPoint direction{d[0], d[1], d[2]};
     std::vector<Event>& events = lines[{d, cross(a, direction)}];
-    const long value = reversed ? -e.coefficient : e.coefficient;
+    const std::int64_t value = reversed ? -e.coefficient : e.coefficient;
     events.push_back({dot(reversed ? b : a, direction), value, e});
     events.push_back({dot(reversed ? a : b, direction), -value, e});
   }
   for (auto& [line, events] : lines) {
     std::stable_sort(events.begin(), events.end(),
                      [](const Event& a, const Event& b) { return a.position < b.position; });
-    long sum = 0;
+    std::int64_t sum = 0;
     for (std::size_t i = 0; i < events.size(); ++i) {
       sum += events[i].change;
       if (i + 1 < events.size() && events[i + 1].position == events[i].position) continue;

@@ -45,7 +45,7 @@ class SideTable {
 /// An edge with its coefficient in a chain, not zero.
 struct ChainEdge {
   std::uint32_t from, to;
-  long coefficient;
+  std::int64_t coefficient;
 };
 
 /// The boundary edge by edge; modulo 2 with `parity` (then coefficients are 1).

@@ -272,9 +272,7 @@ class ModelReader {
 std::string cad_subject(const CadShape& shape) { return std::string(shape.name()) + ": '" + shape.file + "': "; }
 
 CadModel read_cad(const CadShape& shape) {
-  if (const std::string fault = plugin_fault(kCadPlugin); !fault.empty()) {
-    throw InputError(cad_subject(shape) + fault + ", or give '" + shape.file + "' as a mesh file");
-  }
+  require_plugin(kCadPlugin, std::string(shape.name()) + ": '" + shape.file + "'", "give the part as a mesh file");
   const auto read = CNRG_PLUGIN_FUNCTION(kCadPlugin, cnrg_cad_read);
   const std::string content = read_leaf_file(shape.file, shape.inside, "write the part again");
   const MemoryFile file("OpenCASCADE");

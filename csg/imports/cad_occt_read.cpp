@@ -167,7 +167,7 @@ bool is_complete(const std::string& brep) {
   const std::string title = "\nTShapes ";
   const std::size_t table = brep.find(title);
   if (table == std::string::npos) return false;
-  const std::size_t count = std::strtoul(brep.c_str() + table + title.size(), nullptr, 10);
+  const std::size_t count = std::strtoull(brep.c_str() + table + title.size(), nullptr, 10);
   const auto begin = brep.begin() + static_cast<std::ptrdiff_t>(table);
   return static_cast<std::size_t>(std::count(begin, brep.end(), '*')) == count &&
          brep.find_first_of("+-", brep.rfind('*')) != std::string::npos;

@@ -8,6 +8,7 @@
 #include "csg/imports/text_cursor.h"
 #include "csg/leaves/leaf.h"
 #include "csg/text/escape.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -54,7 +55,7 @@ HeightGrid read_height_grid(const std::string& path, const std::string& inside) 
       cursor.fail_at(entry->line, std::string(key) + " is " + excerpt(entry->written) +
                                       ": it must be a whole number from 2 to 100000");
     }
-    return static_cast<std::size_t>(value.get_num().get_ui());
+    return to_machine<std::size_t>(value.get_num());
   };
   HeightGrid grid;
   grid.columns = count("ncols");

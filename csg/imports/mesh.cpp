@@ -16,6 +16,7 @@
 #include "csg/imports/mesh_weld.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
+#include "kernel/base/counts.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
 #include "kernel/exact/exact_vectors.h"
@@ -119,7 +120,7 @@ class MeshLeaf {
 
   void add_face(const Polygon& polygon, const Frame3& frame, std::uint32_t group) {
     corners_.insert(corners_.end(), polygon.begin(), polygon.end());
-    offsets_.push_back(static_cast<std::uint32_t>(corners_.size()));
+    offsets_.push_back(place32(corners_.size(), "corners of faces"));
     frames_.push_back(frame);
     groups_.push_back(group);
     if (frame.flat) ++flat_;

@@ -385,7 +385,7 @@ void check_content(const Cursor& root, const Content& content) {
     const std::string text = e.what(), head = "leaf 0, face ";
     if (!text.starts_with(head)) throw;
     const std::size_t end = text.find(':');
-    const std::size_t face = std::stoul(text.substr(head.size(), end - head.size()));
+    const std::size_t face = std::stoull(text.substr(head.size(), end - head.size()));
     root.member("faces").at(face).refuse(text.substr(end + 2, text.find(';') - end - 2));
   }
   Check(PlacedCells(root, content, *complex)).run();

@@ -7,6 +7,7 @@
 
 #include "csg/imports/read_grades.h"
 #include "csg/imports/result_content.h"
+#include "kernel/base/counts.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg::result {
@@ -371,7 +372,7 @@ class Reader {
       }
       for (std::size_t i = 1; i < edge.points.size(); ++i) {
         const auto segment = std::minmax(edge.points[i - 1], edge.points[i]);
-        if (!table_.segments.try_emplace(segment, Index(edges_.size())).second) {
+        if (!table_.segments.try_emplace(segment, next_number(edges_.size(), "edges")).second) {
           e.refuse("two edges between the same points");
         }
       }
@@ -403,7 +404,7 @@ class Reader {
       next_patch_ = std::max(next_patch_, face.patch + 1);
       face.flat = !f.has("facets");
       face.first = content_.facets.size();
-      const Index number = Index(content_.faces.size());
+      const Index number = next_number(content_.faces.size(), "faces");
       table_.faces.push_back(component);
       std::vector<Loop> walks = read_walks(f, face.flat);
       walk_boundary(f, walks, component, face.flat);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/base/counts.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
@@ -21,7 +22,7 @@ struct MeshData {
 
   std::size_t point_count() const { return xyz.size() / 3; }
   std::size_t face_count() const { return offsets.size() - 1; }
-  void end_face() { offsets.push_back(static_cast<std::uint32_t>(corners.size())); }
+  void end_face() { offsets.push_back(place32(corners.size(), "corners of faces")); }
 };
 
 }  // namespace cnrg

@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "kernel/base/counts.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -112,13 +113,13 @@ bool holds(std::span<const PatchCorner> corners, const RationalPoint& p) {
 }
 
 LeafParameters::Index LeafParameters::intern(const Rational& value) {
-  const auto [it, fresh] = value_number_.try_emplace(value, static_cast<Index>(values_.size()));
+  const auto [it, fresh] = value_number_.try_emplace(value, next_number(values_.size(), "parameters of points"));
   if (fresh) values_.push_back(value);
   return it->second;
 }
 
 LeafParameters::Index LeafParameters::intern(const RationalPoint& point) {
-  const auto [it, fresh] = point_number_.try_emplace(point, static_cast<Index>(points_.size()));
+  const auto [it, fresh] = point_number_.try_emplace(point, next_number(points_.size(), "points"));
   if (fresh) points_.push_back(point);
   return it->second;
 }
@@ -133,7 +134,7 @@ void LeafParameters::add_facet(std::span<const std::vector<PatchCorner>> cells) 
     for (const PatchCorner& corner : cell) {
       corners_.push_back({intern(corner.point), intern(corner.at[0]), intern(corner.at[1])});
     }
-    cells_.push_back(static_cast<Index>(corners_.size()));
+    cells_.push_back(place32(corners_.size(), "corners of facets"));
   }
   facets_.push_back(static_cast<Index>(cells_.size() - 1));
 }

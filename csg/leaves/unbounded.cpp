@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "csg/leaves/prepare_shapes.h"
@@ -130,7 +131,7 @@ ExactBox frame_box(const ExactBox* points, const std::vector<ExactHalfspace>& gi
   }
   // The corner moves along t -> (t, t^2, t^3), which meets any plane at most three times: this ends.
   const RationalPoint corner = box.high;
-  for (long t = 1;; ++t) {
+  for (std::int64_t t = 1;; ++t) {
     const bool clear = std::none_of(planes.begin(), planes.end(),
                                     [&](const ExactHalfspace& p) { return dot(p.normal, box.high) == p.offset; });
     if (clear) return box;
@@ -161,7 +162,7 @@ std::vector<RationalPoint> cut(const ExactHalfspace& plane, const ExactBox& box)
   // A convex polygon: its corners are sorted by their direction from their mean, by half-planes and turns.
   RationalPoint sum{0, 0, 0};
   for (const RationalPoint& p : points) sum = sum + p;
-  const RationalPoint center = Rational(1, static_cast<long>(points.size())) * sum;
+  const RationalPoint center = Rational(1, to_integer(points.size())) * sum;
   const RationalPoint start = points[0] - center;
   const auto half = [&](const RationalPoint& v) {
     const int side = sgn(dot(plane.normal, cross(start, v)));

@@ -13,6 +13,7 @@
 #include "csg/mesh/exact_volume.h"
 #include "csg/mesh/second_order.h"
 #include "csg/result/flat.h"
+#include "kernel/base/counts.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
@@ -481,7 +482,7 @@ class Bender {
       made_.regions[r].volume = straight[r] + from_double(more[r]);
     mesh_.middles.clear();
     for (const Edge& edge : edges_) {
-      mesh_.middles.emplace_back(edge, Index(mesh_.points.size()));
+      mesh_.middles.emplace_back(edge, next_number(mesh_.points.size(), "points"));
       mesh_.points.push_back(middle(edge));
     }
   }

@@ -13,7 +13,7 @@ ExactVolume::ExactVolume(const std::vector<std::array<double, 3>>& points) {
   const auto lowest_bit = [](double x) {
     int exponent;
     const auto mantissa = std::int64_t(std::ldexp(std::frexp(std::abs(x), &exponent), 53));
-    return long(exponent) - 53 + __builtin_ctzll(std::uint64_t(mantissa));
+    return std::int64_t(exponent) - 53 + __builtin_ctzll(std::uint64_t(mantissa));
   };
   bool any = false;
   for (const auto& p : points) {
@@ -29,9 +29,9 @@ ExactVolume::ExactVolume(const std::vector<std::array<double, 3>>& points) {
       const Rational exact = from_double(x);
       Integer n = exact.get_num();
       // x / 2^exponent is an integer: the denominator is a power of two that divides the unit's.
-      const long shift = long(mpz_sizeinbase(exact.get_den().get_mpz_t(), 2)) - 1 + exponent_;
-      if (shift <= 0) n <<= static_cast<unsigned long>(-shift);
-      else n >>= static_cast<unsigned long>(shift);
+      const auto shift = std::int64_t(mpz_sizeinbase(exact.get_den().get_mpz_t(), 2)) - 1 + exponent_;
+      if (shift <= 0) n <<= static_cast<mp_bitcnt_t>(-shift);
+      else n >>= static_cast<mp_bitcnt_t>(shift);
       scaled_.push_back(std::move(n));
     }
   }
@@ -55,7 +55,7 @@ void ExactVolume::add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::ui
 Rational ExactVolume::value() const {
   Rational result(six_, 6);
   result.canonicalize();
-  const auto bits = 3 * static_cast<unsigned long>(std::abs(exponent_));
+  const auto bits = 3 * static_cast<mp_bitcnt_t>(std::abs(exponent_));
   if (exponent_ >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), bits);
   else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), bits);
   return result;

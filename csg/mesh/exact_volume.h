@@ -20,7 +20,7 @@ class ExactVolume {
 
  private:
   std::vector<Integer> scaled_;  ///< three for each point
-  long exponent_ = 0;            ///< the unit is 2^exponent
+  std::int64_t exponent_ = 0;    ///< the unit is 2^exponent
   Integer six_ = 0;
   // They keep their memory: of numbers of two words or three, making and freeing them is the dearest part.
   std::array<std::array<Integer, 3>, 3> edges_;

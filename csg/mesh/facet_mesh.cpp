@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "kernel/base/counts.h"
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
@@ -98,7 +99,7 @@ void FacetMesh::link() {
     if (s == kNone) {  // between facets of a face
       require(end - i == 2, "surface: a side of a facet is on no edge and has no facet beside it");
       const auto& p = triangles_[sides[i].triangle].points;
-      s = Index(segments_.size());
+      s = next_number(segments_.size(), "segments");
       segments_.push_back({{p[(sides[i].k + 1) % 3], p[(sides[i].k + 2) % 3]}, kNone, s});
     }
     for (std::size_t j = i; j < end; ++j) {
@@ -124,7 +125,7 @@ void FacetMesh::fix_thin(const std::vector<char>& fixed) {
 Index FacetMesh::add_point(const Vector& at) {
   xyz_.push_back(at);
   table_.add(at[0], at[1], at[2]);
-  return Index(xyz_.size() - 1);
+  return next_number(xyz_.size() - 1, "points");
 }
 
 int FacetMesh::turn(Index facet, Index a, Index b, Index c) const {
@@ -253,7 +254,7 @@ bool FacetMesh::is_splittable(Index t, Index k, Index m) const {
 
 Index FacetMesh::new_triangle() {
   triangles_.emplace_back();
-  return Index(triangles_.size() - 1);
+  return next_number(triangles_.size() - 1, "triangles");
 }
 
 std::optional<Index> FacetMesh::split(Index s, const Vector& at) {
@@ -267,7 +268,7 @@ std::optional<Index> FacetMesh::split(Index s, const Vector& at) {
     sides.push_back(Index(std::find(list.begin(), list.end(), s) - list.begin()));
     if (!is_splittable(t, sides.back(), m)) return std::nullopt;
   }
-  const Index second = Index(segments_.size());
+  const Index second = next_number(segments_.size(), "segments");
   Segment part = segments_[s];
   part.ends = {m, b};
   part.fan = {};

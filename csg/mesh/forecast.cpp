@@ -278,7 +278,7 @@ class Forecast {
     std::array<std::size_t, 3> count{};
     Vector half{};
     for (std::size_t k = 0; k < 3; ++k) {
-      count[k] = std::max<std::size_t>(1, std::size_t(std::lround(8 * size[k] / longest)));
+      count[k] = std::max<std::size_t>(1, std::size_t(std::llround(8 * size[k] / longest)));
       half[k] = size[k] / double(count[k]) / 2;
     }
     for (std::size_t x = 0; x < count[0]; ++x) {

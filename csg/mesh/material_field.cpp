@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "kernel/exact/integers.h"
+
 namespace cnrg {
 
 MaterialField::MaterialField(const ResultView& view) : components_(view.value->attributes()) {
@@ -35,7 +37,7 @@ std::vector<double> MaterialField::at(Component component, std::span<const std::
   for (const auto& p : corners) {
     for (std::size_t k = 0; k < 3; ++k) center[k] += from_double(p[k]);
   }
-  for (Rational& x : center) x /= static_cast<unsigned long>(corners.size());
+  for (Rational& x : center) x /= to_integer(corners.size());
   return at(component, center);
 }
 

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "csg/mesh/mesh.h"
+#include "kernel/base/counts.h"
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
@@ -71,7 +72,7 @@ void RoundedResult::match_regions() {
   Index n = 0;
   for (const auto& face : flat_.faces) {
     first.push_back(n);
-    n += Index(face.triangles.size());
+    n = place32(n + std::uint64_t{face.triangles.size()}, "triangles");
   }
   first.push_back(n);
   data_->front.resize(n);

@@ -5,6 +5,7 @@
 #include "csg/mesh/quality.h"
 #include "csg/mesh/second_order.h"
 #include "csg/text/table.h"
+#include "kernel/base/counts.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 
@@ -37,7 +38,7 @@ void add_straight_middles(Mesh& mesh) {
   for (const Edge& edge : edges) {
     const auto &a = mesh.points[edge[0]], &b = mesh.points[edge[1]];
     const std::array<double, 3> middle{a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2};
-    mesh.middles.emplace_back(edge, Index(mesh.points.size()));
+    mesh.middles.emplace_back(edge, next_number(mesh.points.size(), "points"));
     mesh.points.push_back(middle);
   }
   std::vector<char> good(mesh.tetrahedra.size());

@@ -19,6 +19,7 @@
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
 #include "csg/text/input_file.h"
+#include "csg/text/plugin.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
@@ -37,7 +38,9 @@ class TetrahedraMaker {
                   const TetgenTrial& trial)
       : view_(view),
         options_(options),
-        trial_(trial),
+        trial_(options.constrained || !trial.fault.empty() || plugin_fault(kTetgenPlugin).empty()
+                   ? trial
+                   : TetgenTrial{false, plugin_fault(kTetgenPlugin)}),
         deadline_(deadline),
         watch_(deadline.watch()),
         flat_(flatten_for_mesh(view)) {}
@@ -300,7 +303,7 @@ class TetrahedraMaker {
     std::string text = "mesh: TetGen";
     if (bounded() && !fills_ && expected_ > 0) return text;
     if (std::isfinite(time.clock) && time.clock > 0)
-      text += ", at most " + std::to_string(std::lround(std::ceil(time.clock))) + " s";
+      text += ", at most " + std::to_string(std::llround(std::ceil(time.clock))) + " s";
     else if (time.seconds > 0) text += ", at most " + std::to_string(time.seconds) + " s of processor";
     return text;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <iterator>
 
 #include "csg/operators/clusters.h"
@@ -100,10 +101,10 @@ class Fold {
     totals.add(complex_, part);
     if (totals.unbounded > 0) step.tallied = false;
     for (std::size_t d = 0; d < 4; ++d) {
-      step.change.raw[d] += sign * static_cast<long>(totals.raw[d]);
-      step.change.simplified[d] += sign * static_cast<long>(totals.simplified[d]);
+      step.change.raw[d] += sign * static_cast<std::int64_t>(totals.raw[d]);
+      step.change.simplified[d] += sign * static_cast<std::int64_t>(totals.simplified[d]);
     }
-    step.change.regions += sign * static_cast<long>(totals.regions);
+    step.change.regions += sign * static_cast<std::int64_t>(totals.regions);
     step.change.volume += sign * totals.bounded_volume;
   }
   std::uint32_t none() const { return static_cast<std::uint32_t>(operands_.size()); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <queue>
 #include <tuple>
@@ -300,7 +301,9 @@ void Totals::remove(const Complex& complex, const Part& part) {
 }
 
 void Totals::add(const TotalsChange& change) {
-  const auto added = [](std::size_t& n, long more) { n = static_cast<std::size_t>(static_cast<long>(n) + more); };
+  const auto added = [](std::size_t& n, std::int64_t more) {
+    n = static_cast<std::size_t>(static_cast<std::int64_t>(n) + more);
+  };
   for (std::size_t d = 0; d < 4; ++d) {
     added(raw[d], change.raw[d]);
     added(simplified[d], change.simplified[d]);

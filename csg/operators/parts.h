@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -65,8 +66,8 @@ class Part {
 
 /// What an operator adds to the sums over a value and takes off them.
 struct TotalsChange {
-  std::array<long, 4> raw{}, simplified{};
-  long regions = 0;
+  std::array<std::int64_t, 4> raw{}, simplified{};
+  std::int64_t regions = 0;
   Rational volume = 0;
 };
 

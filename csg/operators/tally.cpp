@@ -7,6 +7,7 @@
 #include "csg/operators/tally.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
 
 #include "kernel/base/sorted.h"
@@ -157,8 +158,8 @@ void Tally::update(const CellSet& changed, TotalsChange& out) {
 
   settle(faces), settle(regions);
   out.simplified[2] += change(faces, face_links_);
-  const long pieces =
-      static_cast<long>(come.size()) - static_cast<long>(gone.size()) + change(regions, region_links_);
+  const std::int64_t pieces = static_cast<std::int64_t>(come.size()) - static_cast<std::int64_t>(gone.size()) +
+                              change(regions, region_links_);
   out.simplified[3] += pieces;
   out.regions += pieces;
   if (!come.empty()) out.volume += *volume(complex_, come);

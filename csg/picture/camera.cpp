@@ -1,6 +1,9 @@
 #include "csg/picture/camera.h"
 
 #include <cmath>
+#include <cstdint>
+
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -12,8 +15,8 @@ struct Turn {
 
 Turn turn_by(double degrees) {
   const double quarters = std::nearbyint(degrees / 90);
-  const long p = std::lround(std::tan((degrees - 90 * quarters) * M_PI / 360) * 512);
-  Turn turn{Integer(512L * 512 - p * p), Integer(2 * 512 * p), Integer(512L * 512 + p * p)};
+  const std::int64_t p = std::llround(std::tan((degrees - 90 * quarters) * M_PI / 360) * 512);
+  Turn turn{to_integer(512 * 512 - p * p), to_integer(2 * 512 * p), to_integer(512 * 512 + p * p)};
   if (p == 0) turn = {1, 0, 1};
   for (int k = static_cast<int>(std::fmod(quarters, 4)); k != 0; k += k < 0 ? 1 : -1) {
     const Integer c = turn.c;

@@ -64,7 +64,7 @@ void set_light(Scene& scene) {
     constexpr Vector kLight{-0.42, 0.72, 0.55};
     const double turn = areas[f][2] < 0 ? -1 : 1, size = size_of(n) * size_of(kLight);
     const double cosine = size > 0 ? turn * (n[0] * kLight[0] + n[1] * kLight[1] + n[2] * kLight[2]) / size : 0;
-    facet.light = static_cast<int>(std::lround(kLights * (0.74 + 0.30 * cosine)));
+    facet.light = static_cast<int>(std::llround(kLights * (0.74 + 0.30 * cosine)));
   }
 }
 

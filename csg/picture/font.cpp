@@ -31,7 +31,7 @@ class FreetypeFont : public Font {
   FreetypeFont& operator=(const FreetypeFont&) = delete;
 
   double width(std::string_view text, double size) const override {
-    long units = 0;
+    std::int64_t units = 0;
     for (std::size_t i = 0; i < text.size();) {
       const Character c = first_character(text.substr(i));
       i += c.length;
@@ -46,7 +46,7 @@ class FreetypeFont : public Font {
     return size * static_cast<double>(units) / face_->units_per_EM;
   }
 
-  unsigned long glyph(std::uint32_t character) const override { return FT_Get_Char_Index(face_, character); }
+  std::uint32_t glyph(std::uint32_t character) const override { return FT_Get_Char_Index(face_, character); }
 
   std::string without_unknown(std::string_view text) const override {
     std::string result;

@@ -20,7 +20,7 @@ class Font {
   /// Of a text in letters of that size. A character that the font lacks counts as one that is as wide as high.
   virtual double width(std::string_view text, double size) const = 0;
   /// The number of a character's shape; 0 if there is none.
-  virtual unsigned long glyph(std::uint32_t character) const = 0;
+  virtual std::uint32_t glyph(std::uint32_t character) const = 0;
   /// The text with escapes for the characters that the font lacks (`\u4e2d`): for files that bring their font.
   virtual std::string without_unknown(std::string_view text) const = 0;
 };

@@ -6,6 +6,7 @@
 
 #include "csg/picture/loops.h"
 #include "csg/text/escape.h"
+#include "kernel/base/counts.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/exact_vectors.h"
@@ -102,7 +103,7 @@ class SceneMaker {
   /// A point as it moves with a region.
   Index point(Index p, Index region) {
     if (!active(region) || options_.apart == 0) region = kNone;
-    const auto [entry, fresh] = copies_[p].try_emplace(region, static_cast<Index>(scene_.points.size()));
+    const auto [entry, fresh] = copies_[p].try_emplace(region, next_number(scene_.points.size(), "points"));
     if (fresh) {
       RationalPoint at = camera_.view(cells_.points[p]);
       if (region != kNone) at = at + shift_[region];

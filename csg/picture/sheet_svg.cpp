@@ -4,6 +4,7 @@
 // harm); places are whole tenths of a unit, relative to the last one; and paths of one look that follow each other
 // are one. A page of a paper is some kilobytes and differs from the next one only where the model does.
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 #include "csg/picture/sheet.h"
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double kUnits = 10;  // of the file, for one of the page
 
-long units(double length) { return std::lround(length * kUnits); }
+std::int64_t units(double length) { return std::llround(length * kUnits); }
 
 std::string color_text(const Rgb& color) {
   const std::string text = hex(color);
@@ -24,7 +25,7 @@ std::string color_text(const Rgb& color) {
 
 /// A number from 0 to 1 in hundredths.
 std::string share(double x) {
-  const std::string digits = std::to_string(std::lround(x * 100));
+  const std::string digits = std::to_string(std::llround(x * 100));
   return (digits.size() < 2 ? ".0" : ".") + digits;
 }
 
@@ -35,10 +36,10 @@ class Path {
   void add(const std::vector<Point2>& points, bool closed) {
     const std::size_t before = text_.size();
     bool first = true;
-    long begin[2] = {at_[0], at_[1]};
+    std::int64_t begin[2] = {at_[0], at_[1]};
     int count = 0;
     for (const Point2& p : points) {
-      const long x = units(p[0]), y = units(p[1]);
+      const std::int64_t x = units(p[0]), y = units(p[1]);
       if (!first && x == at_[0] && y == at_[1]) continue;  // closer than the file can say
       append(first ? 'm' : 0, x - at_[0], y - at_[1]);
       at_[0] = x;
@@ -70,13 +71,13 @@ class Path {
 
  private:
   std::string text_;
-  long at_[2] = {0, 0}, kept_[2] = {0, 0};
+  std::int64_t at_[2] = {0, 0}, kept_[2] = {0, 0};
 
   void restore() {
     at_[0] = kept_[0];
     at_[1] = kept_[1];
   }
-  void append(char command, long dx, long dy) {
+  void append(char command, std::int64_t dx, std::int64_t dy) {
     if (command != 0) text_ += command;
     else if (dx >= 0) text_ += ' ';
     text_ += std::to_string(dx);
@@ -90,8 +91,8 @@ class Writer {
   explicit Writer(const PaperSheet& sheet) : sheet_(sheet) {}
 
   std::string text() {
-    const std::string width = std::to_string(std::lround(sheet_.width));
-    const std::string height = std::to_string(std::lround(sheet_.height));
+    const std::string width = std::to_string(std::llround(sheet_.width));
+    const std::string height = std::to_string(std::llround(sheet_.height));
     std::string body;
     areas(body);
     lines(body);
@@ -121,7 +122,7 @@ class Writer {
     if (i == looks_.size()) {
       looks_.push_back({{}, area.color, area.pattern, area.lines});
       const bool hatch = area.pattern == PaperSheet::Pattern::hatch;
-      const long step = units(hatch ? kHatchStep : kWeaveStep);
+      const std::int64_t step = units(hatch ? kHatchStep : kWeaveStep);
       const std::string s = std::to_string(step);
       // A line through the tile and those of its neighbours that reach into its corners.
       const std::string diagonals = hatch ? "M0 " + s + "L" + s + " 0M-9 9L9-9M" + std::to_string(step - 9) + " " +

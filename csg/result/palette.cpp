@@ -58,7 +58,7 @@ Rgb rgb(const std::string& hex) {
 
 std::string hex(const Rgb& color) {
   char text[8];
-  const auto byte = [](double x) { return static_cast<unsigned>(std::lround(std::clamp(x, 0.0, 1.0) * 255)); };
+  const auto byte = [](double x) { return static_cast<unsigned>(std::llround(std::clamp(x, 0.0, 1.0) * 255)); };
   std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color[0]), byte(color[1]), byte(color[2]));
   return text;
 }

@@ -48,10 +48,10 @@ GridPoints points_of_tree(LeafBuilder& builder, const HeightfieldShape& shape) {
       throw InputError("heightfield: row " + std::to_string(j + 1) + " has " + std::to_string(rows[j].size()) +
                        " heights, row 1 has " + std::to_string(grid.columns) + ": give rows of equal length");
     }
-    const Rational y = shape.origin_y + Rational(static_cast<unsigned long>(j)) * shape.spacing_y;
+    const Rational y = shape.origin_y + to_integer(j) * shape.spacing_y;
     for (std::size_t i = 0; i < grid.columns; ++i) {
       if (shape.base) check_base(rows[j][i], *shape.base);
-      const Rational x = shape.origin_x + Rational(static_cast<unsigned long>(i)) * shape.spacing_x;
+      const Rational x = shape.origin_x + to_integer(i) * shape.spacing_x;
       grid.ids.push_back(builder.point({x, y, rows[j][i]}));
     }
   }
@@ -74,8 +74,7 @@ GridPoints points_of_file(LeafBuilder& builder, const HeightfieldShape& shape, s
     check_base(from_double(*std::min_element(file.heights.begin(), file.heights.end())), *shape.base);
   const auto coordinates = [](const Rational& origin, const Rational& spacing, std::size_t n) {
     std::vector<double> result;
-    for (std::size_t i = 0; i < n; ++i)
-      result.push_back(to_double(origin + Rational(static_cast<unsigned long>(i)) * spacing));
+    for (std::size_t i = 0; i < n; ++i) result.push_back(to_double(origin + to_integer(i) * spacing));
     for (std::size_t i = 1; i < n; ++i) {
       if (result[i - 1] < result[i]) continue;
       throw InputError(

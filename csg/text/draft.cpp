@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -37,8 +38,8 @@ std::optional<bool> is_at(int descriptor, const std::string& name) {
 }
 
 /// The digits at the front of `text`, which is advanced behind them; -1 if there are none.
-long take_number(std::string_view& text) {
-  long value = -1;
+std::int64_t take_number(std::string_view& text) {
+  std::int64_t value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || text[0] == '-') return -1;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
@@ -46,18 +47,20 @@ long take_number(std::string_view& text) {
 }
 
 /// The process of a name `BASE.PID.NUMBER.tmp`; -1 for any other name.
-long process_of(std::string_view name, std::string_view base) {
+std::int64_t process_of(std::string_view name, std::string_view base) {
   if (!name.starts_with(base)) return -1;
   name.remove_prefix(base.size());
   if (!name.starts_with('.')) return -1;
   name.remove_prefix(1);
-  const long process = take_number(name);
+  const std::int64_t process = take_number(name);
   if (process <= 0 || !name.starts_with('.')) return -1;
   name.remove_prefix(1);
   return take_number(name) >= 0 && name == ".tmp" ? process : -1;
 }
 
-bool lives(long process) { return process != getpid() && (kill(pid_t(process), 0) == 0 || errno != ESRCH); }
+bool lives(std::int64_t process) {
+  return process != getpid() && (kill(pid_t(process), 0) == 0 || errno != ESRCH);
+}
 
 std::string folder_of(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
@@ -152,7 +155,7 @@ void Draft::remove_abandoned() const {
   };
   const std::unique_ptr<DIR, Close> entries(opendir(folder.c_str()));
   for (const dirent* entry; entries != nullptr && (entry = readdir(entries.get())) != nullptr;) {
-    const long process = process_of(entry->d_name, base);
+    const std::int64_t process = process_of(entry->d_name, base);
     if (process < 0 || lives(process)) continue;
     const std::string name = folder + "/" + entry->d_name;
     const int descriptor = open(name.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);

@@ -3,6 +3,7 @@
 #include "csg/text/number.h"
 
 #include "csg/text/table.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -44,8 +45,7 @@ std::size_t bits_of(const Integer& x) { return mpz_sizeinbase(x.get_mpz_t(), 2);
 
 std::size_t digits_of(const Integer& x) {
   const std::size_t most = mpz_sizeinbase(x.get_mpz_t(), 10);  // exact, or one too many
-  Integer least;
-  mpz_ui_pow_ui(least.get_mpz_t(), 10, most - 1);
+  const Integer least = power_of_ten(most - 1);
   return mpz_cmpabs(x.get_mpz_t(), least.get_mpz_t()) < 0 ? most - 1 : most;
 }
 

@@ -52,6 +52,11 @@ std::string plugin_fault(const Plugin& plugin) {
          " and build cnrg again";
 }
 
+void require_plugin(const Plugin& plugin, const std::string& subject, const std::string& instead) {
+  if (const std::string fault = plugin_fault(plugin); !fault.empty())
+    throw InputError(subject + ": " + fault + ", or " + instead);
+}
+
 void* plugin_symbol(const Plugin& plugin, const char* name) {
   if (const std::string fault = plugin_fault(plugin); !fault.empty()) throw InputError(fault);
 #if __has_include(<dlfcn.h>)

@@ -28,6 +28,9 @@ inline constexpr const Plugin* kPlugins[] = {&kCadPlugin, &kHdf5Plugin, &kPaperP
 /// Why the plug-in cannot be used, and how to get it; empty if it can.
 std::string plugin_fault(const Plugin& plugin);
 
+/// Throws InputError where the plug-in cannot be used: `subject: fault, or instead`.
+void require_plugin(const Plugin& plugin, const std::string& subject, const std::string& instead);
+
 /// Throws InputError with `plugin_fault`.
 void* plugin_symbol(const Plugin& plugin, const char* name);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -85,7 +86,7 @@ SimplifiedEuler euler_of(const Complex& complex, const CellSet& closed, const Si
     const auto& face = simplified.faces[i];
     ++t.f;
     if (is_flat(complex, face)) {
-      t.r += static_cast<long>(face.loops.size() - 1 + face.isolated.size());
+      t.r += static_cast<std::int64_t>(face.loops.size() - 1 + face.isolated.size());
       continue;
     }
     const auto b = counter.of(united.faces[i]).z2;
@@ -106,7 +107,7 @@ SimplifiedEuler euler_of(const Complex& complex, const CellSet& closed, const Si
 
 std::string euler_text(const SimplifiedEuler& t, bool closed) {
   const bool patches = t.edge_loops != 0 || t.closed_faces != 0;
-  const auto side = [](const char* sign, long value) { return sign + std::to_string(value); };
+  const auto side = [](const char* sign, std::int64_t value) { return sign + std::to_string(value); };
   std::string left = std::to_string(t.v);
   left += patches ? side(" - (", t.e) + side(" - ", t.edge_loops) + ")" : side(" - ", t.e);
   left += side(" + (", t.f) + side(" - ", t.r) + (patches ? side(" + ", t.closed_faces) : "") + ")";
@@ -131,8 +132,8 @@ std::string betti_text(const std::vector<BettiNumbers>& numbers, const std::vect
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const std::string name = i == 0 ? "point set" : component_name(attributes, components[i - 1]);
     std::vector<std::string> row{"  " + name};
-    for (long b : numbers[i].z2) row.push_back(std::to_string(b));
-    for (long b : numbers[i].q) row.push_back(std::to_string(b));
+    for (std::int64_t b : numbers[i].z2) row.push_back(std::to_string(b));
+    for (std::int64_t b : numbers[i].q) row.push_back(std::to_string(b));
     table.add_row(std::move(row));
   }
   return table.text() + "  b0: pieces, b1: independent loops, b2: enclosed cavities\n";

@@ -1,6 +1,7 @@
 // The topology of a node's value in words and numbers, for `cnrg eval --topology`.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -17,13 +18,13 @@ namespace cnrg {
 /// faces (the rings of a flat face); fc: faces without any boundary that enclose a cavity (all of a sphere);
 /// V: volumes, Vh: their handles, Vc: their cavities; C: pieces of the whole, Ch: holes through it, Cc: cavities.
 struct SimplifiedEuler {
-  long v = 0, e = 0, edge_loops = 0, f = 0, r = 0, closed_faces = 0;
-  long volumes = 0, volume_holes = 0, volume_cavities = 0;
-  long pieces = 0, holes = 0, cavities = 0;
-  long left() const {
+  std::int64_t v = 0, e = 0, edge_loops = 0, f = 0, r = 0, closed_faces = 0;
+  std::int64_t volumes = 0, volume_holes = 0, volume_cavities = 0;
+  std::int64_t pieces = 0, holes = 0, cavities = 0;
+  std::int64_t left() const {
     return v - (e - edge_loops) + (f - r + closed_faces) - (volumes - volume_holes + volume_cavities);
   }
-  long right() const { return pieces - holes + cavities; }
+  std::int64_t right() const { return pieces - holes + cavities; }
 };
 
 /// The terms of the closure of a selection's point set, which must be bounded. Each is counted on its own, those

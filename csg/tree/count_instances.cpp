@@ -17,6 +17,7 @@
 #include <string>
 
 #include "csg/tree/dag.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -39,12 +40,18 @@ Residue inverse(Residue a) {
   return out;
 }
 
+Residue residue(const Integer& n) {
+  static const Integer prime = to_integer(kPrime);
+  Integer rest;
+  mpz_fdiv_r(rest.get_mpz_t(), n.get_mpz_t(), prime.get_mpz_t());
+  return to_machine<Residue>(rest);
+}
+
 /// Nothing if the denominator is 0 modulo the prime.
 std::optional<Residue> residue(const Rational& x) {
-  static_assert(sizeof(unsigned long) == sizeof(Residue));
-  const Residue den = mpz_fdiv_ui(x.get_den_mpz_t(), kPrime);
+  const Residue den = residue(x.get_den());
   if (den == 0) return std::nullopt;
-  const Residue num = mpz_fdiv_ui(x.get_num_mpz_t(), kPrime);
+  const Residue num = residue(x.get_num());
   return den == 1 ? num : multiply(num, inverse(den));
 }
 

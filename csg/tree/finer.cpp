@@ -1,5 +1,6 @@
 // Every shape with counts of segments, or with a tessellation, is curved; no other shape has either.
 #include <algorithm>
+#include <cstdint>
 
 #include "csg/curves/boundary_curves.h"
 #include "csg/tree/tree.h"
@@ -36,8 +37,8 @@ class Finer {
   const Node& node_;
   const int times_;
 
-  void multiply(int& count, const char* what, long most) const {
-    const long product = static_cast<long>(count) * times_;
+  void multiply(int& count, const char* what, std::int64_t most) const {
+    const std::int64_t product = static_cast<std::int64_t>(count) * times_;
     if (product > most) {
       throw TreeError(file_, node_.operator_at,
                       "made " + std::to_string(times_) + " times finer, `" + node_.operator_name +

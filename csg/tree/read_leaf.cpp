@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 
 #include "csg/curves/boundary_curves.h"
@@ -10,6 +11,7 @@
 #include "csg/text/escape.h"
 #include "csg/text/number.h"
 #include "csg/tree/read_curved.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -176,7 +178,7 @@ Shape read_heightfield(const Value& value, const LeafContext& context) {
 std::uint32_t read_vertex(const Value& value, const std::string& what, std::size_t count,
                           const char* of = "vertices") {
   if (count == 0) value.fail(what + " names a point, but `" + of + "` is empty");
-  return static_cast<std::uint32_t>(value.integer(what, 0, static_cast<long>(count) - 1));
+  return static_cast<std::uint32_t>(value.integer(what, 0, static_cast<std::int64_t>(count) - 1));
 }
 
 /// A mesh that stands in the tree itself. A point that no double is goes to the exact ones.
@@ -328,7 +330,7 @@ Shape read_group(const Value& value, const LeafContext& context) {
             e.key_at, "a key of `regions` must be the number of a region, from 1, not `" + excerpt(e.key) + "`");
       }
       const Fields attributes(e.value, "a region of group", {"material", "name"});
-      GroupShape::Region& region = shape.regions[static_cast<std::uint32_t>(number->get_num().get_ui())];
+      GroupShape::Region& region = shape.regions[to_machine<std::uint32_t>(number->get_num())];
       if (const Value* name = attributes.find("name")) region.name = name->text(attributes.name("name"));
       if (const Value* material = attributes.find("material")) {
         region.material = material->text(attributes.name("material"));

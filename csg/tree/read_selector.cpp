@@ -1,6 +1,7 @@
 #include "csg/tree/read_selector.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "csg/text/number.h"
@@ -9,7 +10,7 @@
 namespace cnrg {
 namespace {
 
-constexpr long kMostNumber = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t kMostNumber = std::numeric_limits<std::int32_t>::max();
 constexpr const char* kSides =
     "two names of regions or materials, one of them perhaps null for no region: [rock, clay], [rock, null]";
 

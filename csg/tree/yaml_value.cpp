@@ -6,6 +6,7 @@
 #include <yaml-cpp/eventhandler.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <unordered_set>
@@ -13,6 +14,7 @@
 #include "csg/text/escape.h"
 #include "csg/text/number.h"
 #include "csg/tree/suggest.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -73,7 +75,8 @@ void check_encoding(const Document& document, const std::string& text) {
   const auto is_first = [](char c) { return (c & 0xc0) != 0x80; };
   const Position position{
       1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
-      1 + static_cast<int>(std::count_if(before.begin() + static_cast<long>(line_begin), before.end(), is_first))};
+      1 + static_cast<int>(
+              std::count_if(before.begin() + static_cast<std::ptrdiff_t>(line_begin), before.end(), is_first))};
   document.fail(position, "the byte " + shown(text.substr(at, 1)) + " is no UTF-8; save the file as UTF-8");
 }
 
@@ -135,13 +138,13 @@ Rational Value::number(const std::string& what) const {
   return std::move(*number.value);
 }
 
-long Value::integer(const std::string& what, long low, long high) const {
+std::int64_t Value::integer(const std::string& what, std::int64_t low, std::int64_t high) const {
   const Rational value = number(what);
-  if (value.get_den() != 1 || value < low || value > high) {
+  if (value.get_den() != 1 || value < to_integer(low) || value > to_integer(high)) {
     fail(what + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ", not " +
          quoted(raw()));
   }
-  return value.get_num().get_si();
+  return to_machine<std::int64_t>(value.get_num());
 }
 
 std::vector<Value> Value::list(const std::string& what, const std::string& wanted) const {

@@ -7,6 +7,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -54,7 +55,7 @@ class Value {
   bool boolean(const std::string& what) const;
   Rational number(const std::string& what) const;
   /// An integer from `low` to `high`.
-  long integer(const std::string& what, long low, long high) const;
+  std::int64_t integer(const std::string& what, std::int64_t low, std::int64_t high) const;
   std::vector<Value> list(const std::string& what, const std::string& wanted = "a list") const;
   RationalPoint point(const std::string& what) const;           ///< `[x, y, z]`
   std::array<Rational, 2> pair(const std::string& what) const;  ///< `[x, y]`

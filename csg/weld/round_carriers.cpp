@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <tuple>
 
@@ -441,7 +442,7 @@ class RoundWelder {
 Rational root_above(const Rational& square) {
   if (square == 0) return 0;
   if (const std::optional<Rational> root = rational_root(square)) return *root;
-  return round_cosine(0, square, exponent_of_root(square) - 40) * (1 + fraction(1, 1L << 36));
+  return round_cosine(0, square, exponent_of_root(square) - 40) * (1 + fraction(1, std::int64_t{1} << 36));
 }
 
 RoundWeld weld_round(const std::vector<RoundPart>& parts, const Rational& d) {

@@ -301,7 +301,7 @@ class SurfaceWelder {
     if (was.around() && OnAgreedSurface::is_remade(was)) return 0;
     const CircleFrame before(was.axis), after(form.axis);
     Rational most = 0;
-    for (const long degrees : {0L, 90L}) {
+    for (const int degrees : {0, 90}) {
       const RationalPoint by = after.offset(1, degrees) - before.offset(1, degrees);
       most += welding::root_above(dot(by, by));
     }

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/base/counts.h"
+
 namespace cnrg {
 
 /// A 32-bit number of one kind (`Tag`). The default is `none()`, which names nothing.
@@ -59,6 +61,28 @@ constexpr int dimension_of(EdgeId) { return 1; }
 constexpr int dimension_of(FaceId) { return 2; }
 constexpr int dimension_of(RegionId) { return 3; }
 
+/// What an id counts, for messages.
+template <class IdT>
+inline constexpr const char* kPlural = "things of one kind";
+template <>
+inline constexpr const char* kPlural<PointId> = "points";
+template <>
+inline constexpr const char* kPlural<VertexId> = "vertices";
+template <>
+inline constexpr const char* kPlural<EdgeId> = "edges";
+template <>
+inline constexpr const char* kPlural<FaceId> = "faces";
+template <>
+inline constexpr const char* kPlural<RegionId> = "regions";
+template <>
+inline constexpr const char* kPlural<LoopId> = "loops of faces";
+template <>
+inline constexpr const char* kPlural<SegmentId> = "segments";
+template <>
+inline constexpr const char* kPlural<LeafId> = "leaves";
+template <>
+inline constexpr const char* kPlural<SourceId> = "faces of leaves";
+
 /// An edge with a direction: side 0 runs from the edge's first vertex to its second.
 class HalfEdge {
  public:
@@ -103,19 +127,20 @@ template <class IdT, class T>
 class IdVector {
  public:
   IdVector() = default;
-  explicit IdVector(std::size_t n, T value = T()) : data_(n, value) {}
-  explicit IdVector(std::vector<T> data) : data_(std::move(data)) {}
+  explicit IdVector(std::size_t n, T value = T()) : data_(checked(n), value) {}
+  explicit IdVector(std::vector<T> data) : data_(std::move(data)) { checked(data_.size()); }
   decltype(auto) operator[](IdT id) { return data_[id.index()]; }
   decltype(auto) operator[](IdT id) const { return data_[id.index()]; }
   std::size_t size() const { return data_.size(); }
   bool empty() const { return data_.empty(); }
   IdT end_id() const { return IdT(data_.size()); }
   IdT push_back(T value) {
+    const IdT id(checked(data_.size() + 1) - 1);
     data_.push_back(std::move(value));
-    return IdT(data_.size() - 1);
+    return id;
   }
-  void resize(std::size_t n, T value = T()) { data_.resize(n, value); }
-  void assign(std::size_t n, T value) { data_.assign(n, value); }
+  void resize(std::size_t n, T value = T()) { data_.resize(checked(n), value); }
+  void assign(std::size_t n, T value) { data_.assign(checked(n), value); }
   void reserve(std::size_t n) { data_.reserve(n); }
   void clear() { data_.clear(); }
   auto begin() { return data_.begin(); }
@@ -123,9 +148,12 @@ class IdVector {
   auto begin() const { return data_.begin(); }
   auto end() const { return data_.end(); }
   const std::vector<T>& raw() const { return data_; }
-  std::vector<T>& raw() { return data_; }
 
  private:
+  static std::size_t checked(std::size_t n) {
+    check_count(n, kPlural<IdT>);
+    return n;
+  }
   std::vector<T> data_;
 };
 
@@ -167,7 +195,8 @@ class Csr {
   template <class Range>
   IdT push_back(const Range& list) {
     values_.insert(values_.end(), std::begin(list), std::end(list));
-    offsets_.push_back(static_cast<std::uint32_t>(values_.size()));
+    check_count(offsets_.size(), kPlural<IdT>);
+    offsets_.push_back(place32(values_.size(), kEntries));
     return IdT(offsets_.size() - 2);
   }
   void reserve(std::size_t lists, std::size_t values) {
@@ -176,16 +205,19 @@ class Csr {
   }
   /// Builds from (id, value) pairs that are sorted by id.
   static Csr from_sorted(std::size_t n, const std::vector<std::pair<IdT, T>>& pairs) {
+    check_count(n, kPlural<IdT>);
     Csr csr;
     csr.offsets_.assign(n + 1, 0);
     csr.values_.reserve(pairs.size());
     for (const auto& [id, value] : pairs) ++csr.offsets_[id.index() + 1];
-    for (std::size_t i = 0; i < n; ++i) csr.offsets_[i + 1] += csr.offsets_[i];
+    sum_up(csr.offsets_, kEntries);
     for (const auto& [id, value] : pairs) csr.values_.push_back(value);
     return csr;
   }
   /// Builds from offsets (n + 1 numbers) and values.
   static Csr from_parts(std::vector<std::uint32_t> offsets, std::vector<T> values) {
+    check_count(offsets.size() - 1, kPlural<IdT>);
+    check_count(values.size(), kEntries, kMostPlaces);
     Csr csr;
     csr.offsets_ = std::move(offsets);
     csr.values_ = std::move(values);
@@ -195,11 +227,12 @@ class Csr {
   /// give the same ones. Values of an id stay in the order in which they come.
   template <class Visit>
   static Csr counted(std::size_t n, const Visit& visit) {
+    check_count(n, kPlural<IdT>);
     Csr csr;
     std::vector<std::uint32_t>& next = csr.offsets_;
     next.assign(n + 2, 0);
     visit([&](IdT id, const T&) { ++next[id.index() + 2]; });
-    for (std::size_t i = 2; i < n + 2; ++i) next[i] += next[i - 1];
+    sum_up(next, kEntries);
     csr.values_.resize(next[n + 1]);
     // Place i + 1 holds where list i goes on, and in the end where it ends: where list i + 1 begins.
     visit([&](IdT id, const T& value) { csr.values_[next[id.index() + 1]++] = value; });
@@ -233,6 +266,7 @@ class Csr {
  private:
   template <class, class>
   friend class Csr;
+  static constexpr const char* kEntries = "entries of lists";
   std::vector<std::uint32_t> offsets_{0};
   std::vector<T> values_;
 };

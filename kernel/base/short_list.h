@@ -16,6 +16,8 @@
 #include <span>
 #include <type_traits>
 
+#include "kernel/base/counts.h"
+
 namespace cnrg {
 
 /// A list that holds up to N elements in itself. N is a power of two, and N elements take at least the bytes of a
@@ -59,9 +61,9 @@ class ShortList {
   /// Adds a range that is not part of this list.
   template <class Iterator>
   void append(Iterator first, Iterator last) {
-    const auto size = size_ + static_cast<std::uint32_t>(std::distance(first, last));
-    if (size > capacity()) grow(size);
-    else size_ = size;
+    const std::size_t size = size_ + static_cast<std::size_t>(std::distance(first, last));
+    if (size > capacity()) grow(place32(size, "entries of one list"));
+    else size_ = static_cast<std::uint32_t>(size);
     std::copy(first, last, end() - std::distance(first, last));
   }
   friend bool operator==(const ShortList& a, const ShortList& b) {

@@ -6,14 +6,18 @@
 #include <numeric>
 #include <vector>
 
+#include "kernel/base/counts.h"
+
 namespace cnrg {
 
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t n = 0) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  explicit UnionFind(std::size_t n = 0) : parent_(place32(n, kPlural)) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
   std::size_t size() const { return parent_.size(); }
   std::uint32_t add() {
-    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+    parent_.push_back(next_number(parent_.size(), kPlural));
     return parent_.back();
   }
   std::uint32_t find(std::uint32_t x) {
@@ -31,6 +35,7 @@ class UnionFind {
   }
 
  private:
+  static constexpr const char* kPlural = "things to join";
   std::vector<std::uint32_t> parent_;
 };
 

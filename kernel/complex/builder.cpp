@@ -94,11 +94,11 @@ void ComplexBuilder::take_sparse_cells() {
 /// finds its set by source and side.
 void ComplexBuilder::share_covers(Csr<FaceId, Cover> covers) {
   using List = std::span<const Cover>;
-  const auto place = [](const Cover& x) { return 2 * x.source.index() + (x.same ? 0 : 1); };
+  const auto place = [](const Cover& x) { return 2 * std::uint64_t{x.source.value()} + (x.same ? 0 : 1); };
   const auto hash = [&](List list) {
-    std::size_t code = 0;
+    std::uint64_t code = 0;
     for (const Cover& x : list) code = (code ^ place(x)) * 0x9e3779b97f4a7c15ull;
-    return code ^ code >> 32;
+    return static_cast<std::size_t>(code ^ code >> 32);
   };
   const auto equal = [](List a, List b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
   std::unordered_map<List, SourceSetId, decltype(hash), decltype(equal)> of_several(0, hash, equal);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/base/counts.h"
+
 namespace cnrg {
 
 /// A list of T for every id, empty for nearly all: `lists[id]` is a span, found by bisection.
@@ -22,7 +24,7 @@ class SparseLists {
         ends_.push_back(0);
       }
       values_.push_back(value);
-      ends_.back() = static_cast<std::uint32_t>(values_.size());
+      ends_.back() = place32(values_.size(), "entries of lists");
     }
   }
   std::span<const T> operator[](IdT id) const {

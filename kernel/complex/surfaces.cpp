@@ -46,6 +46,7 @@ void number_surfaces(Complex& c) {
   for (const Soup::Face& face : c.sources) c.surface_count = std::max(c.surface_count, face.surface);
   const std::vector<Patch> curved = curved_patches(c);
   if (curved.empty()) return;
+  check_count(c.surface_count + std::uint64_t{curved.size()}, "curved surfaces", kMostPlaces);
   for (Soup::Face& face : c.sources) {
     const Patch patch(face.leaf, face.patch);
     const auto at = std::lower_bound(curved.begin(), curved.end(), patch);

@@ -240,7 +240,7 @@ class Validator {
         i += static_cast<std::uint32_t>(loop.size());
       }
     }
-    std::map<std::uint32_t, long> characteristic;
+    std::map<std::uint32_t, std::int64_t> characteristic;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> joints;
     for (const EdgeId e : IdRange<EdgeId>(c_.edge_count())) {
       const auto uses = c_.edge_uses[e];
@@ -259,7 +259,7 @@ class Validator {
     }
     for (const auto& [hx, hy] : joints) --characteristic[shell.find(hx)];
     for (std::uint32_t h = 0; h < 2 * c_.face_count(); ++h) {
-      characteristic[shell.find(h)] += 2 - static_cast<long>(c_.face_loops[FaceId(h / 2)].size());
+      characteristic[shell.find(h)] += 2 - static_cast<std::int64_t>(c_.face_loops[FaceId(h / 2)].size());
     }
     for (std::uint32_t h = 0; h < 2 * c_.face_count(); ++h) {
       for (std::uint32_t s = first[h]; s < first[h + 1]; ++s) {

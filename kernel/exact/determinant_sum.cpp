@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "kernel/exact/integers.h"
+
 namespace cnrg {
 namespace {
 
@@ -72,7 +74,7 @@ void ScaledPoints::scale() {
   for (const Decoded& d : decoded) {
     const int shift = d.mantissa == 0 ? 0 : d.exponent - exponent_;
     if (narrow_) narrow_xyz_.push_back(static_cast<__int128>(d.mantissa) * (static_cast<__int128>(1) << shift));
-    else large_xyz_.push_back(Integer(static_cast<long>(d.mantissa)) << static_cast<unsigned long>(shift));
+    else large_xyz_.push_back(to_integer(d.mantissa) << static_cast<mp_bitcnt_t>(shift));
   }
   xyz_ = {};
 }
@@ -120,9 +122,9 @@ void DeterminantSum::add(const DeterminantSum& other) {
 
 Integer DeterminantSum::value() const {
   const auto integer = [](u128 x) {
-    Integer out = static_cast<unsigned long>(x >> 64);
+    Integer out = to_integer(static_cast<u64>(x >> 64));
     out <<= 64;
-    return Integer(out + static_cast<unsigned long>(x));
+    return Integer(out + to_integer(static_cast<u64>(x)));
   };
   Integer out =
       sum_.high < 0 ? Integer(-integer(-static_cast<u128>(sum_.high))) : integer(static_cast<u128>(sum_.high));

@@ -1,7 +1,7 @@
 // Vectors of exact numbers.
 #pragma once
 
-#include "kernel/exact/rational.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 
@@ -37,13 +37,6 @@ inline std::array<double, 3> to_doubles(const RationalPoint& p) {
 
 inline RationalPoint from_doubles(const std::array<double, 3>& p) {
   return {from_double(p[0]), from_double(p[1]), from_double(p[2])};
-}
-
-/// a / b in lowest terms.
-inline Rational fraction(long a, long b) {
-  Rational result(a, b);
-  result.canonicalize();
-  return result;
 }
 
 /// `(x, y, z)` in decimals, for messages.

@@ -9,6 +9,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/exact/enclosure.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 
@@ -36,11 +37,11 @@ void canonicalize(ExactPoint& p) {
 /// The point of three doubles over a common power of two.
 ExactPoint from_doubles(const double* c) {
   int exponents[3];
-  long mantissas[3];
+  std::int64_t mantissas[3];
   int lowest = 0;
   for (int k = 0; k < 3; ++k) {
     const double fraction = std::frexp(c[k], &exponents[k]);
-    mantissas[k] = static_cast<long>(std::ldexp(fraction, 53));
+    mantissas[k] = static_cast<std::int64_t>(std::ldexp(fraction, 53));
     exponents[k] -= 53;
     while (mantissas[k] != 0 && mantissas[k] % 2 == 0) {
       mantissas[k] /= 2;
@@ -52,7 +53,7 @@ ExactPoint from_doubles(const double* c) {
   ExactPoint p;
   Integer* out[3] = {&p.x, &p.y, &p.z};
   for (int k = 0; k < 3; ++k) {
-    *out[k] = mantissas[k];
+    *out[k] = to_integer(mantissas[k]);
     mpz_mul_2exp(out[k]->get_mpz_t(), out[k]->get_mpz_t(), static_cast<mp_bitcnt_t>(exponents[k] - lowest));
   }
   mpz_mul_2exp(p.w.get_mpz_t(), p.w.get_mpz_t(), static_cast<mp_bitcnt_t>(-lowest));
@@ -222,12 +223,18 @@ void PointTable::reserve(std::size_t n) {
 void PointTable::add(std::span<const double> xyz) {
   lo_.insert(lo_.end(), xyz.begin(), xyz.end());
   row_.resize(lo_.size() / 3, kDouble);
+  check_count(row_.size(), kPlural<VertexId>);
+}
+
+VertexId PointTable::last() const {
+  check_count(row_.size(), kPlural<VertexId>);
+  return VertexId(row_.size() - 1);
 }
 
 VertexId PointTable::add(double x, double y, double z) {
   lo_.insert(lo_.end(), {x + 0.0, y + 0.0, z + 0.0});  // no zero keeps a sign: it would say how the point was made
   row_.push_back(kDouble);
-  return VertexId(row_.size() - 1);
+  return last();
 }
 
 VertexId PointTable::add(const RationalPoint& p) {
@@ -263,10 +270,11 @@ VertexId PointTable::add(const Definition& definition, const std::array<double, 
   row_.push_back(static_cast<std::uint32_t>(upper_.size()));
   upper_.push_back(hi);
   definitions_.push_back(definition);
-  return VertexId(row_.size() - 1);
+  return last();
 }
 
 PlaneId PointTable::add_plane(VertexId a, VertexId b, VertexId c) {
+  check_count(planes_.size() + 1, "planes");
   planes_.push_back({a, b, c});
   return PlaneId(planes_.size() - 1);
 }

@@ -126,6 +126,7 @@ class PointTable {
   std::size_t memory() const;
 
  private:
+  VertexId last() const;
   struct Caches;
   static constexpr std::uint32_t kDouble = 0xffffffffu;
 

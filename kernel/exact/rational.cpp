@@ -9,24 +9,19 @@
 #include <limits>
 
 #include "kernel/base/error.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
 
-constexpr long kExponentLimit = 100000;
-
-Integer power_of_ten(unsigned long exponent) {
-  Integer p;
-  mpz_ui_pow_ui(p.get_mpz_t(), 10, exponent);
-  return p;
-}
+constexpr std::int64_t kExponentLimit = 100000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// One unsigned decimal at the front of `text`, which is advanced behind it.
 std::optional<Rational> take_decimal(std::string_view& text) {
   std::string digits;
-  long exponent = 0;
+  std::int64_t exponent = 0;
   std::size_t i = 0;
   while (i < text.size() && is_digit(text[i])) digits += text[i++];
   if (i < text.size() && text[i] == '.') {
@@ -42,7 +37,7 @@ std::optional<Rational> take_decimal(std::string_view& text) {
     bool negative = false;
     if (i < text.size() && (text[i] == '+' || text[i] == '-')) negative = text[i++] == '-';
     if (i == text.size() || !is_digit(text[i])) return std::nullopt;
-    long written = 0;
+    std::int64_t written = 0;
     while (i < text.size() && is_digit(text[i]))
       written = std::min(written * 10 + (text[i++] - '0'), kExponentLimit + 1);
     if (written > kExponentLimit) return std::nullopt;
@@ -50,12 +45,12 @@ std::optional<Rational> take_decimal(std::string_view& text) {
   }
   text.remove_prefix(i);
   Rational value{Integer(digits, 10)};
-  if (exponent > 0) value *= power_of_ten(static_cast<unsigned long>(exponent));
-  if (exponent < 0) value /= Rational(power_of_ten(static_cast<unsigned long>(-exponent)));
+  if (exponent > 0) value *= power_of_ten(static_cast<std::size_t>(exponent));
+  if (exponent < 0) value /= Rational(power_of_ten(static_cast<std::size_t>(-exponent)));
   return value;
 }
 
-long bits(const Integer& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
+std::int64_t bits(const Integer& n) { return static_cast<std::int64_t>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
 
 /// The integer nearest to n / d (n >= 0, d > 0), ties to even.
 Integer divide_nearest(const Integer& n, const Integer& d) {
@@ -68,7 +63,7 @@ Integer divide_nearest(const Integer& n, const Integer& d) {
 }
 
 /// n * 2^shift for n, and n for a negative shift with the power moved to `d`.
-void scale_by_two(Integer& n, Integer& d, long shift) {
+void scale_by_two(Integer& n, Integer& d, std::int64_t shift) {
   if (shift > 0) n <<= static_cast<mp_bitcnt_t>(shift);
   if (shift < 0) d <<= static_cast<mp_bitcnt_t>(-shift);
 }
@@ -102,26 +97,27 @@ std::string to_decimal(const Rational& value, int digits) {
   const Integer n = abs(value.get_num());
   const Integer& d = value.get_den();
   // The power of ten: 10^k <= n/d < 10^(k+1), from the bit lengths and then exactly.
-  long k = static_cast<long>(std::floor(static_cast<double>(bits(n) - bits(d)) * 0.30102999566398120));
-  const auto at_least = [&](long e) {
-    return e >= 0 ? n >= d * power_of_ten(static_cast<unsigned long>(e))
-                  : n * power_of_ten(static_cast<unsigned long>(-e)) >= d;
+  auto k = static_cast<std::int64_t>(std::floor(static_cast<double>(bits(n) - bits(d)) * 0.30102999566398120));
+  const auto at_least = [&](std::int64_t e) {
+    return e >= 0 ? n >= d * power_of_ten(static_cast<std::size_t>(e))
+                  : n * power_of_ten(static_cast<std::size_t>(-e)) >= d;
   };
   while (!at_least(k)) --k;
   while (at_least(k + 1)) ++k;
-  const long lowest = k - digits + 1;
-  Integer q = lowest >= 0 ? divide_nearest(n, d * power_of_ten(static_cast<unsigned long>(lowest)))
-                          : divide_nearest(n * power_of_ten(static_cast<unsigned long>(-lowest)), d);
+  const std::int64_t lowest = k - digits + 1;
+  Integer q = lowest >= 0 ? divide_nearest(n, d * power_of_ten(static_cast<std::size_t>(lowest)))
+                          : divide_nearest(n * power_of_ten(static_cast<std::size_t>(-lowest)), d);
   std::string text = q.get_str();
   if (text.size() > static_cast<std::size_t>(digits)) ++k;  // rounded up to the next power of ten
   text.erase(text.find_last_not_of('0') + 1);
-  const long count = static_cast<long>(text.size());
+  const auto count = static_cast<std::int64_t>(text.size());
   const std::string sign = sgn(value) < 0 ? "-" : "";
 
   std::string plain;
-  const long plain_length = (k < 0 ? 1 - k : k + 1) + std::max(0L, count - std::max(k, 0L));
+  const std::int64_t plain_length =
+      (k < 0 ? 1 - k : k + 1) + std::max<std::int64_t>(0, count - std::max<std::int64_t>(k, 0));
   if (plain_length < 64) {
-    const std::size_t whole = static_cast<std::size_t>(std::max(k + 1, 0L));
+    const std::size_t whole = static_cast<std::size_t>(std::max<std::int64_t>(k + 1, 0));
     plain = text;
     if (k < 0) plain.insert(0, static_cast<std::size_t>(-k - 1), '0').insert(0, "0.");
     else if (text.size() <= whole) plain.append(whole - text.size(), '0');
@@ -138,7 +134,7 @@ double to_double(const Rational& value) {
   if (sign == 0) return 0;
   Integer n = abs(value.get_num());
   Integer d = value.get_den();
-  long exponent = bits(n) - bits(d);  // of the leading bit: this or one less
+  std::int64_t exponent = bits(n) - bits(d);  // of the leading bit: this or one less
   if (exponent > 1025) return sign * std::numeric_limits<double>::infinity();
   if (exponent < -1080) return sign * 0.0;
   {
@@ -146,7 +142,8 @@ double to_double(const Rational& value) {
     scale_by_two(a, b, -exponent);
     if (a < b) --exponent;
   }
-  const long lowest = std::max(exponent - 52, -1074L);  // the last bit that the double can hold
+  const std::int64_t lowest =
+      std::max<std::int64_t>(exponent - 52, -1074);  // the last bit that the double can hold
   scale_by_two(n, d, -lowest);
   const Integer q = divide_nearest(n, d);  // at most 2^53
   return sign * std::ldexp(q.get_d(), static_cast<int>(lowest));
@@ -160,9 +157,10 @@ Rational from_double(double value) {
 bool is_double(const Rational& value) {
   if (value == 0) return true;
   const mpz_srcptr n = value.get_num_mpz_t(), d = value.get_den_mpz_t();
-  const long denominator_bits = static_cast<long>(mpz_scan1(d, 0));
+  const auto denominator_bits = static_cast<std::int64_t>(mpz_scan1(d, 0));
   if (mpz_sizeinbase(d, 2) != static_cast<std::size_t>(denominator_bits) + 1) return false;  // no power of two
-  const long high = static_cast<long>(mpz_sizeinbase(n, 2)), low = static_cast<long>(mpz_scan1(n, 0));
+  const auto high = static_cast<std::int64_t>(mpz_sizeinbase(n, 2)),
+             low = static_cast<std::int64_t>(mpz_scan1(n, 0));
   return high - low <= 53 && low - denominator_bits >= -1074 && high - denominator_bits <= 1024;
 }
 

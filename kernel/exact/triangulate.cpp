@@ -131,7 +131,8 @@ void flip(const std::map<Edge, unsigned>& walked, std::vector<Triangle>& triangl
   };
   struct Hash {
     std::size_t operator()(const Edge& e) const {
-      return (std::uint64_t(e.first.value()) << 32 | e.second.value()) * 0x9e3779b97f4a7c15ull;
+      return static_cast<std::size_t>((std::uint64_t{e.first.value()} << 32 | e.second.value()) *
+                                      0x9e3779b97f4a7c15ull);
     }
   };
   std::unordered_map<Edge, Sides, Hash> sides;

@@ -10,6 +10,7 @@
 #include <mpfr.h>
 
 #include "kernel/base/error.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -80,7 +81,7 @@ Integer nearest_integer(const Rational& value) {
   return q;
 }
 
-Rational power_of_two(long exponent) {
+Rational power_of_two(std::int64_t exponent) {
   const Rational one = 1;
   return exponent >= 0 ? Rational(one << static_cast<mp_bitcnt_t>(exponent))
                        : Rational(one >> static_cast<mp_bitcnt_t>(-exponent));
@@ -105,7 +106,7 @@ Rational simplest_between(const Rational& low, const Rational& high) {
 }
 
 const Rational& angle_tolerance() {
-  static const Rational tolerance = Rational(4, 10) / 1000000000000000;  // of a half angle's tangent
+  static const Rational tolerance = fraction(4, 10'000'000'000'000'000);  // of a half angle's tangent
   return tolerance;
 }
 
@@ -141,9 +142,10 @@ Rational round_cosine(const Rational& degrees, const Rational& square, int expon
   else if (angle == 45) multiple = nearest_integer_root(scaled / 2);
   else if (angle == 60) multiple = nearest_integer_root(scaled / 4);
   else {
-    const long size = static_cast<long>(mpz_sizeinbase(scaled.get_num_mpz_t(), 2)) -
-                      static_cast<long>(mpz_sizeinbase(scaled.get_den_mpz_t(), 2));
-    for (mpfr_prec_t precision = 128 + std::max(0L, size / 2);; precision *= 2) {
+    const auto size = static_cast<std::int64_t>(mpz_sizeinbase(scaled.get_num_mpz_t(), 2)) -
+                      static_cast<std::int64_t>(mpz_sizeinbase(scaled.get_den_mpz_t(), 2));
+    for (mpfr_prec_t precision = 128 + static_cast<mpfr_prec_t>(std::max<std::int64_t>(0, size / 2));;
+         precision *= 2) {
       Real low(precision), high(precision), root(precision);
       cosine_bounds(low, high, angle);
       mpfr_set_q(root, scaled.get_mpq_t(), MPFR_RNDD);
@@ -161,8 +163,8 @@ Rational round_cosine(const Rational& degrees, const Rational& square, int expon
 
 int exponent_of_root(const Rational& square) {
   require(square > 0, "exponent_of_root: not positive");
-  long e = static_cast<long>(mpz_sizeinbase(square.get_num_mpz_t(), 2)) -
-           static_cast<long>(mpz_sizeinbase(square.get_den_mpz_t(), 2));
+  auto e = static_cast<std::int64_t>(mpz_sizeinbase(square.get_num_mpz_t(), 2)) -
+           static_cast<std::int64_t>(mpz_sizeinbase(square.get_den_mpz_t(), 2));
   if (square < power_of_two(e)) --e;  // 2^e <= square < 2^(e+1)
   return static_cast<int>(e >= 0 ? e / 2 : -((-e + 1) / 2));
 }

@@ -52,8 +52,9 @@ class Cutter {
         cuts_.push_back({static_cast<std::uint32_t>(s), pieces});
         pieces += points + 1;
       }
-      place_[s + 1] = place_[s] + static_cast<std::uint32_t>(points) + 1;
+      place_[s + 1] = static_cast<std::uint32_t>(points) + 1;
     }
+    sum_up(place_, "pieces of segments");
     pieces_.resize(pieces);
   }
 

@@ -11,7 +11,7 @@ namespace {
 
 /// How much was written before, per array.
 struct Totals {
-  std::uint32_t faces = 0, loops = 0, half_edges = 0, vertices = 0, covers = 0;
+  std::uint64_t faces = 0, loops = 0, half_edges = 0, vertices = 0, covers = 0;
   Totals operator+(const Totals& b) const {
     return {faces + b.faces, loops + b.loops, half_edges + b.half_edges, vertices + b.vertices, covers + b.covers};
   }
@@ -29,6 +29,11 @@ class Collector {
     tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) { before[c + 1] = count(c); });
     for (std::size_t c = 0; c < chunks; ++c) before[c + 1] = before[c] + before[c + 1];
     const Totals& all = before[chunks];
+    check_count(all.faces, kPlural<FaceId>);
+    check_count(all.loops, kPlural<LoopId>);
+    check_count(all.half_edges, "half-edges of loops", kMostPlaces);
+    check_count(all.vertices, "vertices in the interior of faces", kMostPlaces);
+    check_count(all.covers, "faces of leaves that cover faces", kMostPlaces);
     sheet_.resize(all.faces);
     loop_.resize(all.loops);
     half_edge_.resize(all.half_edges);
@@ -69,10 +74,8 @@ class Collector {
     for_sheets(
         chunk,
         [&](SheetId, const SheetFaces& x) {
-          n = n + Totals{static_cast<std::uint32_t>(x.face_count()), static_cast<std::uint32_t>(x.loop_end.size()),
-                         static_cast<std::uint32_t>(x.half_edges.size()),
-                         static_cast<std::uint32_t>(x.isolated.size()),
-                         static_cast<std::uint32_t>(x.covers.size())};
+          n = n +
+              Totals{x.face_count(), x.loop_end.size(), x.half_edges.size(), x.isolated.size(), x.covers.size()};
         },
         [&](SheetId sheet) {
           ++n.faces, ++n.loops, ++n.covers;
@@ -86,13 +89,13 @@ class Collector {
   void write(std::size_t chunk, Totals at) {
     const auto start_face = [&](SheetId sheet) {
       sheet_[at.faces] = sheet;
-      face_loop_[at.faces] = at.loops;
-      face_vertex_[at.faces] = at.vertices;
-      face_cover_[at.faces] = at.covers;
+      face_loop_[at.faces] = static_cast<std::uint32_t>(at.loops);
+      face_vertex_[at.faces] = static_cast<std::uint32_t>(at.vertices);
+      face_cover_[at.faces] = static_cast<std::uint32_t>(at.covers);
       ++at.faces;
     };
     const auto start_loop = [&] {
-      loop_begin_[at.loops] = at.half_edges;
+      loop_begin_[at.loops] = static_cast<std::uint32_t>(at.half_edges);
       loop_[at.loops] = LoopId(at.loops);
       ++at.loops;
     };
@@ -131,10 +134,10 @@ class Collector {
   }
 
   void close_lists(const Totals& all) {
-    face_loop_.back() = all.loops;
-    face_vertex_.back() = all.vertices;
-    face_cover_.back() = all.covers;
-    loop_begin_.back() = all.half_edges;
+    face_loop_.back() = static_cast<std::uint32_t>(all.loops);
+    face_vertex_.back() = static_cast<std::uint32_t>(all.vertices);
+    face_cover_.back() = static_cast<std::uint32_t>(all.covers);
+    loop_begin_.back() = static_cast<std::uint32_t>(all.half_edges);
   }
 
   Refinement& r_;

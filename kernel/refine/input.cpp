@@ -12,7 +12,6 @@
 #include <bit>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
@@ -211,7 +210,7 @@ void take_corners(const Soup& soup, RefineInput& in) {
     }
     offsets[i + 1] = static_cast<std::uint32_t>(count);
   });
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  sum_up(offsets, "corners of faces");
   std::vector<VertexId> corners(offsets[n]);
   for_each_index(n, [&](std::size_t i) {
     const auto c = soup.corners(SourceId(i));
@@ -292,6 +291,7 @@ class Segments {
 
   /// Both ends of every side and wire, the smaller id first; none() for what is no segment.
   void list_ends() {
+    check_count(side_count_ + std::uint64_t{soup_.wires().size()}, "sides of faces and wires", kMostPlaces);
     ends_.resize(side_count_ + soup_.wires().size());
     const auto& corners = std::as_const(in_.corners);
     for_each_index(corners.size(), [&](std::size_t f) {
@@ -320,7 +320,7 @@ class Segments {
     for (const auto& [low, high] : ends_) {
       if (low.valid()) ++begin_[low.index() + 1];
     }
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    sum_up(begin_, "sides of faces");
     at_.resize(begin_[vertices]);
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     for (std::size_t place = 0; place < ends_.size(); ++place) {
@@ -335,7 +335,7 @@ class Segments {
       for (auto i = first; i != last; ++i) count += i == first || *i >> 32 != *(i - 1) >> 32;
       in_.segment_begin[v + 1] = count;
     });
-    std::partial_sum(in_.segment_begin.begin(), in_.segment_begin.end(), in_.segment_begin.begin());
+    sum_up(in_.segment_begin, "segments");
   }
 
   void number() {

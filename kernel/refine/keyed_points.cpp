@@ -30,7 +30,7 @@ void KeyedPoints::collect(const std::vector<PointKey>& keys) {
   const auto append = [](NumberTable& places, const PointKey& key, std::vector<PointKey>& list) {
     std::uint32_t& place = places.slot(key.hash(), [&](std::uint32_t k) { return list[k] == key; });
     if (place != NumberTable::kNone) return;
-    place = static_cast<std::uint32_t>(list.size());
+    place = next_number(list.size(), "points where leaves meet");
     list.push_back(key);
   };
   std::vector<PointKey> distinct;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/base/counts.h"
 #include "kernel/base/parallel.h"
 
 namespace cnrg {
@@ -65,6 +66,7 @@ Grid::Grid(const Box& all) {
 }
 
 std::vector<std::uint32_t> morton_order(const std::vector<Box>& boxes, const Grid& grid) {
+  check_count(boxes.size(), "boxes");
   std::vector<CodedBox> items(boxes.size());
   for_each_index(boxes.size(), [&](std::size_t i) {
     std::uint64_t code = 0;

@@ -9,6 +9,7 @@
 namespace cnrg {
 
 LeafId Soup::add_leaf(Fill fill) {
+  check_count(leaf_count() + 1, kPlural<LeafId>);
   fills_.push_back(fill);
   return LeafId(fills_.size() - 1);
 }
@@ -17,6 +18,7 @@ PointId Soup::add_point(double x, double y, double z) {
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
     throw InputError("a point has a coordinate that is no finite number: give finite coordinates");
   }
+  check_count(point_count() + 1, kPlural<PointId>);
   // Adding zero turns -0 into 0: equal points have equal bytes.
   xyz_.insert(xyz_.end(), {x + 0.0, y + 0.0, z + 0.0});
   return PointId(point_count() - 1);
@@ -47,9 +49,7 @@ SourceId Soup::add_face(LeafId leaf, std::span<const std::vector<PointId>> loops
       corners_.push_back(p);
     }
   }
-  offsets_.push_back(static_cast<std::uint32_t>(corners_.size()));
-  faces_.push_back({leaf, leaf_face, patch, front, back, 0});
-  return SourceId(faces_.size() - 1);
+  return end_face({leaf, leaf_face, patch, front, back, 0});
 }
 
 SourceId Soup::add_triangle(LeafId leaf, PointId a, PointId b, PointId c, std::uint32_t leaf_face,
@@ -57,8 +57,13 @@ SourceId Soup::add_triangle(LeafId leaf, PointId a, PointId b, PointId c, std::u
   require(leaf.valid() && leaf.index() < fills_.size(), "soup: triangle of an unknown leaf");
   require(std::max({a.index(), b.index(), c.index()}) < point_count(), "soup: triangle with an unknown point");
   corners_.insert(corners_.end(), {a, b, c});
-  offsets_.push_back(static_cast<std::uint32_t>(corners_.size()));
-  faces_.push_back({leaf, leaf_face, patch, front, back, 0});
+  return end_face({leaf, leaf_face, patch, front, back, 0});
+}
+
+SourceId Soup::end_face(const Face& face) {
+  check_count(faces_.size() + 1, kPlural<SourceId>);
+  offsets_.push_back(place32(corners_.size(), "corners of faces"));
+  faces_.push_back(face);
   return SourceId(faces_.size() - 1);
 }
 
@@ -77,6 +82,7 @@ const std::array<PointId, 3>* Soup::plane(SourceId f) const {
 WireId Soup::add_wire(LeafId leaf, PointId a, PointId b, std::uint32_t leaf_edge) {
   require(leaf.valid() && leaf.index() < fills_.size(), "soup: wire of an unknown leaf");
   require(std::max(a.index(), b.index()) < point_count(), "soup: wire with an unknown point");
+  check_count(wires_.size() + 1, "wires");
   wires_.push_back({leaf, leaf_edge, a, b});
   return WireId(wires_.size() - 1);
 }

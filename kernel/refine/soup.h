@@ -113,6 +113,8 @@ class Soup {
   const std::vector<std::pair<LeafId, std::uint32_t>>& seed_regions() const { return seed_regions_; }
 
  private:
+  SourceId end_face(const Face& face);
+
   std::vector<double> xyz_;                                   // nearest doubles
   std::vector<std::pair<PointId, RationalPoint>> rationals_;  // sorted by id: the points that are no doubles
   std::vector<Fill> fills_;

@@ -326,9 +326,9 @@ SheetFaces Subdivider::emit(const SheetContent& content) {
     }
     out.face_loop_end.push_back(static_cast<std::uint32_t>(out.loop_end.size()));
     for (const std::uint32_t i : points[face]) out.isolated.push_back(isolated_[i]);
-    out.face_isolated_end.push_back(static_cast<std::uint32_t>(out.isolated.size()));
+    out.face_isolated_end.push_back(place32(out.isolated.size(), "vertices in the interior of faces"));
     for (const SourceId f : face_cover_[face]) out.covers.push_back({f, same_side(f)});
-    out.face_cover_end.push_back(static_cast<std::uint32_t>(out.covers.size()));
+    out.face_cover_end.push_back(place32(out.covers.size(), "faces of leaves that cover faces"));
   }
   return out;
 }

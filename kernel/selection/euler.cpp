@@ -42,7 +42,7 @@ void join_boundary(const Complex& complex, const Numbering& number, EdgeId e, Un
   for (VertexId v : complex.edge_ends[e]) sets.unite(number(e), number(v));
 }
 
-long count_pieces(const Complex& complex, const CellSet& set) {
+std::int64_t count_pieces(const Complex& complex, const CellSet& set) {
   const Numbering number(complex);
   UnionFind sets(number.size);
   for (EdgeId e : set.edges) join_boundary(complex, number, e, sets);
@@ -52,7 +52,7 @@ long count_pieces(const Complex& complex, const CellSet& set) {
     for (EdgeId e : complex.region_wires[r]) sets.unite(number(r), number(e));
     for (VertexId v : complex.region_vertices[r]) sets.unite(number(r), number(v));
   }
-  long count = 0;
+  std::int64_t count = 0;
   const auto add = [&](const auto& cells) {
     for (auto cell : cells) count += sets.find(number(cell)) == number(cell);
   };
@@ -61,7 +61,7 @@ long count_pieces(const Complex& complex, const CellSet& set) {
 }
 
 // Bounded pieces of the complement of faces and regions: 3-cells joined across faces that are not in the set.
-long count_cavities(const Complex& complex, const CellSet& set) {
+std::int64_t count_cavities(const Complex& complex, const CellSet& set) {
   Marks<RegionId> held(complex.region_count);
   Marks<FaceId> wall(complex.face_count());
   for (RegionId r : set.regions) held[r] = 1;
@@ -71,14 +71,14 @@ long count_cavities(const Complex& complex, const CellSet& set) {
     const auto& [front, back] = complex.face_regions[f];
     if (!wall[f] && !held[front] && !held[back]) sets.unite(front.value(), back.value());
   }
-  long count = 0;
+  std::int64_t count = 0;
   for (RegionId r : IdRange<RegionId>(complex.region_count)) {
     count += !held[r] && sets.find(r.value()) == r.value();
   }
   return count - 1;
 }
 
-long boundary_pieces(const Complex& complex, RegionId r) {
+std::int64_t boundary_pieces(const Complex& complex, RegionId r) {
   CellSet boundary;
   for (HalfFace h : complex.region_faces[r]) boundary.faces.push_back(h.face());
   std::sort(boundary.faces.begin(), boundary.faces.end());
@@ -164,18 +164,18 @@ std::size_t count_cycles(const Complex& complex, const std::vector<FaceId>& face
 
 EulerTerms euler_terms(const Complex& complex, const CellSet& set) {
   EulerTerms t;
-  t.v = static_cast<long>(set.vertices.size());
-  t.e = static_cast<long>(set.edges.size());
-  t.f = static_cast<long>(set.faces.size());
+  t.v = static_cast<std::int64_t>(set.vertices.size());
+  t.e = static_cast<std::int64_t>(set.edges.size());
+  t.f = static_cast<std::int64_t>(set.faces.size());
   for (FaceId f : set.faces) t.r += ring_count(complex, f);
-  t.volumes = static_cast<long>(set.regions.size());
+  t.volumes = static_cast<std::int64_t>(set.regions.size());
   t.pieces = count_pieces(complex, set);
   t.cavities = count_cavities(complex, set);
   if (!set.regions.empty()) {
     Neighbourhoods neighbourhoods(complex);
-    const std::vector<long> characteristic = inner_surfaces(complex, set.regions, neighbourhoods);
+    const std::vector<std::int64_t> characteristic = inner_surfaces(complex, set.regions, neighbourhoods);
     for (std::size_t i = 0; i < set.regions.size(); ++i) {
-      const long surfaces = boundary_pieces(complex, set.regions[i]);
+      const std::int64_t surfaces = boundary_pieces(complex, set.regions[i]);
       t.volume_cavities += surfaces - 1;
       t.volume_holes += surfaces - characteristic[i] / 2;
     }
@@ -193,7 +193,7 @@ std::string check_euler(const Complex& complex, const CellSet& set, std::size_t 
   const EulerTerms flat = euler_terms(complex, walls);
   if (flat.holes < 0) return "the walls have " + std::to_string(flat.holes) + " holes";
   if (set.faces.size() <= max_faces) {
-    const auto cycles = static_cast<long>(count_cycles(complex, set.faces));
+    const auto cycles = static_cast<std::int64_t>(count_cycles(complex, set.faces));
     if (cycles != flat.cavities) {
       return "the faces have " + std::to_string(cycles) + " independent cycles and enclose " +
              std::to_string(flat.cavities) + " cavities";

@@ -108,9 +108,9 @@ RegionId sector_region(const Complex& complex, const FaceUse& use) {
 }
 
 template <class Members>
-long count_joined(const Complex& complex, const CellSet& set, const Members& in) {
+std::int64_t count_joined(const Complex& complex, const CellSet& set, const Members& in) {
   UnionFind sets(set.size() + 1);
-  auto pieces = static_cast<long>(set.size());
+  auto pieces = static_cast<std::int64_t>(set.size());
   const auto join = [&](std::uint32_t cell, const auto& others) {
     for (auto other : others) {
       if (in(other) != 0) pieces -= sets.unite(cell, in(other));
@@ -147,13 +147,13 @@ class Frontier {
     pairs_.push_back(first), pairs_.push_back(second);
     joints_.emplace_back(first, second);
   }
-  long pieces() {
+  std::int64_t pieces() {
     sort_unique(pairs_);
     UnionFind sets(pairs_.size());
     const auto place = [&](Pair p) {
       return static_cast<std::uint32_t>(std::lower_bound(pairs_.begin(), pairs_.end(), p) - pairs_.begin());
     };
-    auto count = static_cast<long>(pairs_.size());
+    auto count = static_cast<std::int64_t>(pairs_.size());
     for (const auto& [p, q] : joints_) count -= sets.unite(place(p), place(q));
     return count;
   }
@@ -182,9 +182,9 @@ class Counting {
     const bool infinity = !complex_.frame.valid() && in_(RegionId(0)) != 0;
     if (infinity) surfaces_ += 2;
     require(surfaces_ % 2 == 0, "homology: the surfaces inside of regions have an odd Euler characteristic");
-    const long euler = sum_ + surfaces_ / 2;
-    const long b0 = count_joined(complex_, set_, in_);
-    const long b2 = frontier_.pieces() + (infinity ? 1 : 0) - b0;
+    const std::int64_t euler = sum_ + surfaces_ / 2;
+    const std::int64_t b0 = count_joined(complex_, set_, in_);
+    const std::int64_t b2 = frontier_.pieces() + (infinity ? 1 : 0) - b0;
     out.z2 = {b0, b0 + b2 - euler, b2};
     require(b2 >= 0 && out.z2[1] >= 0, "homology: a negative Betti number");
     out.q = out.z2;
@@ -195,13 +195,13 @@ class Counting {
   using Kind = Frontier::Kind;
   bool has(auto cell) const { return in_(cell) != 0; }
 
-  long weight(EdgeId e) const {
+  std::int64_t weight(EdgeId e) const {
     if (!has(e)) return 0;
     return 1 - (has(complex_.edge_ends[e][0]) ? 1 : 0) - (has(complex_.edge_ends[e][1]) ? 1 : 0);
   }
-  long weight(FaceId f) const {
+  std::int64_t weight(FaceId f) const {
     if (!has(f)) return 0;
-    long w = 1 - ring_count(complex_, f);
+    std::int64_t w = 1 - ring_count(complex_, f);
     for (LoopId l : complex_.face_loops[f]) {
       for (HalfEdge h : complex_.loop[l]) w -= weight(h.edge()) + (has(complex_.target(h)) ? 1 : 0);
     }
@@ -246,7 +246,7 @@ class Counting {
   }
 
   void at_edge(EdgeId e) {
-    const long w = weight(e);
+    const std::int64_t w = weight(e);
     sum_ += w;
     const auto uses = complex_.edge_uses[e];
     const std::uint32_t first = complex_.edge_uses.offsets()[e.index()];
@@ -264,7 +264,7 @@ class Counting {
   }
 
   void at_face(FaceId f) {
-    const long w = weight(f);
+    const std::int64_t w = weight(f);
     sum_ += w;
     for (RegionId r : complex_.face_regions[f]) {
       if (has(r)) surfaces_ += 1 - ring_count(complex_, f), sum_ -= w;
@@ -278,8 +278,8 @@ class Counting {
   const FullClosure closure_;
   Neighbourhood around_;
   Frontier frontier_;
-  long surfaces_ = 0;  // twice the first terms of w(R)
-  long sum_ = 0;       // all other terms
+  std::int64_t surfaces_ = 0;  // twice the first terms of w(R)
+  std::int64_t sum_ = 0;       // all other terms
 };
 
 }  // namespace
@@ -317,12 +317,12 @@ std::vector<BettiNumbers> betti_numbers(const Selection& selection, const std::v
   return out;
 }
 
-std::vector<long> inner_surfaces(const Complex& complex, const std::vector<RegionId>& regions,
-                                 Neighbourhoods& neighbourhoods) {
+std::vector<std::int64_t> inner_surfaces(const Complex& complex, const std::vector<RegionId>& regions,
+                                         Neighbourhoods& neighbourhoods) {
   Scratch<RegionId, std::uint32_t> place(complex.region_count);  // 1 + index
   for (std::size_t i = 0; i < regions.size(); ++i) place[regions[i]] = static_cast<std::uint32_t>(i + 1);
-  std::vector<long> out(regions.size(), 0);
-  const auto add = [&](RegionId r, long value) {
+  std::vector<std::int64_t> out(regions.size(), 0);
+  const auto add = [&](RegionId r, std::int64_t value) {
     if (place[r] != 0) out[place[r] - 1] += value;
   };
   CellSet set;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -20,15 +21,15 @@
 namespace cnrg {
 
 /// The rings of a face: loops but one, and vertices isolated in it.
-inline long ring_count(const Complex& complex, FaceId f) {
-  return static_cast<long>(complex.face_loops[f].size() - 1 + complex.face_vertices[f].size());
+inline std::int64_t ring_count(const Complex& complex, FaceId f) {
+  return static_cast<std::int64_t>(complex.face_loops[f].size() - 1 + complex.face_vertices[f].size());
 }
 
 /// Ranks of the homology groups of a point set: b0, b1, b2.
 struct BettiNumbers {
-  std::array<long, 3> z2{}, q{};
+  std::array<std::int64_t, 3> z2{}, q{};
   /// b0 - b1 + b2, the Euler characteristic of the homotopy type.
-  long euler() const { return z2[0] - z2[1] + z2[2]; }
+  std::int64_t euler() const { return z2[0] - z2[1] + z2[2]; }
   friend bool operator==(const BettiNumbers&, const BettiNumbers&) = default;
 };
 
@@ -58,7 +59,7 @@ std::vector<BettiNumbers> betti_numbers(const Selection& selection, const std::v
 /// The Euler characteristics of the surfaces just inside of each of some regions (ascending): closed surfaces, one
 /// per piece of the region's boundary. A region is a ball with handles and cavities: the sum over its surfaces of
 /// 2 - 2 handles. The sphere at infinity of R0 is not among them.
-std::vector<long> inner_surfaces(const Complex& complex, const std::vector<RegionId>& regions,
-                                 Neighbourhoods& neighbourhoods);
+std::vector<std::int64_t> inner_surfaces(const Complex& complex, const std::vector<RegionId>& regions,
+                                         Neighbourhoods& neighbourhoods);
 
 }  // namespace cnrg

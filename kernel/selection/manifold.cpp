@@ -36,7 +36,7 @@ struct ClosedSet {
   Marks<RegionId> regions;
 };
 
-std::string number(long n, const char* one, const char* many) {
+std::string number(std::int64_t n, const char* one, const char* many) {
   return n == 1 ? std::string(one) : std::to_string(n) + " " + many;
 }
 
@@ -56,7 +56,7 @@ LocalShape shape_of(const Complex& complex, const ClosedSet& set, EdgeId e) {
   const auto solid = [&](std::size_t i) {
     return set.regions[complex.face_regions[uses[i].face][uses[i].half_edge.direction()]] != 0;
   };
-  long sectors = 0, sheets = 0;
+  std::int64_t sectors = 0, sheets = 0;
   bool all = true;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const bool before = solid((i + uses.size() - 1) % uses.size()), after = solid(i);
@@ -85,14 +85,14 @@ LocalShape shape_of(const Complex& complex, const ClosedSet& set, EdgeId e) {
 
 /// One connected part of what the set leaves on the sphere.
 struct Part {
-  long euler = 0;
+  std::int64_t euler = 0;
   bool solid = false, line = false;
 };
 
 /// What the parts are, each a manifold with boundary.
 struct Census {
-  long points = 0, arcs = 0, circles = 0, disks = 0, pierced = 0;
-  long total() const { return points + arcs + circles + disks + pierced; }
+  std::int64_t points = 0, arcs = 0, circles = 0, disks = 0, pierced = 0;
+  std::int64_t total() const { return points + arcs + circles + disks + pierced; }
 };
 
 class VertexShape {
@@ -103,7 +103,7 @@ class VertexShape {
   LocalShape run() const {
     const auto solid = [&](const auto& germ) { return set_.regions[germ.region] != 0; };
     if (std::all_of(n_.germs.begin(), n_.germs.end(), solid)) return {LocalForm::interior, ""};
-    long bad = 0;
+    std::int64_t bad = 0;
     for (const LocalShape& s : shapes_) bad += s.form == LocalForm::non_manifold;
     if (bad > 0) return {LocalForm::non_manifold, at_bad_edges(bad)};
     const Census c = census();
@@ -187,7 +187,7 @@ class VertexShape {
     return listed(words) + " meet in a point";
   }
 
-  std::string at_bad_edges(long bad) const {
+  std::string at_bad_edges(std::int64_t bad) const {
     std::string out = number(bad, "a non-manifold edge ends", "non-manifold edges end") + " here";
     const auto count = parts().size();
     if (count > 1) out += ", and " + std::to_string(count) + " parts of the set touch";

@@ -45,9 +45,9 @@ Rational square_root(const Rational& square, int digits) {
   if (sgn(square) <= 0) return 0;
   // sqrt(n / d) = sqrt(n d 4^k) / (d 2^k), with enough bits below the root that its floor is close.
   const Integer product = square.get_num() * square.get_den();
-  const auto have = static_cast<long>(mpz_sizeinbase(product.get_mpz_t(), 2) / 2);
-  const long need = static_cast<long>(std::ceil((digits + 1) * 3.33)) + 2;
-  const auto k = static_cast<unsigned long>(std::max(0L, need - have));
+  const auto have = static_cast<std::int64_t>(mpz_sizeinbase(product.get_mpz_t(), 2) / 2);
+  const auto need = static_cast<std::int64_t>(std::ceil((digits + 1) * 3.33)) + 2;
+  const auto k = static_cast<mp_bitcnt_t>(std::max<std::int64_t>(0, need - have));
   Integer root = product << (2 * k);
   mpz_sqrt(root.get_mpz_t(), root.get_mpz_t());
   Rational out(root, square.get_den() << k);

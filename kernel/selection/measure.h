@@ -4,6 +4,7 @@
 // gives as many digits as asked for. Nothing is cached and nothing is computed before it is asked for.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,10 +34,10 @@ std::optional<Rational> volume(const Complex& complex, RegionId cell);
 /// v, e, f: vertices, edges, faces; r: rings (inner boundaries of faces); V: volumes (3-cells), Vh: handles of
 /// volumes, Vc: cavities of volumes; C: connected pieces, Ch: holes (independent loops), Cc: cavities.
 struct EulerTerms {
-  long v = 0, e = 0, f = 0, r = 0, volumes = 0, volume_holes = 0, volume_cavities = 0;
-  long pieces = 0, holes = 0, cavities = 0;
-  long left() const { return v - e + (f - r) - (volumes - volume_holes + volume_cavities); }
-  long right() const { return pieces - holes + cavities; }
+  std::int64_t v = 0, e = 0, f = 0, r = 0, volumes = 0, volume_holes = 0, volume_cavities = 0;
+  std::int64_t pieces = 0, holes = 0, cavities = 0;
+  std::int64_t left() const { return v - e + (f - r) - (volumes - volume_holes + volume_cavities); }
+  std::int64_t right() const { return pieces - holes + cavities; }
 };
 
 /// The terms of a closed set of bounded cells (closed: `closure(set) == set`). Pieces and cavities are counted by

@@ -87,7 +87,7 @@ class Nesting {
     Vector w;
     for (Integer& x : w) {
       state = state * 1664525u + 1013904223u;
-      x = static_cast<long>(state >> 16) - 32768;
+      x = static_cast<std::int64_t>(state >> 16) - 32768;
     }
     return w;
   }
@@ -260,10 +260,10 @@ class Faces {
 
 }  // namespace
 
-long Neighbourhood::euler() const {
-  long edges = 0;
+std::int64_t Neighbourhood::euler() const {
+  std::int64_t edges = 0;
   for (const Arc& arc : arcs) edges += !arc.full_circle();
-  return static_cast<long>(nodes.size()) - edges + static_cast<long>(germs.size());
+  return static_cast<std::int64_t>(nodes.size()) - edges + static_cast<std::int64_t>(germs.size());
 }
 
 Neighbourhoods::Neighbourhoods(const Complex& complex)

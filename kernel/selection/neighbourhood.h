@@ -59,9 +59,9 @@ struct Neighbourhood {
   };
   struct Germ {
     RegionId region;
-    long circles = 0;
+    std::int64_t circles = 0;
     /// The Euler characteristic of the open piece of the sphere.
-    long euler() const { return 2 - circles; }
+    std::int64_t euler() const { return 2 - circles; }
   };
 
   VertexId vertex;
@@ -76,7 +76,7 @@ struct Neighbourhood {
   std::span<const Dart> around(const Node& node) const { return {darts.data() + node.first, node.count}; }
   std::span<const Index> sides_of(const Circle& c) const { return {sides.data() + c.first, c.count}; }
   /// V - E + F, which is 1 + parts on a sphere. A full circle adds nothing: it is as good as a node with an arc.
-  long euler() const;
+  std::int64_t euler() const;
 };
 
 /// Neighbourhoods on demand. Asking costs the size of the vertex' star; the first time that a face is met, the

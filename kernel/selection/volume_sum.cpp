@@ -191,7 +191,7 @@ Rational VolumeSum::total() {
   std::vector<PoleSum> sums;
   const Term* last = nullptr;
   for (Term& term : terms_) {
-    term.numerator <<= static_cast<unsigned long>(term.exponent - exponent);
+    term.numerator <<= static_cast<mp_bitcnt_t>(term.exponent - exponent);
     if (last == nullptr || last->poles != term.poles) {
       std::vector<Pole> poles(term.poles.begin(), std::ranges::find(term.poles, kNoPole));
       Integer denominator = product(weights_, poles);
@@ -203,8 +203,8 @@ Rational VolumeSum::total() {
   const PoleSum six = sum_of(weights_, sums);
   Rational out(six.numerator, six.denominator);
   out.canonicalize();
-  if (exponent >= 0) out <<= static_cast<unsigned long>(exponent);
-  else out >>= static_cast<unsigned long>(-exponent);
+  if (exponent >= 0) out <<= static_cast<mp_bitcnt_t>(exponent);
+  else out >>= static_cast<mp_bitcnt_t>(-exponent);
   return out / 6;
 }
 

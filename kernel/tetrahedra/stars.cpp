@@ -216,6 +216,7 @@ std::array<Index, 3> Stars::Tetrahedron::face(int k) const {
 }
 
 Index Stars::add_point(const Point& p, std::int32_t facet) {
+  check_count(points_.size() + 1, "points");
   points_.push_back(p);
   stars_.emplace_back();
   lines_.emplace_back();
@@ -231,6 +232,7 @@ void Stars::drop_point() {
 Index Stars::add(const Tetrahedron& t) {
   Index i;
   if (free_.empty()) {
+    check_count(tetrahedra_.size() + 1, "tetrahedra");
     i = static_cast<Index>(tetrahedra_.size());
     tetrahedra_.push_back(t);
     settled_.push_back(0);

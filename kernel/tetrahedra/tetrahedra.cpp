@@ -299,6 +299,7 @@ void Tetrahedra::remove(std::span<const Index> hole) {
 Tetrahedra::Index Tetrahedra::add(const Corners& corners) {
   Index t;
   if (free_.empty()) {
+    check_count(corners_.size() + 1, "tetrahedra");
     t = static_cast<Index>(corners_.size());
     corners_.push_back(corners);
     neighbours_.push_back({kNone, kNone, kNone, kNone});

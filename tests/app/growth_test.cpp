@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -90,7 +91,7 @@ TEST_CASE("a tree of doublings is refused before it takes memory", "[growth]") {
   for (int i = 1; i <= 40; ++i) {
     const std::string last = "n" + std::to_string(i - 1);
     text += "  n" + std::to_string(i) + ": {union: [" + last + ", {simplify: " + last + ", translate: [" +
-            std::to_string(1L << i) + ", 0, 0]}]}\n";
+            std::to_string(std::int64_t{1} << i) + ", 0, 0]}]}\n";
   }
   const Workshop shop;
   const Peak small = peak_of(shop, operation("union", 2, box), ""),

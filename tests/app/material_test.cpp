@@ -5,8 +5,8 @@
 
 #include "program.h"
 #include "tests/catch.h"
-#include "tests/formats/mesh_readers.h"
 #include "tests/formats/vtu_reader.h"
+#include "tests/scenes/mesh_readers.h"
 
 namespace cnrg {
 namespace {

@@ -11,7 +11,7 @@
 #include "kernel/exact/rational.h"
 #include "tests/app/program.h"
 #include "tests/catch.h"
-#include "tests/formats/mesh_readers.h"
+#include "tests/scenes/mesh_readers.h"
 
 namespace cnrg {
 namespace {

@@ -3,6 +3,7 @@
 #include "bench/cases/case.h"
 #include "bench/cases/tree_cases.h"
 #include "csg/evaluate/evaluate.h"
+#include "kernel/exact/integers.h"
 #include "tests/catch.h"
 #include "tests/families/model_checks.h"
 
@@ -32,13 +33,13 @@ TEST_CASE("a plate with holes has the volume that integers give, as meshes, in o
     doubled_area += part;
   }
   CHECK(five.volume() == (9LL << 20) * (9LL << 20) * 2 - 5 * doubled_area);
-  CHECK(tree_volume(plate_difference(5)) == static_cast<long>(five.volume()));
-  CHECK(tree_volume(plate_chain(5)) == static_cast<long>(five.volume()));
+  CHECK(tree_volume(plate_difference(5)) == to_integer(five.volume()));
+  CHECK(tree_volume(plate_chain(5)) == to_integer(five.volume()));
   const Case meshes = plate(5);
   REQUIRE(meshes.leaves.size() == 6);
   CHECK(meshes.volume == five.volume());
   CHECK(fault_of(model_of(meshes.leaves[5])).empty());
-  CHECK(volume_of(model_of(meshes.leaves[5])) == static_cast<long>(doubled_area * 3));
+  CHECK(volume_of(model_of(meshes.leaves[5])) == to_integer(doubled_area * 3));
 }
 
 TEST_CASE("fractures in a block leave its volume as it is, as walls and sheets") {

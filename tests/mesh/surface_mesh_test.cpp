@@ -6,8 +6,8 @@
 #include "csg/result/flat.h"
 #include "kernel/base/error.h"
 #include "tests/catch.h"
-#include "tests/formats/mesh_readers.h"
 #include "tests/mesh/mesh_cases.h"
+#include "tests/scenes/mesh_readers.h"
 
 using namespace cnrg;
 using namespace cnrg::test;

@@ -9,8 +9,8 @@
 #include "csg/operators/cnrg.h"
 #include "kernel/base/error.h"
 #include "tests/catch.h"
-#include "tests/formats/mesh_readers.h"
 #include "tests/mesh/mesh_cases.h"
+#include "tests/scenes/mesh_readers.h"
 #include "tests/scenes/scene.h"
 #include "tests/scenes/seeds.h"
 

@@ -14,8 +14,8 @@
 #include "kernel/tetrahedra/bounds.h"
 #include "kernel/tetrahedra/shapes.h"
 #include "tests/catch.h"
-#include "tests/formats/mesh_readers.h"
 #include "tests/mesh/mesh_cases.h"
+#include "tests/scenes/mesh_readers.h"
 
 using namespace cnrg;
 using namespace cnrg::test;

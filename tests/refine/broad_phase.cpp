@@ -5,6 +5,7 @@
 
 #include "kernel/complex/complex.h"
 #include "kernel/exact/cross_filter.h"
+#include "kernel/exact/integers.h"
 #include "kernel/exact/plane_filter.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/box_pairs.h"
@@ -280,7 +281,7 @@ TEST_CASE("a plane of points that are known up to a width: what the filter decid
     PointTable table;
     std::vector<std::array<double, 3>> low;
     double width = 0;
-    const Rational grain(1, static_cast<unsigned long>(1) << integer(random, 1, 60));
+    const Rational grain = fraction(1, std::int64_t{1} << integer(random, 1, 60));
     for (int i = 0; i < 4; ++i) {
       RationalPoint p;
       for (Rational& x : p) x = from_double(real(random, -1, 1)) + grain * integer(random, 0, 9) / 7;

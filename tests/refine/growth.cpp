@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "kernel/complex/complex.h"
+#include "kernel/exact/integers.h"
 #include "kernel/exact/predicates.h"
 #include "tests/catch.h"
 #include "tests/scenes/fixture.h"
@@ -34,9 +35,9 @@ class Turn {
       q[k] = c * p[k] + s * (a[i] * p[j] - a[j] * p[i]) + along * a[k];
     }
     if (!fractions_) return soup.add_point(q[0], q[1], q[2]);
-    const Rational unit(1, 3486784401);
+    const Rational unit = fraction(1, 3486784401);
     RationalPoint r;
-    for (std::size_t k = 0; k < 3; ++k) r[k] = unit * Rational(static_cast<long>(std::llround(q[k] * 3486784401)));
+    for (std::size_t k = 0; k < 3; ++k) r[k] = unit * to_integer(std::llround(q[k] * 3486784401));
     return soup.add_point(r);
   }
 

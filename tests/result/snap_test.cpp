@@ -15,10 +15,10 @@
 #include "kernel/base/error.h"
 #include "kernel/selection/measure.h"
 #include "tests/catch.h"
-#include "tests/formats/mesh_readers.h"
 #include "tests/mesh/mesh_cases.h"
 #include "tests/result/region_volumes.h"
 #include "tests/result/stops.h"
+#include "tests/scenes/mesh_readers.h"
 
 using namespace cnrg;
 using namespace cnrg::test;

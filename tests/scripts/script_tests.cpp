@@ -13,6 +13,8 @@
 
 #include "tests/catch.h"
 
+extern const char kSuite[];  // the command that runs the tests of the room
+
 namespace cnrg {
 namespace {
 
@@ -23,7 +25,7 @@ struct Ended {
 
 /// Runs the suite; its errors are in the text, too.
 Ended suite(const std::string& argument) {
-  const std::string command = CNRG_SUITE " " + argument + " 2>&1";
+  const std::string command = std::string(kSuite) + " " + argument + " 2>&1";
   Ended ended;
   FILE* const pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return ended;

@@ -1,6 +1,7 @@
 // Sharing: which nodes become how many instances, and under which matrices.
 #include "csg/tree/unfold.h"
 
+#include <cstdint>
 #include <string>
 
 #include "kernel/exact/rational.h"
@@ -92,7 +93,7 @@ TEST_CASE("too many instances are an error, not the end of memory", "[tree][unfo
   for (int i = 1; i < 40; ++i) {
     const std::string last = "n" + std::to_string(i - 1);
     text += "  n" + std::to_string(i) + ": {union: [" + last + ", {simplify: " + last + ", translate: [" +
-            std::to_string(1L << i) + ", 0, 0]}]}\n";
+            std::to_string(std::int64_t{1} << i) + ", 0, 0]}]}\n";
   }
   const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + text + "result: n39\n", "t.yaml");
   CHECK_THROWS_WITH(unfold(tree, {tree.result}, 10'000), Catch::Contains("more than 10000 instances"));
@@ -107,7 +108,7 @@ TEST_CASE("as many instances as are allowed, and one more", "[tree][unfold][limi
   for (int i = 1; i <= 12; ++i) {
     const std::string last = "n" + std::to_string(i - 1);
     text += "  n" + std::to_string(i) + ": {union: [" + last + ", {simplify: " + last + ", translate: [" +
-            std::to_string(1L << i) + ", 0, 0]}]}\n";
+            std::to_string(std::int64_t{1} << i) + ", 0, 0]}]}\n";
   }
   const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + text + "result: n12\n", "t.yaml");
   constexpr std::size_t kAll = 8191 + 4095;

@@ -1,4 +1,4 @@
-#include "tests/formats/mesh_readers.h"
+#include "tests/scenes/mesh_readers.h"
 
 #include <algorithm>
 #include <cmath>
