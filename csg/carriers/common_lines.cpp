@@ -19,7 +19,7 @@ using Index = std::uint32_t;
 
 /// False for an axis whose numbers are too far apart for doubles, such as [1e300, 1, 0]: such a leaf stays as it
 /// is.
-bool fits(const RationalPoint& axis, const Transform& transform) {
+bool in_range_of_doubles(const RationalPoint& axis, const Transform& transform) {
   const RationalPoint direction = axis_line({0, 0, 0}, transform.apply_to_vector(axis)).direction;
   return to_double(dot(direction, direction)) < 1e300 && to_double(dot(axis, axis)) < 1e300;
 }
@@ -36,11 +36,11 @@ std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
   for (Index i = 0; i < instances.size(); ++i) {
     const CurvedForm* const form = instances[i].leaf->form().get();
     if (const auto* of = dynamic_cast<const RevolvedForm*>(form)) {
-      if (!fits(of->axis, instances[i].transform)) continue;
+      if (!in_range_of_doubles(of->axis, instances[i].transform)) continue;
       boxes.push_back(box_of(*of, instances[i].transform));
       revolved.push_back({i, instances[i].transform, boxes.back()});
     } else if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(form)) {
-      if (!fits(extrusion->shape.vector, instances[i].transform)) continue;
+      if (!in_range_of_doubles(extrusion->shape.vector, instances[i].transform)) continue;
       boxes.push_back(box_of(*extrusion, instances[i].transform));
     } else if (const auto* banded = dynamic_cast<const BandedForm*>(form)) {
       Box box;

@@ -25,7 +25,7 @@ namespace {
 
 using Ring = std::vector<PointId>;
 
-void check_count(const char* shape, const char* what, int count, int least) {
+void check_fineness(const char* shape, const char* what, int count, int least) {
   if (count >= least && count <= Fineness::kMostSegments) return;
   throw InputError(std::string(shape) + ": " + what + " is " + std::to_string(count) + ": give " +
                    (count < least ? "at least " + std::to_string(least)
@@ -128,7 +128,7 @@ void add_capped(LeafBuilder& builder, const Ring& bottom, const Ring& top,
 
 std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape, LeafParameters* record) {
   check_positive("cylinder", "radius", shape.radius);
-  check_count("cylinder", "segments", shape.segments, 3);
+  check_fineness("cylinder", "segments", shape.segments, 3);
   const RationalPoint along = shape.to - shape.from;
   if (is_zero(along)) throw InputError("cylinder: from and to are both " + describe(shape.from) + ": move one");
   std::vector<RationalPoint> points = circle(CircleFrame(along), shape.from, shape.radius, shape.segments);
@@ -149,7 +149,7 @@ std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape, LeafParameter
   if (shape.radius == shape.top) {
     return prepare_cylinder({shape.from, shape.to, shape.radius, shape.segments}, record);
   }
-  check_count("cone", "segments", shape.segments, 3);
+  check_fineness("cone", "segments", shape.segments, 3);
   const RationalPoint along = shape.to - shape.from;
   if (is_zero(along)) throw InputError("cone: from and to are both " + describe(shape.from) + ": move one");
   const CircleFrame frame(along);
@@ -167,9 +167,9 @@ std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape, LeafParameter
 
 std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParameters* record) {
   check_positive("sphere", "radius", shape.radius);
-  check_count("sphere", "segments", shape.segments, 3);
+  check_fineness("sphere", "segments", shape.segments, 3);
   const int rings = shape.rings == 0 ? std::max(2, shape.segments / 2) : shape.rings;
-  check_count("sphere", "rings", rings, 2);
+  check_fineness("sphere", "rings", rings, 2);
   check_facets("sphere", shape.segments, rings);
   LeafBuilder builder(Fill::winding, record);
   const std::size_t n = static_cast<std::size_t>(shape.segments);
@@ -217,8 +217,8 @@ std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape, LeafParamet
     throw InputError("torus: the tube's radius " + to_decimal(shape.tube) + " is not less than the radius " +
                      to_decimal(shape.radius) + ", it would meet itself: give a smaller tube");
   }
-  check_count("torus", "segments", shape.segments, 3);
-  check_count("torus", "rings", shape.rings, 3);
+  check_fineness("torus", "segments", shape.segments, 3);
+  check_fineness("torus", "rings", shape.rings, 3);
   check_facets("torus", shape.segments, shape.rings);
   if (is_zero(shape.axis)) throw InputError("torus: the axis is [0, 0, 0]: give a direction");
   const CircleFrame frame(shape.axis);

@@ -129,7 +129,7 @@ void CadCurves::place_points(Faceted& failed) {
         const Piece& piece = layout_.pieces()[i];
         if (piece.at.empty()) continue;
         const Handle(Geom_Curve) curve = occt::curve_of(parts_.curves[*parts_.edges[*piece.edge].curve]);
-        points_[p] = numbers(curve->Value(piece.points.front() == p ? piece.at.front() : piece.at.back()));
+        points_[p] = numbers(curve->Value(piece.points.front() == p ? piece.at.front() : piece.at.back()).XYZ());
         break;
       }
     } else if (std::any_of(charts.begin(), charts.end(), [](const Chart* c) { return !c->flat(); })) {
@@ -394,7 +394,7 @@ EdgeCurve CadCurves::make(Index number) const {
     for (std::size_t i = 1; i < 4 * n; ++i) {
       const double t = static_cast<double>(i) / static_cast<double>(4 * n);
       made.off = std::max(made.off,
-                          off(piece, numbers(made.curve->Value(made.first + t * (made.last - made.first))), near));
+                          off(piece, numbers(made.curve->Value(made.first + t * (made.last - made.first)).XYZ()), near));
     }
     return made;
   };
