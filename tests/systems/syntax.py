@@ -1,4 +1,4 @@
-"""Each file (or batch of files) below some folders, read by the compiler of a build with its warnings as errors, without code made of it.
+"""Reads files (or batches of them) below some folders by the compiler of a build, warnings as errors, without code made.
 
     syntax.py COMPILE_COMMANDS JOBS FOLDER...
 
