@@ -4,9 +4,7 @@
 // Messages are written by the system's `write`: streams and strings may need memory.
 #include "csg/app/memory.h"
 
-#include <execinfo.h>
 #include <gmp.h>
-#include <malloc.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -17,6 +15,11 @@
 #include <stdexcept>
 
 #include "csg/app/exit_status.h"
+
+#ifdef __GLIBC__
+#include <execinfo.h>
+#include <malloc.h>
+#endif
 
 namespace cnrg::app {
 namespace {
@@ -76,6 +79,7 @@ int memory_ran_out() noexcept {
 }
 
 void guard_ends() {
+#ifdef __GLIBC__
   // Where an exception leaves a function of the C library (std::call_once), the C library looks for the unwinder,
   // for which it needs memory; here it finds it while there is some.
   void* frame;
@@ -84,6 +88,7 @@ void guard_ends() {
   // next stage, but for the largest blocks.
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, 512 << 20);
+#endif
   mp_set_memory_functions(allocate, reallocate, release);
   std::set_terminate(end_uncaught);
 }

@@ -393,8 +393,8 @@ EdgeCurve CadCurves::make(Index number) const {
     std::map<const Chart*, CadParameters> near;
     for (std::size_t i = 1; i < 4 * n; ++i) {
       const double t = static_cast<double>(i) / static_cast<double>(4 * n);
-      made.off = std::max(made.off,
-                          off(piece, numbers(made.curve->Value(made.first + t * (made.last - made.first)).XYZ()), near));
+      made.off = std::max(
+          made.off, off(piece, numbers(made.curve->Value(made.first + t * (made.last - made.first)).XYZ()), near));
     }
     return made;
   };

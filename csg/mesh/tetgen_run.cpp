@@ -99,7 +99,14 @@ PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame f
   const MemoryFile result("TetGen");
   const SharedCount looked;
   const ChildLimits limits{.seconds = std::size_t(std::max(time.seconds, 0))};
-  const TetgenWork asked{letters(switches), frame, time.step, most_looks, &too_large, &looked};
+#ifdef CNRG_FORK
+  const int step = time.step;
+  const std::size_t most = most_looks;
+#else  // both would end the caller
+  const int step = 0;
+  const std::size_t most = 0;
+#endif
+  const TetgenWork asked{letters(switches), frame, step, most, &too_large, &looked};
   const auto work = [&] { return mesh(plc, asked, result); };
   const Deadline deadline(Watch{{}, stop}, time.clock);
   std::function<void()> meanwhile;

@@ -5,9 +5,13 @@
 // none. What the work returns is added to a status that no library is known to end a process with.
 #include "csg/text/child.h"
 
+#ifdef CNRG_FORK
+
 #include <signal.h>
 #include <sys/mman.h>
+#ifdef __linux__
 #include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -32,7 +36,8 @@ constexpr int kNoMemory = 98, kStrange = 99, kDone = 100;  // and up: what the w
 constexpr int kMostNumber = 150;
 
 /// Lowers a limit of this process, never raises it.
-void lower(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
+template <class Resource>
+void lower(Resource resource, rlim_t soft, rlim_t hard) {
   rlimit limit;
   if (getrlimit(resource, &limit) != 0) return;
   limit.rlim_cur = std::min(limit.rlim_cur, soft);
@@ -40,7 +45,7 @@ void lower(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   setrlimit(resource, &limit);
 }
 
-/// Bytes of memory of its own that this process has, as RLIMIT_DATA counts them.
+/// Bytes of memory of its own that this process has, as RLIMIT_DATA counts them; 0 where the system does not tell.
 std::size_t own_memory() {
   std::ifstream status("/proc/self/status");
   std::string word;
@@ -59,7 +64,9 @@ std::size_t seconds_of(const ChildLimits& limits) {
 }
 
 void obey(const ChildLimits& limits, std::size_t had, pid_t parent) {
+#ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
   if (getppid() != parent) _exit(kStrange);  // it has ended before that
   for (int number = 1; number < NSIG; ++number) signal(number, number == SIGXFSZ ? SIG_IGN : SIG_DFL);
   sigset_t none;
@@ -131,8 +138,15 @@ ChildEnd end_of(int status) {
 
 }  // namespace
 
-MemoryFile::MemoryFile(std::string owner)
-    : owner_(std::move(owner)), descriptor_(memfd_create("cnrg", MFD_CLOEXEC)) {
+MemoryFile::MemoryFile(std::string owner) : owner_(std::move(owner)) {
+#ifdef __linux__
+  descriptor_ = memfd_create("cnrg", MFD_CLOEXEC);
+#else  // a file that has lost its name
+  if (std::FILE* const file = std::tmpfile()) {
+    descriptor_ = dup(fileno(file));
+    std::fclose(file);
+  }
+#endif
   if (descriptor_ < 0) throw FileError(std::string("no file in memory: ") + std::strerror(errno));
 }
 MemoryFile::~MemoryFile() { close(descriptor_); }
@@ -229,3 +243,5 @@ ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const
 }
 
 }  // namespace cnrg
+
+#endif

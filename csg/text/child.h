@@ -10,6 +10,12 @@
 // same, the worst that can happen is a child that waits, and that ends with its time.
 #pragma once
 
+// Where the system has no fork the work is done in the process of the caller (child_direct.cpp): what crashes or
+// hangs there takes the caller with it, and limits are not kept.
+#if __has_include(<sys/wait.h>) && !defined(__EMSCRIPTEN__) && !defined(CNRG_NO_FORK)
+#define CNRG_FORK
+#endif
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -71,7 +77,10 @@ class MemoryFile {
 
  private:
   std::string owner_;
-  int descriptor_;
+  int descriptor_ = -1;
+  // Where there is no fork: what is in it, and where it is read.
+  mutable std::string bytes_;
+  mutable std::size_t at_ = 0;
   [[noreturn]] void fail() const;
   [[noreturn]] void fail_by_system() const;
   std::size_t seek(std::ptrdiff_t at, int whence) const;

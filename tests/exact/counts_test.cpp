@@ -1,11 +1,11 @@
 // Counts at their limits and beyond them.
 #include "kernel/base/counts.h"
 
-#include "tests/catch.h"
 #include <string>
 
 #include "kernel/base/ids.h"
 #include "kernel/base/union_find.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

@@ -1,12 +1,12 @@
 // Integers between machine and GMP, held against their decimal digits.
 #include "kernel/exact/integers.h"
 
-#include "tests/catch.h"
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "kernel/exact/points.h"
+#include "tests/catch.h"
 
 namespace cnrg {
 namespace {

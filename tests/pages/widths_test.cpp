@@ -4,13 +4,13 @@
 // A number that is cut off to the width of `long` is wrong on 64-bit Windows, on wasm and on 32-bit systems alone,
 // where no test of ours runs. So what would cut it off is found in the text of the sources.
 #include <algorithm>
-#include "tests/catch.h"
 #include <cctype>
 #include <filesystem>
 #include <regex>
 #include <string>
 #include <vector>
 
+#include "tests/catch.h"
 #include "tests/pages/page.h"
 
 namespace cnrg {

@@ -1,5 +1,6 @@
 // Where plug-ins are missing: this program is made without a place to look for them.
 #include "csg/evaluate/evaluate.h"
+#include "csg/formats/mesh_file.h"
 #include "csg/formats/result_file.h"
 #include "csg/picture/paint.h"
 #include "csg/text/plugin.h"

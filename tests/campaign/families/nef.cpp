@@ -103,7 +103,7 @@ void add_nef(Families& families) {
     properties::Tally tally;
     return properties::compare_with_nef(d, properties::evaluate(d), tally);
   };
-  dag.smaller = properties::smaller;
+  dag.smaller = [](const RandomDag& d) { return properties::smaller(d); };
   dag.text = properties::tree_file;
   add(families, dag);
 

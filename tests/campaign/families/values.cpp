@@ -191,7 +191,7 @@ void add_values(Families& families) {
       return properties::random_dag(seed + offset, properties::position_of(seed));
     };
     dag.compare = compare;
-    dag.smaller = properties::smaller;
+    dag.smaller = [](const RandomDag& d) { return properties::smaller(d); };
     dag.text = properties::tree_file;
     add(families, dag);
   };
