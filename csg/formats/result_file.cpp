@@ -86,7 +86,8 @@ const MeshFormat& mesh_format_of(const std::string& path, const std::string& oth
 /// Before the work.
 void require_plugin_of(const std::string& path) {
   const std::string extension = extension_of(path);
-  if (is_cad_file(path)) require_plugin(kCadPlugin, path, "write .msh or .json");
+  if (extension == ".step" || extension == ".stp" || extension == ".brep")
+    require_plugin(kCadPlugin, path, "write .msh or .json");
   if (extension == ".h5m" || extension == ".med") require_plugin(kHdf5Plugin, path, "write .msh or .vtu");
 }
 

@@ -35,7 +35,7 @@ std::string found(const std::string& package, const std::string& header = "STEPC
 std::string package(const std::string& toolkits) {
   return "set(OpenCASCADE_VERSION 7.8.1)\nset(OpenCASCADE_INCLUDE_DIR ${CMAKE_CURRENT_LIST_DIR}/include)\n"
          "foreach(toolkit " +
-         toolkits + ")\n  add_library(${toolkit} INTERFACE IMPORTED)\nendforeach()\n";
+         toolkits + ")\n  add_library(${toolkit} UNKNOWN IMPORTED)\nendforeach()\n";
 }
 
 TEST_CASE("OpenCASCADE is found by its toolkits before 7.8 and since", "[install]") {
