@@ -1,20 +1,16 @@
-// Points between the circles, their hull by CGAL, and what of it is an edge.
+// Points between the circles, their hull, and what of it is an edge.
 #include "csg/carriers/ball_hull.h"
-
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numbers>
 #include <set>
 
 #include "csg/carriers/point_lattice.h"
 #include "csg/geometry/circle.h"
 #include "csg/leaves/geometry_leaf.h"
+#include "kernel/exact/convex_hull.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 #include "kernel/refine/box_tree.h"
@@ -24,12 +20,6 @@ namespace {
 
 using Index = std::uint32_t;
 using Point3 = std::array<double, 3>;
-using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-
-Exact::FT exact_number(const Rational& value) {
-  using Number = std::decay_t<decltype(std::declval<Exact::FT>().exact())>;
-  return is_double(value) ? Exact::FT(to_double(value)) : Exact::FT(Number(value.get_mpq_t()));
-}
 
 /// Balls that no point between the circles may lie in: over each chord as its diameter, a little larger, and
 /// around each single point.
@@ -131,19 +121,8 @@ BallHull hull_of(const Ball& ball, const std::vector<SphereCircle>& circles,
   }
   BallHull hull;
   hull.points.assign(all.begin(), all.end());
-  std::vector<Exact::Point_3> exact;
-  std::map<Exact::Point_3, Index> number;
-  for (const RationalPoint& p : hull.points) {
-    exact.emplace_back(exact_number(p[0]), exact_number(p[1]), exact_number(p[2]));
-    number.emplace(exact.back(), static_cast<Index>(number.size()));
-  }
-  CGAL::Surface_mesh<Exact::Point_3> mesh;
-  CGAL::convex_hull_3(exact.begin(), exact.end(), mesh);
   std::set<std::array<Index, 2>> edges;
-  for (const auto f : mesh.faces()) {
-    std::vector<Index> corners;
-    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-      corners.push_back(number.at(mesh.point(v)));
+  for (const std::vector<Index>& corners : convex_hull(hull.points)) {
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
       hull.triangles.push_back({corners[0], corners[i], corners[i + 1]});
     for (std::size_t i = 0; i < corners.size(); ++i) edges.insert({corners[i], corners[(i + 1) % corners.size()]});

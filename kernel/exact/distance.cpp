@@ -2,7 +2,6 @@
 #include "kernel/exact/distance.h"
 
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <mpfr.h>
 
 #include <optional>
@@ -18,11 +17,13 @@
 #endif
 
 #include "kernel/base/error.h"
+#include "kernel/exact/lazy.h"
 
 namespace cnrg {
 namespace {
 
-using K = CGAL::Epeck;
+using K = lazy::Kernel;
+using lazy::point;
 using Segments = std::vector<K::Segment_3>;
 using Triangles = std::vector<K::Triangle_3>;
 #if __has_include(<CGAL/AABB_traits_3.h>)
@@ -37,19 +38,12 @@ using SegmentTree = Tree<CGAL::AABB_segment_primitive<K, Segments::const_iterato
 using TriangleTree = Tree<CGAL::AABB_triangle_primitive<K, Triangles::const_iterator>>;
 #endif
 
-// The exact type below CGAL's lazy one depends on how CGAL was set up; all of them are made of GMP's fractions.
-using Exact = std::decay_t<decltype(std::declval<K::FT>().exact())>;
-
-K::FT number(const Rational& value) {
-  return is_double(value) ? K::FT(to_double(value)) : K::FT(Exact(value.get_mpq_t()));
-}
 template <class Number>
 Rational rational(const Number& value) {
   if constexpr (requires { value.backend().data(); }) return Rational(value.backend().data());
   else if constexpr (requires { value.mpq(); }) return Rational(value.mpq());
   else return Rational(value);
 }
-K::Point_3 point(const RationalPoint& p) { return {number(p[0]), number(p[1]), number(p[2])}; }
 
 }  // namespace
 
