@@ -5,7 +5,6 @@
 #include <array>
 #include <exception>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -313,9 +312,9 @@ TetrahedralMesh snapped_in_time(Result& result, TetrahedraOptions options, SnapR
     }
     trial = {false, fault};
     options.foretold = foretold;  // others are made now
-    for (const double part : digits | std::views::reverse) {
+    for (auto part = digits.rbegin(); part != digits.rend(); ++part) {
       try {
-        if (auto made = made_of.joined(part, Joins::harmless, {}, make)) return std::move(*made);
+        if (auto made = made_of.joined(*part, Joins::harmless, {}, make)) return std::move(*made);
       } catch (const NearFault&) {
       }
     }

@@ -83,7 +83,9 @@ class FacetUniter {
     for (Index f = 0; f < normal_.size(); ++f) order.emplace_back(-dot(normal_[f], normal_[f]), f);
     std::sort(order.begin(), order.end());
     Index parts = 0;
-    for (const auto& [area, first] : order) {
+    for (const auto& entry : order) {
+      const double area = entry.first;
+      const Index first = entry.second;
       if (part_[first] != kNone) continue;
       part_[first] = parts;
       std::vector<Index> reached{first};

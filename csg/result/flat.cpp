@@ -318,7 +318,7 @@ class Flattener {
     if (face.patch) {
       for (const Cover& cover : complex_.cover(from.cells[0].face())) {
         const Soup::Face& source = complex_.sources[cover.source];
-        if (FlatComplex::Patch(source.leaf, source.patch) == *face.patch) return source.surface;
+        if (FlatComplex::Patch{source.leaf, source.patch} == *face.patch) return source.surface;
       }
     }
     const auto& all = common_of<std::uint32_t>(from, [&](const Cover& cover, const Soup::Face& source) {
@@ -334,7 +334,7 @@ class Flattener {
         if (source.surface != face.surface || !is_own(face, cover)) continue;
         for (PlacedCell& placed : view_.parameters->cells(cell.face(), std::span(&source.leaf, 1))) {
           if (placed.patch == source.patch)
-            face.cells_of_patches.emplace_back(FlatComplex::Patch(source.leaf, source.patch),
+            face.cells_of_patches.emplace_back(FlatComplex::Patch{source.leaf, source.patch},
                                                std::move(placed.corners));
         }
         break;
@@ -422,7 +422,7 @@ class Flattener {
                                              std::span<const LeafId> leaves) const {
     const auto& common = common_of<FlatComplex::Patch>(face, [&](const Cover&, const Soup::Face& source) {
       return source.leaf == complex_.frame ? std::nullopt
-                                           : std::optional(FlatComplex::Patch(source.leaf, source.patch));
+                                           : std::optional(FlatComplex::Patch{source.leaf, source.patch});
     });
     const auto own = std::find_if(common.begin(), common.end(), [&](const FlatComplex::Patch& patch) {
       return std::binary_search(leaves.begin(), leaves.end(), patch.first);
@@ -491,13 +491,13 @@ class Flattener {
       for (const FaceUse& use : complex_.edge_uses[e]) {
         for (const Cover& cover : complex_.cover(use.face)) {
           const Soup::Face& source = complex_.sources[cover.source];
-          if (counts(source.leaf)) around.emplace_back(source.leaf, source.patch);
+          if (counts(source.leaf)) around.push_back({source.leaf, source.patch});
         }
       }
       for (const SegmentId s : complex_.edge_segments[e]) {
         for (const WireId w : complex_.segment_wires[s]) {
           const Soup::Wire& wire = complex_.wires[w];
-          if (counts(wire.leaf)) on.emplace_back(wire.leaf, wire.leaf_edge);
+          if (counts(wire.leaf)) on.push_back({wire.leaf, wire.leaf_edge});
         }
       }
       keep_common(patches, around, i == 0);

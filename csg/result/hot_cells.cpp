@@ -132,7 +132,7 @@ std::vector<Xyz> where_near(const std::vector<std::array<Xyz, 2>>& segments, dou
   std::vector<std::vector<Xyz>> found(segments.size());
   for_each_index(segments.size(), [&](std::size_t s) {
     if (s % kUncheckedSegments == 0) watch.check();
-    const auto& [a, b] = segments[s];
+    const Xyz &a = segments[s][0], &b = segments[s][1];
     const Xyz p = minus(b, a);
     tree.query([&](const Box& box) { return segment_meets(a, p, box); },
                [&](std::uint32_t t) {

@@ -201,7 +201,7 @@ class Router {
 
   /// The new corners on an edge, in its order.
   std::vector<Corner> corners_on(EdgeId e) const {
-    const auto& [a, b] = complex_.edge_ends[e];
+    const VertexId a = complex_.edge_ends[e][0], b = complex_.edge_ends[e][1];
     std::vector<HotCells::Pass> passes = cells_.along(here_[a.index()], here_[b.index()]);
     std::erase_if(passes, [&](const HotCells::Pass& pass) {
       return pass.cell == cell_[a.index()] || pass.cell == cell_[b.index()];

@@ -194,9 +194,10 @@ std::vector<Index> closed_cells(const Parts& parts, const Parts::Cell& cell) {
   if (cell.dimension == 1)
     out.assign(flat.edges[cell.number].points.begin(), flat.edges[cell.number].points.end());
   if (cell.dimension == 2) {
-    for (const Parts::Facet& facet :
-         std::ranges::equal_range(parts.facets(), cell.number, {}, [](const Parts::Facet& f) { return f.face; }))
-      out.insert(out.end(), facet.corners.begin(), facet.corners.end());
+    const std::vector<Parts::Facet>& facets = parts.facets();  // ascending by face
+    auto facet = std::ranges::lower_bound(facets, cell.number, {}, &Parts::Facet::face);
+    for (; facet != facets.end() && facet->face == cell.number; ++facet)
+      out.insert(out.end(), facet->corners.begin(), facet->corners.end());
   }
   sort_unique(out);
   return out;

@@ -282,7 +282,9 @@ class RoundWelder {
   /// Axes that meet in the centres of balls go through these: through the two that are farthest apart.
   static std::map<AxisLine, AxisLine> through_corners(const std::map<AxisLine, std::set<RationalPoint>>& corners) {
     std::map<AxisLine, AxisLine> moved;
-    for (const auto& [line, points] : corners) {
+    for (const auto& entry : corners) {
+      const AxisLine& line = entry.first;
+      const std::set<RationalPoint>& points = entry.second;
       if (std::all_of(points.begin(), points.end(), [&](const RationalPoint& p) { return line.holds(p); }))
         continue;
       const auto before = [&](const RationalPoint& p, const RationalPoint& q) {
