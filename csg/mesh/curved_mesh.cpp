@@ -2,9 +2,6 @@
 #include "csg/mesh/curved_mesh.h"
 
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <map>
 #include <set>
@@ -17,6 +14,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
+#include "kernel/refine/box_tree.h"
 
 namespace cnrg {
 namespace {
@@ -50,25 +48,31 @@ class SurfaceChart {
       }
     }
     for (std::size_t d = 0; d < 2; ++d) start.reach[d] = 4 * (high[d] - low[d]);  // more at poles
-    entries_.emplace_back(Place(at[0], at[1], at[2]), starts_.size());
+    places_.emplace_back().extend(at, at);
     starts_.push_back(start);
   }
-  void settle() { tree_ = Tree(entries_); }
+  void settle() { tree_.emplace(places_); }
 
   /// Up to `count` sites to begin at for a point, the nearest first.
   std::vector<SurfaceSite> sites(const Point& p, unsigned count) const {
-    std::vector<Entry> found;
-    tree_.query(boost::geometry::index::nearest(Place(p[0], p[1], p[2]), count), std::back_inserter(found));
-    std::sort(found.begin(), found.end(), [&](const Entry& a, const Entry& b) {
-      const auto square = [&](const Entry& e) {
-        return boost::geometry::comparable_distance(e.first, Place(p[0], p[1], p[2]));
-      };
-      return std::pair(square(a), a.second) < std::pair(square(b), b.second);
-    });
+    const auto square = [&](const Box& box) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double off = std::max({box.lo[k] - p[k], p[k] - box.hi[k], 0.0});
+        sum += off * off;
+      }
+      return sum;
+    };
+    std::set<std::pair<double, std::size_t>> found;  // squares of distances
+    tree_->query([&](const Box& box) { return found.size() < count || square(box) <= found.rbegin()->first; },
+                 [&](std::uint32_t i) {
+                   found.emplace(square(places_[i]), i);
+                   if (found.size() > count) found.erase(std::prev(found.end()));
+                 });
     std::vector<SurfaceSite> result;
     result.reserve(found.size());
-    for (const Entry& entry : found) {
-      const Start& start = starts_[entry.second];
+    for (const auto& [distance, i] : found) {
+      const Start& start = starts_[i];
       result.push_back({start.patch, start.at, start.reach, {}, {}});
     }
     return result;
@@ -79,12 +83,9 @@ class SurfaceChart {
     const PlacedSurface* patch;
     std::array<double, 2> at{0, 0}, reach{0, 0};
   };
-  using Place = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-  using Entry = std::pair<Place, std::size_t>;
-  using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>>;
   std::vector<Start> starts_;
-  std::vector<Entry> entries_;
-  Tree tree_;
+  std::vector<Box> places_;  // of no size
+  std::optional<BoxTree> tree_;
 };
 
 /// What a face of the result lies on: a surface, or a plane, or nothing that is known.

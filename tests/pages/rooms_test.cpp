@@ -169,5 +169,35 @@ TEST_CASE("paths that the pages of rooms name are there", "[pages][rooms]") {
   }
 }
 
+// A header of these takes the compiler one to eight seconds in each file that it reaches. Who needs what is in it
+// calls the files that have it. (CGAL/Interval_nt.h is precompiled.)
+TEST_CASE("headers of others that are slow to compile stand behind few files", "[pages][rooms]") {
+  static const std::map<std::string, std::set<std::string>> known{
+      {"CGAL/(?!Interval_nt)",
+       {"csg/app/versions.cpp", "kernel/exact/convex_hull.cpp", "kernel/exact/delaunay.cpp",
+        "kernel/exact/distance.cpp", "kernel/exact/lazy.h", "kernel/exact/triangulate.cpp"}},
+      {"CGAL/Interval_nt", {"kernel/exact/enclosure.h"}},
+      {"boost/(?!version)", {"csg/formats/dag_graph.cpp", "csg/topology/region_graph.cpp", "csg/tree/dag.cpp"}},
+      {"nlohmann/",
+       {"csg/compare/difference.cpp", "csg/explain/story.cpp", "csg/formats/glb.cpp", "csg/topology/topology.cpp",
+        "csg/view/node_data.h"}},
+      {"yaml-cpp/", {"csg/python/tree.cpp", "csg/tree/yaml_value.cpp", "csg/tree/yaml_value.h"}},
+      {"CLI/", {"csg/app/main.cpp", "csg/app/program_text.cpp"}}};
+  std::map<std::string, std::set<std::string>> found;
+  for (const fs::path& file : sources()) {
+    const std::string name = name_of(file);
+    if (!name.starts_with("kernel/") && !name.starts_with("csg/")) continue;
+    if (file.extension() != ".cpp" && file.extension() != ".h") continue;
+    const std::string text = text_of(file);
+    for (const auto& [header, files] : known) {
+      if (std::regex_search(text, std::regex("#include <" + header))) found[header].insert(name);
+    }
+  }
+  for (const auto& [header, files] : known) {
+    INFO("#include <" << header);
+    CHECK(found[header] == files);
+  }
+}
+
 }  // namespace
 }  // namespace cnrg
