@@ -60,7 +60,7 @@ namespace {
 
 using Index = FlatComplex::Index;
 
-std::string quoted(std::string_view value) {
+std::string json_quoted(std::string_view value) {
   std::string text;
   append_json(text, value);
   return text;
@@ -89,10 +89,10 @@ class JsonWriter {
   explicit JsonWriter(const ResultView& view) : view_(view), flat_(flatten(view)) {}
 
   std::string run() {
-    text_ = "{\n\"format\": \"cnrg result\",\n\"version\": 1,\n\"node\": " + quoted(view_.node) +
+    text_ = "{\n\"format\": \"cnrg result\",\n\"version\": 1,\n\"node\": " + json_quoted(view_.node) +
             ",\n\"group\": " + (view_.value->is_group() ? "true" : "false");
     if (view_.value->is_group()) {
-      text_ += ",\n\"dominance\": " + quoted(to_string(view_.value->group().dominance));
+      text_ += ",\n\"dominance\": " + json_quoted(to_string(view_.value->group().dominance));
     }
     leaves();
     number_said();

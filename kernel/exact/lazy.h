@@ -1,5 +1,5 @@
-// CGAL's kernel of lazy numbers, and the way there from ours: for the files that include CGAL's algorithms over
-// it, which are the dearest of the house to compile, and so are all in this room, in one batch.
+// CGAL's kernel of lazy numbers, and the way there from ours, for the files that include CGAL's algorithms over
+// it: the dearest of the house to compile, so that they are all in this room.
 #pragma once
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
