@@ -8,7 +8,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
-#include "kernel/exact/predicates.h"
+#include "kernel/complex/radial.h"
 
 namespace cnrg {
 
@@ -190,38 +190,15 @@ void ComplexBuilder::find_vertices() {
 /// Around an edge with direction d, the half-plane of a use lies at n x (+-d). The sine of the angle from one use
 /// to another has the sign of d . (n x n'), times both directions; it is zero only for two sides of one sheet.
 void ComplexBuilder::order_radially() {
-  const PointTable& t = c_.points;
   const auto sort_uses = [&](std::size_t i) {
     const EdgeId e = junctions_[i];
     const auto uses = c_.edge_uses[e];
     if (uses.size() < 3) return;
-    const auto [a, b] = c_.edge_ends[e];
-    const PointView va = t.view(a), vb = t.view(b);
-    int k = -1, direction = 0;
-    double best = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double up = vb.lo[axis] - va.hi[axis], down = va.lo[axis] - vb.hi[axis];
-      if (std::max(up, down) > best) {
-        best = std::max(up, down);
-        k = axis;
-        direction = up > 0 ? 1 : -1;
-      }
-    }
-    for (int axis = 0; axis < 3 && k < 0; ++axis) {
-      direction = compare(t, axis, b, a);
-      if (direction != 0) k = axis;
-    }
-    const auto sine = [&](const FaceUse& x, const FaceUse& y) {
-      const SheetId sx = c_.face_sheet[x.face], sy = c_.face_sheet[y.face];
-      if (sx == sy) return 0;
-      const int s = cross_normal_sign(t, c_.sheet_plane[sx], c_.sheet_plane[sy], k) * direction;
-      require(s != 0, "coplanar faces at one edge are in two sheets");
-      return x.half_edge.direction() == y.half_edge.direction() ? s : -s;
-    };
+    const RadialOrder radial(c_, e);
     const FaceUse first = uses[0];
     const auto turn = [&](const FaceUse& x) {  // 0: the first; 1: less than half a turn; 2: half; 3: more
       if (x == first) return 0;
-      const int s = sine(first, x);
+      const int s = radial.sine(first, x);
       return s > 0 ? 1 : (s == 0 ? 2 : 3);
     };
     std::vector<std::pair<int, FaceUse>> order;
@@ -229,7 +206,7 @@ void ComplexBuilder::order_radially() {
     std::sort(order.begin(), order.end(), [&](const auto& x, const auto& y) {
       if (x.first != y.first) return x.first < y.first;
       if (x.second == y.second) return false;
-      const int s = sine(x.second, y.second);
+      const int s = radial.sine(x.second, y.second);
       require(s != 0, "two faces leave an edge in one half plane");
       return s > 0;
     });

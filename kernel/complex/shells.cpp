@@ -137,7 +137,7 @@ void ComplexBuilder::hang_wires() {
   for (std::size_t i = 0; i < nodes.size(); ++i) space_.unite(nodes[i], found[i]);
 }
 
-/// Numbers are those of first appearance: infinity, then by half-faces. Shells are in the order of half-faces.
+/// Infinity is the first; all others are in the order of region_order.cpp.
 void ComplexBuilder::number_regions() {
   std::vector<RegionId> region_of(space_.size());  // of the nodes of space_
   const auto number = [&](std::uint32_t node) {
@@ -148,6 +148,8 @@ void ComplexBuilder::number_regions() {
   const auto infinity = static_cast<std::uint32_t>(shell_count_);
   number(infinity);
   for (std::uint32_t n = 0; n < space_.size(); ++n) number(n);
+  const std::vector<std::uint32_t> places = places_of_regions(region_of);
+  for (RegionId& region : region_of) region = RegionId(places[region.index()]);
   list_region_faces(region_of);
 
   const std::size_t first_wire = infinity + 1, first_loose = first_wire + wires_.size();
