@@ -1,6 +1,7 @@
 // `cnrg-eval`: the rows of a tree and its exact file, and nothing else: kernel and evaluation alone. A build has
 // it long before `cnrg`, and one without other libraries has no other program.
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 #include <span>
 #include <string_view>
@@ -19,11 +20,12 @@ namespace cnrg::app {
 namespace {
 
 constexpr const char* kUsage =
-    "Usage: cnrg-eval TREE [--node N]... [-o FILE.json] [--trace]\n"
+    "Usage: cnrg-eval TREE [--node N]... [-o FILE.json] [--trace] [--threads N]\n"
     "Evaluates a tree: one row per node, and the exact file of the result or of one --node.\n\n"
     "  --node N      Evaluate this node, too\n"
     "  -o FILE.json  Write this file: the result, or the --node\n"
     "  --trace       Under each row: what each table row removed, volumes of regions\n"
+    "  --threads N   Use N threads; 0 is one per core\n"
     "  --version     Versions of cnrg and of the libraries in it\n\n"
     "`cnrg eval` does more. Exit status: 0 done, 2 bad input, 3 a file could not be read or written or memory "
     "ran\n"
@@ -33,10 +35,19 @@ struct Arguments {
   std::string tree, file;
   std::vector<std::string> nodes;
   bool trace = false;
+  int threads = 0;
 };
 
 [[noreturn]] void refuse(const std::string& what) {
   throw InputError("cnrg-eval: error: " + what + "; see `cnrg-eval --help`");
+}
+
+int threads_of(const std::string& text) {
+  int threads = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
+  if (error != std::errc() || end != text.data() + text.size() || threads < 0 || threads > 4096)
+    refuse("--threads takes a number from 0 to 4096, not " + text);
+  return threads;
 }
 
 Arguments arguments_of(std::span<char*> words) {
@@ -45,10 +56,13 @@ Arguments arguments_of(std::span<char*> words) {
     const std::string word = words[i];
     const auto value = [&] {
       if (i + 1 == words.size()) refuse(word + " needs a value");
-      return std::string(words[++i]);
+      std::string given = words[++i];
+      if (given.empty()) refuse(word + ": the value is empty");
+      return given;
     };
     if (word == "--trace") out.trace = true;
     else if (word == "--node") out.nodes.push_back(value());
+    else if (word == "--threads") out.threads = threads_of(value());
     else if (word == "-o" && out.file.empty()) out.file = value();
     else if (word.size() > 1 && word[0] == '-') refuse("not expected: " + word);
     else if (!out.tree.empty()) refuse("one tree is expected, not also " + word);
@@ -77,17 +91,18 @@ int evaluate_as_told(std::span<char*> words) {
   }
   EvaluateOptions options;
   options.region_volumes = arguments.trace;
+  options.threads = arguments.threads;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));
   const Evaluation evaluation = evaluate_in_view(tree, options, false, &clock);
   clock.begin("crossings");
   const bool crosses = tell_uncertain(tree, evaluation, false);
   clock.begin("results");
+  std::cout << row_table(evaluation, stage_rows(clock, evaluation, crosses, true), false, arguments.trace);
+  if (arguments.trace) std::cout << refinement_summary(evaluation);
   if (!arguments.file.empty()) {
     const Result result = evaluation.result(options.nodes.empty() ? tree.result : options.nodes.front());
     replace_file(arguments.file, result_json(result.data().view()));
   }
-  std::cout << row_table(evaluation, stage_rows(clock, evaluation, crosses, true), false, arguments.trace);
-  if (arguments.trace) std::cout << refinement_summary(evaluation);
   return kDone;
 }
 

@@ -119,7 +119,7 @@ void require_distinct(const std::vector<std::string>& files) {
     std::error_code code;
     const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(file), code);
     if (seen.insert(code ? std::filesystem::path(file) : place).second) continue;
-    throw InputError("cnrg: error: the file " + file + " is given by two -o; give each its own name");
+    throw InputError("the file " + file + " is given by two -o; give each its own name");
   }
 }
 
@@ -128,7 +128,7 @@ void require_writable(const std::vector<std::string>& files, const Tree& tree) {
     for (const std::string& file : files) {
       std::error_code code;  // of what is not there
       if (!std::filesystem::equivalent(file, input, code)) continue;
-      throw InputError("cnrg: error: -o " + file + " would replace " + what + "; give another name");
+      throw InputError("-o " + file + " would replace " + what + "; give another name");
     }
   };
   if (files.empty()) return;

@@ -32,6 +32,11 @@ void say(const char* text) noexcept {
   }
 }
 
+const char* program = "cnrg";
+void say_error(const char* text) noexcept {
+  for (const char* part : {program, ": error: ", text}) say(part);
+}
+
 /// Threads that run out of memory together say it once: the first ends the program, the others wait for that.
 [[noreturn]] void end_without_memory() {
   static std::atomic_flag ending;
@@ -57,16 +62,16 @@ void release(void* memory, std::size_t) { std::free(memory); }
   } catch (const std::bad_alloc&) {
     end_without_memory();
   } catch (const std::runtime_error& e) {
-    say("cnrg: error: the system refused: ");
+    say_error("the system refused: ");
     say(e.what());
     say("; free memory or use --threads 1\n");
     std::_Exit(kNoAccess);
   } catch (const std::exception& e) {
-    say("cnrg: error: nothing caught this: ");
+    say_error("nothing caught this: ");
     say(e.what());
     say("\n");
   } catch (...) {
-    say("cnrg: error: nothing caught an exception of an unknown kind\n");
+    say_error("nothing caught an exception of an unknown kind\n");
   }
   std::_Exit(kBug);
 }
@@ -74,11 +79,12 @@ void release(void* memory, std::size_t) { std::free(memory); }
 }  // namespace
 
 int memory_ran_out() noexcept {
-  say("cnrg: error: memory ran out; use fewer segments or a smaller tree, or --threads 1\n");
+  say_error("memory ran out; use fewer segments or a smaller tree, or --threads 1\n");
   return kNoAccess;
 }
 
-void guard_ends() {
+void guard_ends(const char* name) {
+  program = name;
 #ifdef __GLIBC__
   // Where an exception leaves a function of the C library (std::call_once), the C library looks for the unwinder,
   // for which it needs memory; here it finds it while there is some.

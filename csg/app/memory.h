@@ -10,6 +10,7 @@ int memory_ran_out() noexcept;
 
 /// Gives GMP allocators that end the program by `memory_ran_out`, and std::terminate a line that says why; and
 /// lets malloc keep what is freed. Call it first of all.
-void guard_ends();
+/// `name` of the program begins messages; it lives as long as the program.
+void guard_ends(const char* name);
 
 }  // namespace cnrg::app

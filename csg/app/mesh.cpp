@@ -16,6 +16,7 @@
 #include "csg/mesh/forecast.h"
 #include "csg/text/file.h"
 #include "csg/text/input_file.h"
+#include "csg/text/plugin.h"
 #include "csg/text/table.h"
 #include "csg/topology/features.h"
 #include "csg/view/mesh_page.h"
@@ -336,6 +337,7 @@ int run_mesh(const MeshArguments& arguments) {
   for (const std::string& path : arguments.files) {  // before the work, not after it
     if (is_page(path)) {
       require_no_directory(path);
+      require_plugin(kPaperPlugin, path, "leave the page out");
       continue;
     }
     if (arguments.curved || arguments.options.order == 2) check_second_order_file_name(path, kPage);

@@ -50,7 +50,7 @@ int guarded(const std::string& name, const std::function<int()>& program) {
 }  // namespace
 
 int run_program(const std::string& name, const std::function<int()>& program) {
-  guard_ends();
+  guard_ends(name.c_str());
   occupy_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond `ulimit -f` is an error of its write
   std::signal(SIGCHLD, SIG_DFL);  // who starts us may have ignored it, and then no child could be waited for

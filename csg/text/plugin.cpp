@@ -6,8 +6,10 @@
 #include <dlfcn.h>
 #endif
 
+#include <cstring>
 #include <map>
 #include <mutex>
+#include <sstream>
 #include <utility>
 
 #include "kernel/base/error.h"
@@ -18,18 +20,41 @@ namespace {
 /// A module, or why there is none.
 struct Opened {
   void* module = nullptr;
-  std::string reason;
+  std::string fault;
 };
 
+/// CNRG_PLUGINS are the names of those that were built with this file.
+bool is_built(const Plugin& plugin) {
+  std::istringstream names(CNRG_PLUGINS);
+  for (std::string name; names >> name;) {
+    if (name == plugin.name) return true;
+  }
+  return false;
+}
+
 Opened open(const Plugin& plugin) {
+  const std::string file = std::string("cnrg_") + plugin.name + ".so", library = plugin.library;
+  if (!is_built(plugin)) {
+    return {nullptr, "this cnrg was built without " + library + ": install " + plugin.package +
+                         " and build cnrg again with " + plugin.option + "=ON"};
+  }
 #if __has_include(<dlfcn.h>)
-  const std::string file = std::string("cnrg_") + plugin.name + ".so";
   // Its own symbols come first: another HDF5 in the process of a Python program is not to answer for ours.
-  if (void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return {module, {}};
-  const char* const error = dlerror();
-  return {nullptr, error != nullptr ? error : "no reason given"};
+  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (module == nullptr) {
+    const char* const error = dlerror();
+    return {nullptr, "the plug-in for " + library + " cannot be opened (" +
+                         (error != nullptr ? error : "no reason given") +
+                         "): install or build cnrg again, with it"};
+  }
+  using Stamp = const char*();
+  void* const stamp = dlsym(module, "cnrg_plugin_stamp");
+  if (stamp == nullptr || std::strcmp(reinterpret_cast<Stamp*>(stamp)(), CNRG_PLUGIN_STAMP) != 0) {
+    return {nullptr, "the file " + file + " that was found is no plug-in for " + library +
+                         " of this build of cnrg: install or build cnrg again, with it"};
+  }
+  return {module, {}};
 #else
-  (void)plugin;
   return {nullptr, "this system opens no modules"};
 #endif
 }
@@ -45,12 +70,7 @@ const Opened& opened(const Plugin& plugin) {
 
 }  // namespace
 
-std::string plugin_fault(const Plugin& plugin) {
-  const std::string& reason = opened(plugin).reason;
-  if (reason.empty()) return {};
-  return std::string("this cnrg has no ") + plugin.library + " (" + reason + "): install " + plugin.package +
-         " and build cnrg again";
-}
+std::string plugin_fault(const Plugin& plugin) { return opened(plugin).fault; }
 
 void require_plugin(const Plugin& plugin, const std::string& subject, const std::string& instead) {
   if (const std::string fault = plugin_fault(plugin); !fault.empty())
@@ -61,7 +81,7 @@ void* plugin_symbol(const Plugin& plugin, const char* name) {
   if (const std::string fault = plugin_fault(plugin); !fault.empty()) throw InputError(fault);
 #if __has_include(<dlfcn.h>)
   void* const symbol = dlsym(opened(plugin).module, name);
-  require(symbol != nullptr, "a plug-in of another build");
+  require(symbol != nullptr, std::string("no function ") + name + " in a plug-in");
   return symbol;
 #else
   (void)name;

@@ -4,7 +4,8 @@
 //
 // A plug-in is a module `cnrg_NAME.so` that exports functions with C linkage. It is opened when somebody asks for
 // a function of it, and never closed. It is searched for where the program, or the Python module, says (RUNPATH).
-// Functions throw as any other does.
+// Functions throw as any other does. Structures of C++ cross the border, so only plug-ins that were built with the
+// program are used: each exports a stamp of all headers and of the compiler.
 //
 //   const auto write = CNRG_PLUGIN_FUNCTION(kPaperPlugin, cnrg_paper_png);   // declared in a header of the room
 #pragma once
@@ -16,13 +17,14 @@ namespace cnrg {
 struct Plugin {
   const char* name;     ///< of the module: `cad` is `cnrg_cad.so`
   const char* library;  ///< what is in it
+  const char* option;   ///< of CMake, which is OFF in a build without it
   const char* package;  ///< that Debian has it in, for who builds
 };
-inline constexpr Plugin kCadPlugin{"cad", "OpenCASCADE", "libocct-data-exchange-dev"};
-inline constexpr Plugin kHdf5Plugin{"hdf5", "HDF5", "libhdf5-dev"};
-inline constexpr Plugin kPaperPlugin{"paper", "cairo with FreeType and the font DejaVu Sans",
+inline constexpr Plugin kCadPlugin{"cad", "OpenCASCADE", "CNRG_OPENCASCADE", "libocct-data-exchange-dev"};
+inline constexpr Plugin kHdf5Plugin{"hdf5", "HDF5", "CNRG_HDF5", "libhdf5-dev"};
+inline constexpr Plugin kPaperPlugin{"paper", "cairo with FreeType and the font DejaVu Sans", "CNRG_CAIRO",
                                      "libcairo2-dev libfreetype-dev fonts-dejavu-core"};
-inline constexpr Plugin kTetgenPlugin{"tetgen", "TetGen", "libtet1.5-dev"};
+inline constexpr Plugin kTetgenPlugin{"tetgen", "TetGen", "CNRG_TETGEN", "libtet1.5-dev"};
 inline constexpr const Plugin* kPlugins[] = {&kCadPlugin, &kHdf5Plugin, &kPaperPlugin, &kTetgenPlugin};
 
 /// Why the plug-in cannot be used, and how to get it; empty if it can.

@@ -10,9 +10,8 @@ namespace cnrg {
 namespace {
 
 std::string fault_of(const Plugin& plugin) {
-  return std::string("this cnrg has no ") + plugin.library + " (cnrg_" + plugin.name +
-         ".so: cannot open shared object file: No such file or directory): install " + plugin.package +
-         " and build cnrg again";
+  return std::string("the plug-in for ") + plugin.library + " cannot be opened (cnrg_" + plugin.name +
+         ".so: cannot open shared object file: No such file or directory): install or build cnrg again, with it";
 }
 
 TEST_CASE("a plug-in that is missing says what to install, and why it is not there", "[plugins]") {
