@@ -172,7 +172,7 @@ TEST_CASE("a mesh in memory is what the same mesh is in a file") {
   data->exact.emplace_back(3, RationalPoint{0, 0, r("1/3")});  // nearest to no double
   data->corners = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
   data->offsets = {0, 3, 6, 9, 12};
-  const Soup soup = soup_of(MeshShape{.file = {}, .data = data});
+  const Soup soup = soup_of(MeshShape{.file = {}, .fill = {}, .data = data});
   CHECK(soup.fill(LeafId(0)) == Fill::winding);
   CHECK(volume(soup) == r("1/18"));
   data->offsets = {0, 3, 6, 9};

@@ -27,7 +27,7 @@ result: solid
 const Node& node(const Tree& tree, const std::string& name) { return tree.nodes[tree.find(name)]; }
 
 template <class T>
-const T& shape(const Tree& tree, const std::string& name) {
+const T& shape(const Tree& tree, const char* name) {
   return std::get<T>(*node(tree, name).shape);
 }
 

@@ -340,7 +340,8 @@ class SaidTable(Sequence[Said]):
     def values(self, key: str, said: Ints) -> list[Fraction | str | None]:
         """Of each cell the attribute of this key, exactly; None where it has none. said: of these cells."""
         of = [one.attributes.get(key) for one in self._said] + [None]  # the last for -1
-        return [of[place] for place in said.tolist()]
+        places: Any = said.tolist()
+        return [of[place] for place in places]
 
     def _tags(self, said: Ints, dimension: Ints | int) -> dict[str, Any]:
         """Cell data as of a .vtu: numbers as (n,) float64, NaN where there is none; texts, and the names of cells of

@@ -440,8 +440,8 @@ class Result:
             "component": cells.component[numbers],
             "region": cells.holder[numbers],
         }
-        sides = np.zeros((len(numbers), 2), dtype=np.int32)
-        bounded = np.full(len(numbers), -1, dtype=np.int32)
+        sides: NDArray[np.int32] = np.zeros((len(numbers), 2), dtype=np.int32)
+        bounded: NDArray[np.int32] = np.full(len(numbers), -1, dtype=np.int32)
         if isinstance(cells, Faces):
             of = cells.regions[numbers]
             component = np.append(regions.component, np.int32(0))  # of region -1, too
@@ -540,8 +540,9 @@ class Result:
                 raise InputError(f"{many} the name {region!r}; names are: {known}; numbers: {active.tolist()}")
             return found[0]
         number = operator.index(region)
-        if number not in active.tolist():
-            raise InputError(f"the result has no region of this number; there are {active.tolist()}")
+        numbers: Any = active.tolist()
+        if number not in numbers:
+            raise InputError(f"the result has no region of this number; there are {numbers}")
         return number
 
     # --- pictures
