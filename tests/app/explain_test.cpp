@@ -61,7 +61,7 @@ split  union, A > B  line 6  kept: entity
     AinB       kept by union.face.AinB.dominant, which never removes
 hole   box           line 5  inside region 1 `hole`
 model  difference    line 7  removed; outside
-    A = split  face, region 1 `block` where n points, region 2 `block` behind: numRegA = 2
+    A = split  face, region 2 `block` where n points, region 1 `block` behind: numRegA = 2
     B = hole   inside region 1 `hole`
     AinB       removed by difference.face.AinB, which always removes
 solid  regularize    line 8  outside

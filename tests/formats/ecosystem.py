@@ -211,7 +211,7 @@ def written():
         close(enclosed(grid.select("triangle", dimension=3, region=region)), volume)
     close(enclosed(grid.select("triangle", dimension=3, material="granite")), 18)
     close(areas(msh.select("triangle", "wall rock 1 | seam")).sum(), 9)
-    close(areas(msh.select("triangle", "wall rock 2 | seam")).sum(), 9)
+    close(areas(msh.select("triangle", "wall seam | rock 3")).sum(), 9)
     close(areas(msh.select("triangle", "face of flap")).sum(), 1)
     close(lengths(msh.select("line", "wire of cable")).sum(), 7)
     assert msh.select("vertex", "point of mark").tolist() == [[[6, 6, 6]]]

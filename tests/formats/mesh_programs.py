@@ -38,10 +38,10 @@ nodes:
   m:     {union: [rock, seam, flap, bolt, cable, mark], dominance: right}
 result: m
 """
-VOLUMES = {"rock 1": 9, "rock 2": 9, "seam": 9, "material granite": 18, "material ore": 9}
+VOLUMES = {"rock 1": 9, "rock 3": 9, "seam": 9, "material granite": 18, "material ore": 9}
 # The outer skin of each third is 1 x 3 four times, and of the outer two one square of 9 more.
-BOUNDARIES = {"boundary of rock 1": 21, "boundary of rock 2": 21, "boundary of seam": 12,
-              "wall rock 1 | seam": 9, "wall rock 2 | seam": 9, "from rock": 54, "from seam": 30}
+BOUNDARIES = {"boundary of rock 1": 21, "boundary of rock 3": 21, "boundary of seam": 12,
+              "wall rock 1 | seam": 9, "wall seam | rock 3": 9, "from rock": 54, "from seam": 30}
 SHEETS = {"flap: a sheet": 1, "from flap": 1}
 WIRES = {"bolt": 1, "material steel": 1, "wire of cable": 7}
 ALL = {**{(3, name): value for name, value in VOLUMES.items()}, **{(1, name): value for name, value in WIRES.items()},
@@ -252,7 +252,7 @@ def in_calculix(order, text, of):
     for name in ("bolt", "wire of cable"):
         deck += [f"*SOLID SECTION, ELSET={of(name)}, MATERIAL=M", ".01"]
     deck += ["*BOUNDARY"] + [f"{of(name)}, 1, 3" for name in (
-        "bolt", "wire of cable", "flap: a sheet", "boundary of rock 1", "boundary of rock 2", "boundary of seam")]
+        "bolt", "wire of cable", "flap: a sheet", "boundary of rock 1", "boundary of rock 3", "boundary of seam")]
     deck += ["*STEP", "*STATIC"]
     for name in [*sets, "bolt", "wire of cable"]:
         deck += [f"*EL PRINT, ELSET={of(name)}, TOTALS=ONLY", "EVOL"]
@@ -435,7 +435,7 @@ def h5m():
         check({name: sum(volumes[v] for v in members) for name, members in groups.items()
                if name.startswith(("mat:", "rock", "seam", "temp"))
                and (set(members) <= set(volumes))},
-              {"mat:granite": 18, "mat:ore": 9, "rock 1": 9, "rock 2": 9, "seam": 9, "temp:300": 18}, file)
+              {"mat:granite": 18, "mat:ore": 9, "rock 1": 9, "rock 3": 9, "seam": 9, "temp:300": 18}, file)
         for name, area in BOUNDARIES.items():
             total = sum(measures_of(points[rows("Tri3", contents[s])]).sum() for s in groups[name])
             assert abs(total - area) < 1e-12 * area, (name, total)
