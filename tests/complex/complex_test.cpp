@@ -33,7 +33,7 @@ LeafId add_box(Soup& s, double x0, double y0, double z0, double x1, double y1, d
 
 /// Adds the box from `low` to `high` to a leaf of solids: `back` behind its faces, `front` before them, at its end
 /// in x (face 5) `beyond`. The face `without` is left out (face 4 is the one at its start in x).
-void add_solid(Soup& s, LeafId leaf, std::array<double, 3> low, std::array<double, 3> high, std::uint32_t back,
+void put_solid(Soup& s, LeafId leaf, std::array<double, 3> low, std::array<double, 3> high, std::uint32_t back,
                std::uint32_t front = 0, std::uint32_t beyond = 0, std::uint32_t without = 6) {
   Soup box;
   add_box(box, low[0], low[1], low[2], high[0], high[1], high[2]);
@@ -64,7 +64,7 @@ std::array<std::size_t, 4> counts(const Complex& c) {
   return {c.vertex_count(), c.edge_count(), c.face_count(), c.region_count};
 }
 
-Soup random_scene(unsigned seed) {
+Soup random_soup(unsigned seed) {
   std::mt19937 g(seed);
   const auto r = [&](unsigned n) { return static_cast<double>(g() % n); };
   Soup s;
@@ -251,8 +251,8 @@ TEST_CASE("labels by fill") {
     for (const bool shared : {true, false}) {
       Soup s;
       const LeafId leaf = s.add_leaf(Fill::solids);
-      add_solid(s, leaf, {0, 0, 0}, {1, 1, 1}, 1, 0, shared ? 2 : 0);
-      add_solid(s, leaf, {1, 0, 0}, {2, 1, shared ? 1.0 : 2.0}, 2, 0, 0, shared ? 4 : 6);
+      put_solid(s, leaf, {0, 0, 0}, {1, 1, 1}, 1, 0, shared ? 2 : 0);
+      put_solid(s, leaf, {1, 0, 0}, {2, 1, shared ? 1.0 : 2.0}, 2, 0, 0, shared ? 4 : 6);
       const auto built_c = build(s);
       const Complex& c = *built_c;
       REQUIRE(c.region_count == 3);
@@ -268,9 +268,9 @@ TEST_CASE("labels by fill") {
   SECTION("solids: one in the cavity of another, its own faces turned inside out") {
     Soup s;
     const LeafId leaf = s.add_leaf(Fill::solids);
-    add_solid(s, leaf, {0, 0, 0}, {9, 9, 9}, 1);
-    add_solid(s, leaf, {1, 1, 1}, {8, 8, 8}, 0, 1);
-    add_solid(s, leaf, {2, 2, 2}, {3, 3, 3}, 0, 2);
+    put_solid(s, leaf, {0, 0, 0}, {9, 9, 9}, 1);
+    put_solid(s, leaf, {1, 1, 1}, {8, 8, 8}, 0, 1);
+    put_solid(s, leaf, {2, 2, 2}, {3, 3, 3}, 0, 2);
     const auto built_c = build(s);
     const Complex& c = *built_c;
     REQUIRE(c.region_count == 4);
@@ -281,16 +281,16 @@ TEST_CASE("labels by fill") {
   SECTION("solids that overlap are named") {
     Soup s;
     const LeafId leaf = s.add_leaf(Fill::solids);
-    add_solid(s, leaf, {0, 0, 0}, {2, 2, 2}, 1);
-    add_solid(s, leaf, {1, 1, 1}, {3, 3, 3}, 3);
+    put_solid(s, leaf, {0, 0, 0}, {2, 2, 2}, 1);
+    put_solid(s, leaf, {1, 1, 1}, {3, 3, 3}, 3);
     REQUIRE_THROWS_AS(build_complex(s), InputError);
     REQUIRE_THROWS_WITH(build_complex(s), Catch::StartsWith("leaf 0, solid 1, solid 3: these solids overlap"));
   }
   SECTION("solids must close, each by itself") {
     Soup s;
     const LeafId leaf = s.add_leaf(Fill::solids);
-    add_solid(s, leaf, {0, 0, 0}, {1, 1, 1}, 1, 0, 0, 5);
-    add_solid(s, leaf, {1, 0, 0}, {2, 1, 1}, 2);
+    put_solid(s, leaf, {0, 0, 0}, {1, 1, 1}, 1, 0, 0, 5);
+    put_solid(s, leaf, {1, 0, 0}, {2, 1, 1}, 2);
     REQUIRE_THROWS_WITH(build_complex(s), Catch::Contains("leaf 0") && Catch::Contains("do not close"));
   }
   SECTION("sides that contradict each other name both faces") {
@@ -323,7 +323,7 @@ TEST_CASE("labels by fill") {
 TEST_CASE("location: every cell of random scenes holds its own interior point") {
   for (unsigned seed = 0; seed < 60; ++seed) {
     INFO("seed " << seed);
-    const auto built_c = build(random_scene(seed));
+    const auto built_c = build(random_soup(seed));
     const Complex& c = *built_c;
     const Locator locator(c);
     for (const VertexId v : c.vertices) {
@@ -362,7 +362,7 @@ TEST_CASE("location: every cell of random scenes holds its own interior point") 
 TEST_CASE("the same bytes for one thread and for two") {
   for (unsigned seed = 100; seed < 130; ++seed) {
     INFO("seed " << seed);
-    const Soup s = random_scene(seed);
+    const Soup s = random_soup(seed);
     const auto built_one = build_complex(s, {.threads = 1}), built_two = build_complex(s, {.threads = 2});
     const Complex &one = *built_one, &two = *built_two;
     REQUIRE(one.vertices == two.vertices);

@@ -95,7 +95,7 @@ const std::map<int, std::string> kReasons{
      "in both: an edge of length 2 about (2, 2, 3): in region 1 `block` of A, an entity of B\n"},
     {4, "only in A: a face of area 4 about (1, 1, 2)\n"},
     {5, "in both: a region of volume 4 about (9/2, 1, 1): in region 3 `marl` of A, in region 2 `clay` of B\n"},
-    {6, "in both: a face of area 4 about (2, 2, 7/2): in region 1 `block` of A, an entity of B\n"},
+    {6, "in both: a face of area 4 about (2, 2, 7/2): in region 2 `block` of A, an entity of B\n"},
     {7, "only in B: 6 faces of area 24 in all about (4, 2, 2)\n"},
     {8, "only in B: an edge of length 1 about (4, 2, 7/2)\n"},
     {9, "only in A: a face of area sqrt(107) about (0, -2, 1/3)\n"},
