@@ -206,7 +206,7 @@ class Expressions(Folder):
                 self.assertIn(part, taken)
         self.assertIn("dominance: 5/2", text)
         self.assertIn("#112233", text)
-        self.assertEqual(cnrg.union(a, b, blend="linear").evaluate().components[2].material, "hard & outer")
+        self.assertEqual(cnrg.union(a, b, blend="linear").evaluate().components[1].material, "hard & outer")
         with self.assertRaisesRegex(cnrg.InputError, "`blend` is for union"):
             cnrg.intersection(a, b, blend="linear")
         with self.assertRaisesRegex(cnrg.InputError, "none of them dominates"):

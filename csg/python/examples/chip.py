@@ -36,14 +36,14 @@ print("the mesh has the gate:", set(chip.groups[2]["from gate"]) <= covered)
 print("volumes of the mesh:", [str(part.volume) for part in mesh.regions])
 
 # Output:
-# oxide: silica, volume 9600
 # substrate: silicon, volume 32000
+# oxide: silica, volume 9600
 # passivation: nitride, volume 6400
 # surfaces, by what they part and by where they came from:
-#   boundary of oxide: area 960
 #   boundary of substrate: area 4800
+#   boundary of oxide: area 960
 #   boundary of passivation: area 2240
-#   wall oxide | substrate: area 1600
+#   wall substrate | oxide: area 1600
 #   wall oxide | passivation: area 1600
 #   face of trace: area 120
 #   from gate: area 300

@@ -145,7 +145,7 @@ print("all of the cell:", sum(volumes.values()))
 # Output:
 # before: 14 faces, merged: 12
 # interfaces between volumes: 2 groups: {'mat:water': 1, 'mat:clad': 1, 'mat:fuel': 1, 'boundary:vacuum': 10}
+# water: volume 11.591486859, in the file the same
 # clad: volume 1.347045682, in the file the same
 # fuel: volume 3.061467459, in the file the same
-# water: volume 11.591486859, in the file the same
 # all of the cell: 16
