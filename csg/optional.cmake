@@ -1,12 +1,19 @@
 # Libraries that cnrg can be built without. Each has an option CNRG_NAME: AUTO (used where it can be), ON (an error where
 # it cannot be), OFF. What comes of it is CNRG_WITH_NAME.
 
-# cnrg_optional(NAME PURPOSE LACK PACKAGES): LACK says why it cannot be used, and is empty where it can.
+# cnrg_optional(NAME PURPOSE LACK PACKAGES): LACK says why it cannot be used, and is empty where it can;
+# PACKAGES are empty where none would help.
 function(cnrg_optional name purpose lack packages)
   set(CNRG_${name} AUTO CACHE STRING "${purpose}: AUTO, ON or OFF")
   set_property(CACHE CNRG_${name} PROPERTY STRINGS AUTO ON OFF)
   if(NOT CNRG_${name} MATCHES "^(AUTO|ON|OFF)$")
     message(FATAL_ERROR "CNRG_${name} is '${CNRG_${name}}': it can be AUTO, ON or OFF")
+  endif()
+  set(debian "")
+  set(install "")
+  if(packages)
+    set(debian " (Debian: ${packages})")
+    set(install "install it${debian}, or ")
   endif()
   set(with OFF)
   if(NOT CNRG_${name})
@@ -15,11 +22,9 @@ function(cnrg_optional name purpose lack packages)
     message(STATUS "${purpose}: yes")
     set(with ON)
   elseif(CNRG_${name} STREQUAL "AUTO")
-    message(STATUS "${purpose}: no, ${lack} (Debian: ${packages})")
-  elseif(CNRG_SANITIZED AND name STREQUAL "PYTHON")
-    message(FATAL_ERROR "CNRG_PYTHON is ON, but ${lack}: set CNRG_PYTHON=OFF, or build without the sanitizer")
+    message(STATUS "${purpose}: no, ${lack}${debian}")
   else()
-    message(FATAL_ERROR "CNRG_${name} is ON, but ${lack}: install it (Debian: ${packages}), or set CNRG_${name}=OFF")
+    message(FATAL_ERROR "CNRG_${name} is ON, but ${lack}: ${install}set CNRG_${name}=OFF")
   endif()
   set(CNRG_WITH_${name} ${with} PARENT_SCOPE)
 endfunction()
@@ -96,7 +101,7 @@ cnrg_optional(VIEW "The page of cnrg view, bundled by Node.js" "${lack}" "nodejs
 
 # The module for Python, by the system's own interpreter, for which numpy and the others are packaged.
 if(CNRG_SANITIZE OR CNRG_SANITIZE_THREADS OR CNRG_FUZZ)
-  set(CNRG_SANITIZED ON)
+  set(packages "")
   set(lack "a sanitizer cannot be loaded into an interpreter")
 else()
   if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
@@ -107,5 +112,6 @@ else()
     find_package(pybind11 QUIET)
   endif()
   missing(lack "what it is built with" Python_FOUND pybind11_FOUND)
+  set(packages "pybind11-dev python3-dev")
 endif()
-cnrg_optional(PYTHON "The Python module" "${lack}" "pybind11-dev python3-dev")
+cnrg_optional(PYTHON "The Python module" "${lack}" "${packages}")

@@ -34,7 +34,9 @@ class ComplexBuilder {
   void hang_wires();
   void number_regions();
   void list_region_faces(const std::vector<RegionId>& region_of);
-  std::vector<std::uint32_t> places_of_regions(const std::vector<RegionId>& region_of) const;  // region_order.cpp
+
+  // Their order (region_order.cpp).
+  std::vector<std::uint32_t> places_of_regions(const std::vector<RegionId>& region_of) const;
   void order_at(VertexId v, const std::vector<RegionId>& region_of, std::span<std::uint32_t> regions) const;
   std::vector<HalfFace> wedges_from_least(HalfEdge h) const;
 
