@@ -22,7 +22,7 @@ int list_features(const CheckArguments& arguments) {
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.rows = Rows::none;
-  options.nodes = {node};
+  options.result = node;
   const Evaluation evaluation = evaluate_in_view(tree, options, false);
   ProgressBar bar(false);
   bar.show("features");

@@ -43,7 +43,7 @@ int run_explain(const ExplainArguments& arguments) {
   options.threads = arguments.threads;
   options.rows = Rows::none;
   options.keep_all = true;
-  options.nodes = {node};
+  options.result = node;
   if (!arguments.point.empty()) options.reach = {point};
   const Evaluation evaluation = evaluate_in_view(tree, options, false);
   const Explanation explanation = arguments.point.empty() ? explain(tree, evaluation, node, arguments.cell)

@@ -162,7 +162,7 @@ class PlacesOfNodes {
     EvaluateOptions options;
     options.threads = arguments_.threads;
     options.rows = Rows::none;
-    options.nodes = {node_};
+    options.result = node_;
     options.reach = reach_;
     materials_.reset(), locator_.reset();  // they refer to the evaluation
     evaluation_.emplace(again ? evaluate(tree_, options) : evaluate_in_view(tree_, options, false));

@@ -351,7 +351,7 @@ int run_mesh(const MeshArguments& arguments) {
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.rows = Rows::none;
-  options.nodes = {node};
+  options.result = node;
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
   else tell_uncertain(tree, evaluation, arguments.quiet);

@@ -241,11 +241,11 @@ Evaluation evaluated(const Tree& tree, NodeId node, const std::vector<NodeId>& m
   EvaluateOptions all;
   all.threads = options.threads;
   all.rows = Rows::none;
+  all.result = node;
   all.nodes = more;
+  all.drawn_together = true;
   all.watch = options.watch;
-  Tree asked = tree;
-  asked.result = node;
-  return evaluate(asked, all);
+  return evaluate(tree, all);
 }
 
 }  // namespace

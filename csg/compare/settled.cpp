@@ -12,9 +12,8 @@ Settled::Settled(const Tree& tree, NodeId node, const UnusedMarks& marks, int th
   EvaluateOptions options;
   options.threads = threads;
   options.rows = Rows::none;
-  Tree asked = marked(tree, marks);
-  asked.result = node;
-  const Result result = evaluate(asked, options).result();
+  options.result = node;
+  const Result result = evaluate(marked(tree, marks), options).result();
   const std::string text = json_text(result.data().view()).text;
   file_.write(text.data(), text.size());
   const ResultShape shape{"/proc/self/fd/" + std::to_string(file_.descriptor())};

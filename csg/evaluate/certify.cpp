@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/leaf_numbers.h"
 #include "csg/evaluate/transversality.h"
 #include "csg/tree/unfold.h"
@@ -22,9 +23,8 @@ std::string coordinates(const std::array<double, 3>& p) {
   return "[" + text + "]";
 }
 
-}  // namespace
-
-Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t listed, bool at_vertices) {
+/// Of the nodes kept on one complex.
+Certificate certify_kept(const Tree& tree, const Evaluation& evaluation, std::size_t listed, bool at_vertices) {
   const auto asked = [&](EdgeId e) {
     return std::any_of(evaluation.kept.begin(), evaluation.kept.end(), [&](const KeptValue& kept) {
       return kept.simplified->edge_place[e.index()].dimension == 1;
@@ -47,6 +47,20 @@ Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t 
     const Node& node = tree.nodes[evaluation.leaves->node_of(place.leaves[0])];
     result.notices.push_back({tree.file, node.operator_at, Diagnostic::Level::notice, text});
   }
+  return result;
+}
+
+}  // namespace
+
+Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t listed, bool at_vertices) {
+  Certificate result = certify_kept(tree, evaluation, listed, at_vertices);
+  for (const Evaluation& other : evaluation.others) {
+    Certificate more = certify_kept(tree, other, listed, at_vertices);
+    result.edges += more.edges;
+    result.places += more.places;
+    append(result.notices, std::move(more.notices));
+  }
+  if (result.notices.size() > listed) result.notices.erase(result.notices.begin() + listed, result.notices.end());
   return result;
 }
 

@@ -3,14 +3,15 @@
 //   tree -> joined nodes         joined_nodes.h: each is a run by itself, and then a leaf; mostly there are none
 //        -> instances            csg/tree/unfold.h: a node under each of its transforms; operands before users
 //        -> prepared leaves      prepared_leaves.h: files are read, everything that can be checked is checked
-//        -> common lines         csg/carriers/common_lines.h: of leaves that share a curved surface
-//        -> welded leaves        csg/weld: what is near coincides, where the tree has `weld`; round surfaces first
+//        -> drawings             drawings.h: leaves that share a curved surface on common lines; where the tree
+//                                has `weld`, what is near coincides
 //        -> sections             sections.h: nodes that are refined apart, mostly none
 //        -> scopes               scopes.h: each section, then the whole tree:
 //             soup -> complex      make_soup.cpp, then the kernel: all leaves of the scope are refined together
 //             leaf values          leaf_values.h; those of sections come by carried_groups.h
 //             node values          operate.h: a node selects cells, makes none, and costs what its operands touch
 //             rows, diagnostics    rows.h, diagnostics.h
+//        -> nodes alone          a scope, for its row, of each node that is drawn otherwise when it stands alone
 //        -> kept values          value_store.h: every other value is freed after its last user
 //
 // The way through the nodes is a loop over instances, and joined nodes are evaluated operands before users: the
@@ -26,11 +27,11 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
-#include "csg/carriers/common_lines.h"
-#include "csg/carriers/surface_numbers.h"
 #include "csg/evaluate/diagnostics.h"
+#include "csg/evaluate/drawings.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/joined_nodes.h"
 #include "csg/evaluate/leaf_numbers.h"
@@ -39,55 +40,17 @@
 #include "csg/evaluate/simplified_value.h"
 #include "csg/leaves/leaf_stop.h"
 #include "csg/leaves/surface_parameters.h"
-#include "csg/weld/weld_leaves.h"
-#include "csg/weld/weld_surfaces.h"
 
 namespace cnrg {
 namespace {
 
 /// The result and the nodes asked for, each once.
 std::vector<NodeId> roots_of(const Tree& tree, const EvaluateOptions& options) {
-  std::vector<NodeId> roots{tree.result};
+  std::vector<NodeId> roots{options.result.valid() ? options.result : tree.result};
   for (const NodeId node : options.nodes) {
     if (std::find(roots.begin(), roots.end(), node) == roots.end()) roots.push_back(node);
   }
   return roots;
-}
-
-/// The leaves as they are refined: on common lines, and welded where the tree asks for that.
-struct PlacedLeaves {
-  std::vector<LeafInstance> instances;
-  std::vector<std::vector<std::uint32_t>> surfaces;  // as `make_soup` has it
-};
-
-PlacedLeaves place(const Tree& tree, const PreparedLeaves& leaves, std::vector<Diagnostic>& diagnostics) {
-  PlacedLeaves out;
-  leaves.locate_errors([&] {
-    std::vector<NearSurfaces> near;
-    std::vector<std::string> apart;
-    const auto tell = [&](const std::string& notice) {
-      if (!notice.empty())
-        diagnostics.push_back({tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
-    };
-    out.instances = leaves.instances();
-    WeldedSurfaces round;
-    if (tree.weld) {
-      round = weld_surfaces(out.instances, *tree.weld);
-      out.instances = round.instances;
-      tell(round.notice);
-    }
-    out.surfaces = surface_numbers(out.instances);
-    out.instances = with_common_lines(std::move(out.instances), &near, &apart, round.anew);
-    if (tree.weld) {
-      WeldedLeaves welded = weld_leaves(out.instances, *tree.weld, round.farthest);
-      out.instances = std::move(welded.instances);
-      tell(welded.notice);
-      std::erase_if(near, [&](const NearSurfaces& pair) { return pair.apart <= to_double(*tree.weld); });
-    }
-    append(diagnostics, leaves.near_notices(near));
-    append(diagnostics, leaves.located_notices(apart));
-  });
-  return out;
 }
 
 /// Nobody who wants to see all cells, or all values on one complex, is served by sections.
@@ -115,8 +78,64 @@ void name_leaves(const PreparedLeaves& leaves, const PlacedLeaves& placed, std::
       std::make_shared<const SurfaceParameters>(*result.complex, std::move(parameters), std::move(places));
 }
 
+/// What is said of nodes that are drawn otherwise when they stand alone: each by a scope of its own.
+void tell_alone(ScopeContext context, Drawings& drawings, ScopeResult& made) {
+  std::vector<InstanceId> waiting;
+  std::set<InstanceId> known;
+  const auto add_below = [&](InstanceId root, const PlacedLeaves& placed) {
+    for (const InstanceId id : drawings.otherwise_below(root, placed)) {
+      if (known.insert(id).second) waiting.push_back(id);
+    }
+  };
+  for (const InstanceId root : context.unfolding.roots) add_below(root, drawings.whole());
+  while (!waiting.empty()) {
+    const InstanceId id = waiting.back();
+    waiting.pop_back();
+    const PlacedLeaves placed = drawings.alone(id);
+    ScopeResult alone = evaluate_scopes({context.tree, context.unfolding, context.leaves, placed, context.options,
+                                         context.grades},
+                                        std::span(&id, 1), {}, false);
+    made.refine_seconds += alone.refine_seconds;
+    for (const InstanceId below : instances_below(context.unfolding.instances, id)) {
+      if (drawings.as_alone(below, placed)) made.told[below] = std::move(alone.told[below]);
+    }
+    add_below(id, placed);
+  }
+}
+
 Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
                           bool graded);
+
+Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
+                             bool graded, const JoinedLeaves& joined);
+
+/// The first root, and beside it the evaluations of the others.
+Evaluation evaluate_each(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
+                         bool graded, const JoinedLeaves& joined) {
+  Evaluation result = evaluate_together(tree, {roots.front()}, options, graded, joined);
+  std::set<NodeId> here;
+  const auto add_rows = [&](const std::vector<NodeRow>& rows) {
+    std::set<NodeId> more;
+    for (const NodeRow& row : rows) {
+      if (here.count(row.node) != 0) continue;
+      more.insert(row.node);
+      result.rows.push_back(row);
+    }
+    here.merge(more);
+  };
+  add_rows(std::exchange(result.rows, {}));
+  for (std::size_t i = 1; i < roots.size(); ++i) {
+    Evaluation other = evaluate_together(tree, {roots[i]}, options, graded, joined);
+    result.refine_seconds += other.refine_seconds;
+    add_rows(other.rows);
+    for (Diagnostic& one : other.diagnostics) {
+      if (std::find(result.diagnostics.begin(), result.diagnostics.end(), one) == result.diagnostics.end())
+        result.diagnostics.push_back(std::move(one));
+    }
+    result.others.push_back(std::move(other));
+  }
+  return result;
+}
 
 /// `roots`: those whose values are kept. `joined`: all joined nodes below them.
 Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
@@ -130,8 +149,13 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   append(result.diagnostics, leaves.notices());
 
   options.watch.begin("refine");
-  const PlacedLeaves placed = place(tree, leaves, result.diagnostics);
+  Drawings drawings(tree, unfolding, leaves, result.diagnostics);
+  const PlacedLeaves& placed = drawings.whole();
   options.watch.check();
+  const bool all_alone = !options.drawn_together && !options.keep_all && !options.raw && !options.validate;
+  const auto as_alone = [&](InstanceId root) { return drawings.as_alone(root, placed); };
+  if (all_alone && roots.size() > 1 && !std::ranges::all_of(unfolding.roots, as_alone))
+    return evaluate_each(tree, roots, options, graded, joined);
   Grades grades(tree, graded ? unfolding : Unfolding(), [&](NodeId node) {
     EvaluateOptions alone;
     alone.threads = options.threads;
@@ -139,20 +163,25 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
     alone.rows = Rows::none;
     return evaluate_roots(tree, {node}, alone, false);
   });
-  ScopeResult made = evaluate_scopes({tree, unfolding, leaves, placed.instances, placed.surfaces, options, grades},
-                                     sections_of(tree, unfolding, leaves, placed, options));
+  const ScopeContext context{tree, unfolding, leaves, placed, options, grades};
+  ScopeResult made =
+      evaluate_scopes(context, unfolding.roots, sections_of(tree, unfolding, leaves, placed, options));
+  if (all_alone && options.rows == Rows::all) tell_alone(context, drawings, made);
   result.complex = made.complex;
   result.refine = std::move(made.refine);
   result.refine_seconds = made.refine_seconds;
   name_leaves(leaves, placed, std::move(made.places), result);
   append(result.diagnostics, std::move(made.diagnostics));
-  result.rows = std::move(made.rows);
+  for (InstanceTold& told : made.told) {
+    append(result.diagnostics, std::move(told.diagnostics));
+    result.rows.push_back(std::move(*told.row));
+  }
   ValueStore& values = made.values;
   const SimplifyMode mode = options.raw ? SimplifyMode::raw : SimplifyMode::features;
   for (const InstanceId root : unfolding.roots) {
     const NodeId node = unfolding.instances[root].node;
     result.kept.push_back({node, values.share(root),
-                           made.of_result && node == tree.result
+                           made.of_result && root == unfolding.roots.front()
                                ? *made.of_result
                                : SimplifiedValue(result.complex, values.share(root), mode),
                            leaves.below(unfolding, root), tree.nodes[node].name,

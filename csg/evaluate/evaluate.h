@@ -48,7 +48,11 @@ struct EvaluateOptions {
   bool region_volumes = false;  ///< in rows: the volume of every region of every node
   bool raw = false;             ///< keep unsimplified cells
   Refining refining = Refining::chosen;
-  bool keep_all = false;             ///< keep the values of all instances in `Evaluation::values`
+  bool keep_all = false;  ///< keep the values of all instances in `Evaluation::values`
+  /// Draw all leaves below the roots as one drawing (csg/evaluate/drawings.h), so that all values are on one
+  /// complex; also with `raw`, `keep_all` and `validate`. Otherwise each node is said of as it is alone.
+  bool drawn_together = false;
+  NodeId result;                     ///< in the place of the tree's, if valid
   std::vector<NodeId> nodes;         ///< kept besides the result
   std::vector<RationalPoint> reach;  ///< points that will be asked for: planes and half-spaces are cut beyond them
   Watch watch;                       ///< told of the stages, and may stop them (throws Stopped)
@@ -98,7 +102,7 @@ struct KeptValue {
 struct Evaluation {
   std::shared_ptr<const Complex> complex;
   RefineReport refine;
-  std::vector<NodeRow> rows;       ///< operands before users
+  std::vector<NodeRow> rows;       ///< operands before users; after them those of nodes below `others` alone
   std::vector<JoinedNode> joined;  ///< below the roots, those below others first
   std::vector<KeptValue> kept;     ///< the result, then `EvaluateOptions::nodes` in their order; each once
   std::shared_ptr<const LeafNumbers> leaves;            ///< which leaf of which node has which number
@@ -112,9 +116,12 @@ struct Evaluation {
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
   std::vector<ResultNames::Material> materials;  ///< of the tree
   bool raw = false;                              ///< EvaluateOptions::raw
+  /// Of the nodes asked for besides the result, where one is drawn otherwise when it stands alone: each on a
+  /// complex of its own, and `kept` has the result alone.
+  std::vector<Evaluation> others;
   /// `rows`, and before them those of nodes below joined ones, of which there are none in `rows`; each once.
   std::vector<const NodeRow*> all_rows() const;
-  /// The kept value of a node; the node must have been asked for.
+  /// The value of a node in `kept`.
   const KeptValue& value(NodeId node) const;
   /// The result of the tree, or a node that was asked for, as a value that needs the evaluation no more: to be
   /// looked at, written (csg/formats/result_file.h), snapped. InputError for the name of a node that was not kept.

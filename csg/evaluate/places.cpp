@@ -128,7 +128,7 @@ std::vector<Place> Places::of(std::span<const RationalPoint> points, const Watch
   options.threads = threads;
   options.rows = Rows::none;
   options.raw = data_->result.data().raw;
-  options.nodes = {data_->node};
+  options.result = data_->node;
   options.reach = far;
   options.watch = watch;
   const Result larger = evaluate(*data_->tree, options).result(data_->node);

@@ -28,14 +28,20 @@ const Group& KeptValue::group() const { return value->group(); }
 
 Result Evaluation::result() const { return result_of(*this, kept.front()); }
 
-Result Evaluation::result(NodeId node) const { return result_of(*this, value(node)); }
+Result Evaluation::result(NodeId node) const {
+  for (const Evaluation& other : others) {
+    if (other.kept.front().node == node) return other.result();
+  }
+  return result_of(*this, value(node));
+}
 
 Result Evaluation::result(const std::string& name) const {
-  const auto it = std::find_if(kept.begin(), kept.end(), [&](const KeptValue& k) { return k.name == name; });
-  if (it == kept.end()) {
-    throw InputError("the node `" + name + "` was not kept; name it in EvaluateOptions::nodes");
+  const auto is_it = [&](const KeptValue& k) { return k.name == name; };
+  if (const auto it = std::find_if(kept.begin(), kept.end(), is_it); it != kept.end()) return result_of(*this, *it);
+  for (const Evaluation& other : others) {
+    if (is_it(other.kept.front())) return other.result();
   }
-  return result_of(*this, *it);
+  throw InputError("the node `" + name + "` was not kept; name it in EvaluateOptions::nodes");
 }
 
 }  // namespace cnrg

@@ -73,20 +73,13 @@ class Scopes {
         instances_(context.unfolding.instances),
         sections_(sections.roots.begin(), sections.roots.end()),
         steps_(sections.steps.begin(), sections.steps.end()),
-        rows_(instances_.size()),
         told_(instances_.size()),
         below_(context.leaves, context.unfolding) {}
 
-  ScopeResult run() {
-    Scope top = evaluate(x_.unfolding.roots, {}, true);
-    std::vector<Diagnostic> diagnostics = std::move(dropped_);
-    std::vector<NodeRow> rows;
-    for (const InstanceId id : IdRange<InstanceId>(instances_.size())) {
-      rows.push_back(std::move(*rows_[id]));
-      append(diagnostics, std::move(told_[id]));
-    }
-    return {std::move(top.complex), std::move(top.places), std::move(report_), refine_seconds_,
-            std::move(top.values),  std::move(of_result_), std::move(rows),    std::move(diagnostics)};
+  ScopeResult run(std::span<const InstanceId> roots, bool top) {
+    Scope made = evaluate(roots, {}, top);
+    return {std::move(made.complex), std::move(made.places), std::move(report_), refine_seconds_,
+            std::move(made.values),  std::move(of_result_),  std::move(told_),   std::move(dropped_)};
   }
 
  private:
@@ -104,8 +97,7 @@ class Scopes {
   const IdVector<InstanceId, Instance>& instances_;
   const std::set<InstanceId> sections_;
   std::set<InstanceId> steps_;
-  IdVector<InstanceId, std::optional<NodeRow>> rows_;
-  IdVector<InstanceId, std::vector<Diagnostic>> told_;
+  IdVector<InstanceId, InstanceTold> told_;
   std::vector<Diagnostic> dropped_;
   std::set<std::string> dropped_texts_;
   std::map<InstanceId, Removals> removed_in_steps_;
@@ -191,10 +183,10 @@ class Scopes {
     const Stopwatch stopwatch;
     RefineReport report;
     x_.leaves.locate_errors([&] {
-      std::vector<LeafInstance> instances(x_.placed.size(), LeafInstance{no_geometry(), {}});
+      std::vector<LeafInstance> instances(x_.placed.instances.size(), LeafInstance{no_geometry(), {}});
       for (const InstanceId id : scope.here) {
         if (const LeafId leaf = x_.leaves.leaf_of(id); leaf.valid())
-          instances[leaf.index()] = x_.placed[leaf.index()];
+          instances[leaf.index()] = x_.placed.instances[leaf.index()];
       }
       for (const CarriedGroup& group : carried.groups()) instances.push_back({group.leaf(), {}});
       Soup soup = make_soup(instances, x_.options.reach, surfaces(instances.size()));
@@ -212,7 +204,7 @@ class Scopes {
       if (!carried.empty()) {
         std::vector<Group> groups = carried.on(*draft, report.vertex_of);
         scope.places.emplace(*draft);
-        draft.set_sources(carried.sources(*draft, x_.surfaces, *scope.places));
+        draft.set_sources(carried.sources(*draft, x_.placed.surfaces, *scope.places));
         for (std::size_t i = 0; i < groups.size(); ++i) {
           NodeValue value(*draft, std::move(groups[i]));
           if (i < whole) scope.values.put(of[i], std::move(value));
@@ -230,7 +222,7 @@ class Scopes {
   }
 
   std::vector<std::vector<std::uint32_t>> surfaces(std::size_t leaves) const {
-    std::vector<std::vector<std::uint32_t>> all = x_.surfaces;
+    std::vector<std::vector<std::uint32_t>> all = x_.placed.surfaces;
     if (!all.empty()) all.resize(leaves);
     return all;
   }
@@ -299,14 +291,14 @@ class Scopes {
   void finish(Scope& scope, InstanceId id, NodeRow row, const std::vector<AttributeConflict>& conflicts,
               std::span<const InstanceId> roots, bool top) {
     const NodeId node = row.node;
-    if (!rows_[id]) {
+    if (!told_[id].row) {
       const NodeValue& value = scope.values[id];
       const SimplifiedValue simplified(scope.complex, scope.values.share(id));
-      append(told_[id],
+      append(told_[id].diagnostics,
              material_conflicts(tree_, tree_.nodes[node], value, conflicts, *scope.complex, simplified));
-      append(told_[id], empty_selection(tree_, node, value));
+      append(told_[id].diagnostics, empty_selection(tree_, node, value));
       const bool is_root = top && std::find(roots.begin(), roots.end(), id) != roots.end();
-      const bool last = node == tree_.result && is_root && scope.values.used_once_more(id) && !x_.options.raw;
+      const bool last = is_root && id == roots.front() && scope.values.used_once_more(id) && !x_.options.raw;
       if (last) of_result_ = simplified;
       if (x_.options.rows == Rows::all || (is_root && x_.options.rows == Rows::kept)) {
         // The files need the simplified result, too, so that is no part of the time of its row.
@@ -316,7 +308,7 @@ class Scopes {
                     row);
         row.totals_seconds = stopwatch.seconds();
       }
-      rows_[id] = std::move(row);
+      told_[id].row = std::move(row);
     }
     scope.values.release(operands_here(id));
   }
@@ -375,9 +367,9 @@ class Scopes {
         finish(scope, id, std::move(row), {}, roots, top);
         continue;
       }
-      if (!rows_[id]) {
+      if (!told_[id].row) {
         if (step.totals) fill_totals(*step.totals, row);
-        rows_[id] = std::move(row);
+        told_[id].row = std::move(row);
       }
       scope.values.release(operands_here(id));
     }
@@ -423,8 +415,9 @@ class Scopes {
 
 }  // namespace
 
-ScopeResult evaluate_scopes(const ScopeContext& context, Sections sections) {
-  return Scopes(context, std::move(sections)).run();
+ScopeResult evaluate_scopes(const ScopeContext& context, std::span<const InstanceId> roots, Sections sections,
+                            bool top) {
+  return Scopes(context, std::move(sections)).run(roots, top);
 }
 
 }  // namespace cnrg

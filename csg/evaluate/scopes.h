@@ -10,10 +10,12 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "csg/evaluate/carried_groups.h"
+#include "csg/evaluate/drawings.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/operate.h"
@@ -29,13 +31,18 @@ struct ScopeContext {
   const Tree& tree;
   const Unfolding& unfolding;
   const PreparedLeaves& leaves;
-  const std::vector<LeafInstance>& placed;  ///< by LeafId: as they are refined (`weld`, common lines)
-  const std::vector<std::vector<std::uint32_t>>& surfaces;  ///< as `make_soup` has it
+  const PlacedLeaves& placed;
   const EvaluateOptions& options;
   Grades& grades;
 };
 
-/// What came of the whole tree.
+/// What is said of an instance.
+struct InstanceTold {
+  std::optional<NodeRow> row;
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// What came of the instances below some roots.
 struct ScopeResult {
   std::shared_ptr<const Complex> complex;
   std::optional<LeafPlaces> places;  ///< of `complex`, if values were carried into it
@@ -43,11 +50,12 @@ struct ScopeResult {
   double refine_seconds = 0;
   ValueStore values;
   std::optional<SimplifiedValue> of_result;  ///< where it was made on the way
-  std::vector<NodeRow> rows;                 ///< of all instances, in their order
-  std::vector<Diagnostic> diagnostics;
+  IdVector<InstanceId, InstanceTold> told;   ///< with rows of those below the roots
+  std::vector<Diagnostic> diagnostics;       ///< of the leaves' faces
 };
 
-/// Evaluates all instances of the unfolding. `sections` may be empty.
-ScopeResult evaluate_scopes(const ScopeContext& context, Sections sections);
+/// Evaluates the roots and all below them. `sections` may be empty. `top`: the roots are those of the run.
+ScopeResult evaluate_scopes(const ScopeContext& context, std::span<const InstanceId> roots, Sections sections,
+                            bool top = true);
 
 }  // namespace cnrg

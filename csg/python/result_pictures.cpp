@@ -19,7 +19,7 @@ py::bytes picture_of(const OneResult& r, const std::string& extension, const Pic
     all.threads = threads;
     all.rows = Rows::none;
     all.keep_all = true;
-    all.nodes = {r.node};
+    all.result = r.node;
     all.watch = watch;
     const Evaluation evaluation = evaluate(*r.from->tree, all);
     return picture(extension, *r.from->tree, evaluation, r.node, options, threads);

@@ -86,7 +86,7 @@ std::shared_ptr<const EvaluatedTree> evaluate_all(const OneResult& r, const std:
   options.threads = threads;
   options.rows = Rows::none;
   options.keep_all = true;
-  options.nodes = {r.node};
+  options.result = r.node;
   options.reach = reach;
   return apart(progress, [tree, options](const Watch& watch) mutable {
     options.watch = watch;

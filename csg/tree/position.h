@@ -44,6 +44,7 @@ struct Diagnostic {
   Position at;
   Level level = Level::warning;
   std::string message;
+  friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
   /// `file:line:column: warning: message`, or `notice`.
   std::string text() const;
 };

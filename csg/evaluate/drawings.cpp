@@ -1,0 +1,167 @@
+#include "csg/evaluate/drawings.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "csg/carriers/common_lines.h"
+#include "csg/carriers/surface_numbers.h"
+#include "csg/evaluate/diagnostics.h"
+#include "csg/leaves/geometry_leaf.h"
+#include "csg/weld/weld_leaves.h"
+#include "csg/weld/weld_surfaces.h"
+#include "kernel/base/sorted.h"
+
+namespace cnrg {
+namespace {
+
+/// What comes of drawing some leaves together.
+struct Drawing {
+  PlacedLeaves placed;
+  std::vector<NearSurfaces> near;   // that are nearly one, and not welded
+  std::vector<std::string> refused;  // leaves that share something and yet stay as they are
+  std::vector<std::string> welded;
+};
+
+/// InputError names leaves by their places in `instances`.
+Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>& weld) {
+  Drawing out;
+  WeldedSurfaces round;
+  if (weld) {
+    round = weld_surfaces(instances, *weld);
+    instances = round.instances;
+    if (!round.notice.empty()) out.welded.push_back(round.notice);
+  }
+  out.placed.surfaces = surface_numbers(instances);
+  instances = with_common_lines(std::move(instances), &out.near, &out.refused, round.anew);
+  if (weld) {
+    WeldedLeaves welded = weld_leaves(instances, *weld, round.farthest);
+    instances = std::move(welded.instances);
+    if (!welded.notice.empty()) out.welded.push_back(welded.notice);
+    std::erase_if(out.near, [&](const NearSurfaces& pair) { return pair.apart <= to_double(*weld); });
+  }
+  out.placed.instances = std::move(instances);
+  return out;
+}
+
+bool same_points(const Soup& a, const Soup& b) {
+  if (a.point_count() != b.point_count()) return false;
+  for (std::uint32_t i = 0; i < a.point_count(); ++i) {
+    if (!std::equal(a.xyz(PointId(i)), a.xyz(PointId(i)) + 3, b.xyz(PointId(i)))) return false;
+    if (exact_value(a, PointId(i)) != exact_value(b, PointId(i))) return false;
+  }
+  return true;
+}
+
+bool same_faces(const Soup& a, const Soup& b) {
+  if (a.face_count() != b.face_count()) return false;
+  for (std::uint32_t i = 0; i < a.face_count(); ++i) {
+    const Soup::Face &f = a.face(SourceId(i)), &g = b.face(SourceId(i));
+    if (f.leaf_face != g.leaf_face || f.patch != g.patch || f.front != g.front || f.back != g.back) return false;
+    if (!std::ranges::equal(a.corners(SourceId(i)), b.corners(SourceId(i)))) return false;
+  }
+  return true;
+}
+
+bool same_wires_and_points(const Soup& a, const Soup& b) {
+  const auto same_wire = [](const Soup::Wire& w, const Soup::Wire& v) {
+    return w.leaf_edge == v.leaf_edge && w.a == v.a && w.b == v.b;
+  };
+  const auto same_point = [](const Soup::Isolated& p, const Soup::Isolated& q) { return p.point == q.point; };
+  return std::ranges::equal(a.wires(), b.wires(), same_wire) &&
+         std::ranges::equal(a.isolated(), b.isolated(), same_point) &&
+         std::ranges::equal(a.curve_ends(), b.curve_ends(), same_point);
+}
+
+/// True if two drawings of one leaf have the same facets.
+bool drawn_alike(const LeafInstance& one, const LeafInstance& other) {
+  if (one.leaf == other.leaf && *one.transform == *other.transform) return true;
+  Soup a, b;
+  one.leaf->add_to(a, *one.transform);
+  other.leaf->add_to(b, *other.transform);
+  return same_points(a, b) && same_faces(a, b) && same_wires_and_points(a, b);
+}
+
+}  // namespace
+
+Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
+                   std::vector<Diagnostic>& diagnostics)
+    : tree_(tree), unfolding_(unfolding), leaves_(leaves) {
+  Drawing drawing;
+  leaves.locate_errors([&] { drawing = draw(leaves.instances(), tree.weld); });
+  for (const std::string& notice : drawing.welded)
+    diagnostics.push_back({tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
+  append(diagnostics, leaves.near_notices(drawing.near));
+  append(diagnostics, leaves.located_notices(drawing.refused));
+  whole_ = std::move(drawing.placed);
+  // Where nothing was done, nothing is shared, and fewer leaves share nothing either. Else no curved leaf, welded no
+  // leaf, is known to share nothing: the others of a pair may be drawn on the lines of one that stays as it is.
+  bool any = !drawing.refused.empty();
+  for (std::size_t i = 0; i < whole_.instances.size() && !any; ++i) {
+    const LeafInstance &before = leaves.instances()[i], &after = whole_.instances[i];
+    any = before.leaf != after.leaf || !(*before.transform == *after.transform);
+  }
+  for (const LeafInstance& instance : leaves.instances())
+    affected_.push_back(any && (tree.weld || instance.leaf->form()));
+  find_representatives();
+}
+
+void Drawings::find_representatives() {
+  for (const InstanceId id : IdRange<InstanceId>(unfolding_.instances.size())) {
+    const LeafId leaf = leaves_.leaf_of(id);
+    std::vector<InstanceId> below;
+    for (const InstanceId operand : unfolding_.instances[id].operands) {
+      if (representative_[operand].valid()) below.push_back(representative_[operand]);
+    }
+    sort_unique(below);
+    if (below.size() == 1) representative_.push_back(below.front());
+    else if (!below.empty() || (leaf.valid() && affected_[leaf.index()])) representative_.push_back(id);
+    else representative_.push_back(InstanceId::none());
+  }
+}
+
+PlacedLeaves Drawings::alone(InstanceId id) const {
+  std::vector<LeafInstance> instances(leaves_.instances().size(), LeafInstance{no_geometry(), {}});
+  for (const LeafId leaf : leaves_.below(unfolding_, id)) instances[leaf.index()] = leaves_.instances()[leaf.index()];
+  PlacedLeaves placed;
+  leaves_.locate_errors([&] { placed = draw(std::move(instances), tree_.weld).placed; });
+  return placed;
+}
+
+const Drawings::Drawn& Drawings::drawn_alone(InstanceId representative) {
+  const auto [it, is_new] = alone_.try_emplace(representative);
+  if (!is_new) return it->second;
+  const PlacedLeaves placed = alone(representative);
+  for (const LeafId leaf : leaves_.below(unfolding_, representative)) {
+    if (affected_[leaf.index()]) it->second.emplace(leaf, placed.instances[leaf.index()]);
+  }
+  return it->second;
+}
+
+bool Drawings::as_alone(InstanceId id, const PlacedLeaves& placed) {
+  if (!representative_[id].valid()) return true;
+  const Drawn& drawn = drawn_alone(representative_[id]);
+  return std::all_of(drawn.begin(), drawn.end(), [&](const auto& one) {
+    return drawn_alike(one.second, placed.instances[one.first.index()]);
+  });
+}
+
+std::vector<InstanceId> Drawings::otherwise_below(InstanceId root, const PlacedLeaves& placed) {
+  std::vector<InstanceId> found, stack{root};
+  std::vector<char> seen(unfolding_.instances.size(), 0);
+  while (!stack.empty()) {
+    const InstanceId id = stack.back();
+    stack.pop_back();
+    if (id != root && !as_alone(id, placed)) {
+      found.push_back(id);
+      continue;
+    }
+    for (const InstanceId operand : unfolding_.instances[id].operands) {
+      if (!std::exchange(seen[operand.index()], 1)) stack.push_back(operand);
+    }
+  }
+  return found;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,52 @@
+// How the leaves of a run are drawn, and which nodes are drawn otherwise when they stand alone.
+//
+// Curved leaves that share a surface are drawn on common lines (csg/carriers/common_lines.h), and near leaves are
+// welded (csg/weld): how a leaf is drawn depends on the others of its run. What is said of a node must not depend
+// on leaves that are not below it. So a node whose leaves are drawn otherwise with all leaves of the run than with
+// those below it alone has its row from a scope of its own.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "csg/evaluate/prepared_leaves.h"
+
+namespace cnrg {
+
+/// Leaves as they are refined, by LeafId: on common lines, and welded where the tree asks for that.
+struct PlacedLeaves {
+  std::vector<LeafInstance> instances;
+  std::vector<std::vector<std::uint32_t>> surfaces;  ///< as `make_soup` has it
+};
+
+class Drawings {
+ public:
+  /// Draws all leaves of the unfolding; tells of near surfaces and of what was welded. Throws TreeError. All that is
+  /// given but `diagnostics` must outlive this.
+  Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
+           std::vector<Diagnostic>& diagnostics);
+
+  const PlacedLeaves& whole() const { return whole_; }
+  /// The leaves below an instance as they are drawn alone; the others have no geometry. Throws TreeError.
+  PlacedLeaves alone(InstanceId id) const;
+  /// True if the leaves below an instance are drawn in `placed` as they are alone.
+  bool as_alone(InstanceId id, const PlacedLeaves& placed);
+  /// The instances below `root`, without it, that are not drawn in `placed` as they are alone, nor is one between.
+  std::vector<InstanceId> otherwise_below(InstanceId root, const PlacedLeaves& placed);
+
+ private:
+  using Drawn = std::map<LeafId, LeafInstance>;
+  void find_representatives();
+  const Drawn& drawn_alone(InstanceId representative);
+
+  const Tree& tree_;
+  const Unfolding& unfolding_;
+  const PreparedLeaves& leaves_;
+  PlacedLeaves whole_;
+  std::vector<char> affected_;  // by leaf: it may be drawn otherwise among fewer leaves
+  IdVector<InstanceId, InstanceId> representative_;  // first instance with the same affected leaves; none: without
+  std::map<InstanceId, Drawn> alone_;                // of representatives: the affected leaves below them
+};
+
+}  // namespace cnrg
