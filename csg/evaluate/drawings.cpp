@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "csg/carriers/common_lines.h"
+#include "csg/carriers/sharing.h"
 #include "csg/carriers/surface_numbers.h"
 #include "csg/evaluate/diagnostics.h"
 #include "csg/leaves/geometry_leaf.h"
@@ -95,16 +96,23 @@ Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedL
   append(diagnostics, leaves.near_notices(drawing.near));
   append(diagnostics, leaves.located_notices(drawing.refused));
   whole_ = std::move(drawing.placed);
-  // Where nothing was done, nothing is shared, and fewer leaves share nothing either. Else no curved leaf, welded no
-  // leaf, is known to share nothing: the others of a pair may be drawn on the lines of one that stays as it is.
-  bool any = !drawing.refused.empty();
-  for (std::size_t i = 0; i < whole_.instances.size() && !any; ++i) {
-    const LeafInstance &before = leaves.instances()[i], &after = whole_.instances[i];
-    any = before.leaf != after.leaf || !(*before.transform == *after.transform);
-  }
-  for (const LeafInstance& instance : leaves.instances())
-    affected_.push_back(any && (tree.weld || instance.leaf->form()));
+  find_affected(!drawing.refused.empty());
   find_representatives();
+}
+
+void Drawings::find_affected(bool any_refused) {
+  const std::vector<LeafInstance>& before = leaves_.instances();
+  if (tree_.weld) group_.assign(before.size(), 0);
+  else group_ = sharing_groups(before);
+  size_.resize(before.size());
+  affected_.resize(before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    ++size_[group_[i]];
+    const LeafInstance& after = whole_.instances[i];
+    if (any_refused || before[i].leaf != after.leaf || !(*before[i].transform == *after.transform))
+      affected_[group_[i]] = 1;
+  }
+  for (std::size_t g = 0; g < size_.size(); ++g) affected_[g] = affected_[g] != 0 && size_[g] > 1;
 }
 
 void Drawings::find_representatives() {
@@ -116,27 +124,51 @@ void Drawings::find_representatives() {
     }
     sort_unique(below);
     if (below.size() == 1) representative_.push_back(below.front());
-    else if (!below.empty() || (leaf.valid() && affected_[leaf.index()])) representative_.push_back(id);
+    else if (!below.empty() || (leaf.valid() && affected_[group_[leaf.index()]])) representative_.push_back(id);
     else representative_.push_back(InstanceId::none());
   }
 }
 
-PlacedLeaves Drawings::alone(InstanceId id) const {
-  std::vector<LeafInstance> instances(leaves_.instances().size(), LeafInstance{no_geometry(), {}});
-  for (const LeafId leaf : leaves_.below(unfolding_, id)) instances[leaf.index()] = leaves_.instances()[leaf.index()];
+PlacedLeaves Drawings::draw_only(const std::vector<LeafId>& leaves) const {
+  std::vector<LeafInstance> instances(whole_.instances.size(), LeafInstance{no_geometry(), {}});
+  for (const LeafId leaf : leaves) instances[leaf.index()] = leaves_.instances()[leaf.index()];
   PlacedLeaves placed;
   leaves_.locate_errors([&] { placed = draw(std::move(instances), tree_.weld).placed; });
   return placed;
 }
 
+const std::vector<LeafInstance>& Drawings::drawn(const std::vector<LeafId>& leaves) {
+  const auto [it, is_new] = drawn_.try_emplace(leaves);
+  if (!is_new) return it->second;
+  PlacedLeaves placed = draw_only(leaves);
+  for (const LeafId leaf : leaves) it->second.push_back(std::move(placed.instances[leaf.index()]));
+  return it->second;
+}
+
 const Drawings::Drawn& Drawings::drawn_alone(InstanceId representative) {
   const auto [it, is_new] = alone_.try_emplace(representative);
   if (!is_new) return it->second;
-  const PlacedLeaves placed = alone(representative);
+  std::map<std::uint32_t, std::vector<LeafId>> groups;
   for (const LeafId leaf : leaves_.below(unfolding_, representative)) {
-    if (affected_[leaf.index()]) it->second.emplace(leaf, placed.instances[leaf.index()]);
+    if (affected_[group_[leaf.index()]]) groups[group_[leaf.index()]].push_back(leaf);
+  }
+  for (const auto& [group, list] : groups) {
+    const bool all = list.size() == size_[group];
+    for (std::size_t i = 0; i < list.size(); ++i)
+      it->second.emplace(list[i], all ? whole_.instances[list[i].index()] : drawn(list)[i]);
   }
   return it->second;
+}
+
+PlacedLeaves Drawings::alone(InstanceId id) {
+  const std::vector<LeafId> below = leaves_.below(unfolding_, id);
+  if (tree_.weld) return draw_only(below);  // surfaces are welded, too
+  PlacedLeaves placed{std::vector<LeafInstance>(whole_.instances.size(), LeafInstance{no_geometry(), {}}),
+                      whole_.surfaces};
+  for (const LeafId leaf : below) placed.instances[leaf.index()] = whole_.instances[leaf.index()];
+  if (!representative_[id].valid()) return placed;
+  for (const auto& [leaf, instance] : drawn_alone(representative_[id])) placed.instances[leaf.index()] = instance;
+  return placed;
 }
 
 bool Drawings::as_alone(InstanceId id, const PlacedLeaves& placed) {

@@ -29,7 +29,7 @@ class Drawings {
 
   const PlacedLeaves& whole() const { return whole_; }
   /// The leaves below an instance as they are drawn alone; the others have no geometry. Throws TreeError.
-  PlacedLeaves alone(InstanceId id) const;
+  PlacedLeaves alone(InstanceId id);
   /// True if the leaves below an instance are drawn in `placed` as they are alone.
   bool as_alone(InstanceId id, const PlacedLeaves& placed);
   /// The instances below `root`, without it, that are not drawn in `placed` as they are alone, nor is one between.
@@ -37,16 +37,23 @@ class Drawings {
 
  private:
   using Drawn = std::map<LeafId, LeafInstance>;
+  void find_affected(bool any_refused);
   void find_representatives();
   const Drawn& drawn_alone(InstanceId representative);
+  PlacedLeaves draw_only(const std::vector<LeafId>& leaves) const;
+  /// Leaves of one group as they are drawn without the others.
+  const std::vector<LeafInstance>& drawn(const std::vector<LeafId>& leaves);
 
   const Tree& tree_;
   const Unfolding& unfolding_;
   const PreparedLeaves& leaves_;
   PlacedLeaves whole_;
-  std::vector<char> affected_;  // by leaf: it may be drawn otherwise among fewer leaves
+  std::vector<std::uint32_t> group_;  // by leaf: only those of one group depend on each other
+  std::vector<std::size_t> size_;     // of each group
+  std::vector<char> affected_;        // by group: its leaves may be drawn otherwise if they are fewer
   IdVector<InstanceId, InstanceId> representative_;  // first instance with the same affected leaves; none: without
-  std::map<InstanceId, Drawn> alone_;                // of representatives: the affected leaves below them
+  std::map<std::vector<LeafId>, std::vector<LeafInstance>> drawn_;
+  std::map<InstanceId, Drawn> alone_;  // of representatives: the affected leaves below them
 };
 
 }  // namespace cnrg

@@ -1,0 +1,79 @@
+#include "csg/carriers/sharing.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "csg/carriers/bands.h"
+#include "csg/carriers/boxes.h"
+#include "csg/curves/extrude.h"
+#include "csg/curves/revolved.h"
+#include "kernel/base/union_find.h"
+#include "kernel/refine/box_tree.h"
+
+namespace cnrg {
+namespace {
+
+/// L^T L is a multiple of the unit matrix.
+bool keeps_angles(const Transform& transform) {
+  const auto product = [&](std::size_t i, std::size_t j) {
+    Rational sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += transform.linear[k][i] * transform.linear[k][j];
+    return sum;
+  };
+  const Rational square = product(0, 0);
+  return product(1, 1) == square && product(2, 2) == square && product(0, 1) == 0 && product(0, 2) == 0 &&
+         product(1, 2) == 0;
+}
+
+/// Around the surfaces of a form that shares with what it meets; nothing for others, and beyond doubles.
+std::optional<Box> box_around(const CurvedForm& form, const Transform& transform) {
+  if (!keeps_angles(transform)) return std::nullopt;  // what is stretched alike is compared in one stretched space
+  Box box;
+  if (const auto* revolved = dynamic_cast<const RevolvedForm*>(&form)) {
+    box = box_of(*revolved, transform);
+  } else if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(&form)) {
+    box = box_of(*extrusion, transform);
+  } else if (const auto* banded = dynamic_cast<const BandedForm*>(&form); banded != nullptr && banded->slack == 0) {
+    for (const Band& band : banded->bands) box.extend(box_of(band.form, transform));
+  } else {
+    return std::nullopt;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!std::isfinite(box.lo[k]) || !std::isfinite(box.hi[k])) return std::nullopt;
+  }
+  return box;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> sharing_groups(const std::vector<LeafInstance>& instances) {
+  UnionFind groups(instances.size());
+  std::vector<Box> boxes;
+  std::vector<std::uint32_t> boxed, others;  // curved leaves with and without a box
+  for (std::uint32_t i = 0; i < instances.size(); ++i) {
+    const CurvedForm* const form = instances[i].leaf->form().get();
+    if (form == nullptr) continue;
+    if (const std::optional<Box> box = box_around(*form, *instances[i].transform)) {
+      boxes.push_back(*box);
+      boxed.push_back(i);
+    } else {
+      others.push_back(i);
+    }
+  }
+  if (!others.empty()) {  // one group of all
+    others.insert(others.end(), boxed.begin(), boxed.end());
+    for (const std::uint32_t i : others) groups.unite(others.front(), i);
+  } else if (!boxes.empty()) {
+    const BoxTree tree(boxes);
+    for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+      tree.query([&](const Box& box) { return box.meets(boxes[a]); },
+                 [&](std::uint32_t b) { groups.unite(boxed[a], boxed[b]); });
+    }
+  }
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < instances.size(); ++i) numbers.push_back(groups.find(i));
+  return numbers;
+}
+
+}  // namespace cnrg
