@@ -23,7 +23,41 @@ using Json = nlohmann::json;
 using Outputs = std::map<std::string, std::string>;
 
 // Known not to hold yet; whoever makes one of these hold deletes its line.
-const std::vector<KnownDisagreement> kKnown{};
+const std::vector<KnownDisagreement>& known() {
+  // Facets of curved leaves and height fields are as other leaves cut them; where surfaces are shared, as the
+  // finest asks.
+  const std::vector<std::string> faceted{"sphere",  "cylinder", "cone:",   "torus",  "revolve",
+                                         "extrude", "bezier",   "bspline", "coons:", "heightfield"};
+  // The frame of unbounded leaves, and so numbers of unbounded regions, are those of the tree.
+  const std::vector<std::string> unbounded{"halfspace", "plane:", "complement"};
+  static const std::vector<KnownDisagreement> list{
+      {"row removed", {}, {}},  // counts cells of the refinement of the whole tree
+      // Leaves come in the order of the tree: also who is first of equals.
+      {"json /leaves", {}, {}},
+      {"json /components/*/leaves", {}, {}},
+      {"json /edges/*/origin", {}, {}},
+      {"json /faces/*/origin", {}, {}},
+      {"json /faces/*/patch", {}, {}},
+      {"json /regions/*/origin", {}, {}},
+      {"json /vertices/*/origin", {}, {}},
+      {"groups", {}, {}},
+      {"file .msh", {}, {}},
+      {"file .inp", {}, {}},
+      // Faces of the refinement.
+      {"file .vtu", {}, {}},
+      {"topology", {}, {}},
+      {"json /grades", {"blend"}, {}},
+      // Regions of a group are numbered where the instance stands, so a turned one selects another region.
+      {"row", {"select"}, {Setting::copies, Setting::mixed}},
+      // What is below is asked where the instance stands, too.
+      {"row", {"below", "above"}, {Setting::copies, Setting::mixed}},
+      {"refused", {"below", "above"}, {Setting::copies, Setting::mixed}},
+      {"notices", {}, {Setting::copies, Setting::mixed}},  // cells are called by the numbers of each instance
+      {"", faceted, {}},
+      {"", unbounded, {}},
+  };
+  return list;
+}
 
 /// The nodes of the subtree by line, inline ones with those that they stand in.
 std::map<int, std::string> lines_of(const std::string& text, const std::set<std::string>& names) {
@@ -117,6 +151,8 @@ Told told_of(const ContextCase& drawn, const std::string& text, const std::strin
     options.threads = context.threads;
     options.refining = context.refining;
     options.region_volumes = context.one_by_one;
+    options.raw = context.raw;
+    options.validate = context.setting == Setting::read_back;
     if (context.kept) options.nodes.push_back(tree.find(drawn.subtree.back().name));
     for (const std::string& name : context.asked) options.nodes.push_back(tree.find(name));
     const Evaluation evaluation = evaluate(tree, options);
@@ -182,7 +218,7 @@ void compare_outputs(const Outputs& alone, const Outputs& other, Disagreements& 
 /// corners, so of triangles their number.
 Json without_origin(const std::string& text) {
   Json json = Json::parse(text);
-  json.erase("node"), json.erase("leaves");
+  json.erase("node"), json.erase("leaves"), json.erase("materials");  // those of the tree that reads it
   for (auto& component : json["components"]) component.erase("leaves");
   for (const char* kind : {"vertices", "edges", "faces", "regions"})
     for (auto& cell : json[kind]) cell.erase("origin");
@@ -208,7 +244,6 @@ void compare_read_back(const ContextCase& drawn, const std::string& alone, const
   file.subtree = nodes;
   NodeContext beside = context;
   if (!beside.nodes.empty()) {
-    beside.nodes = {beside.nodes.front()};
     beside.nodes.push_back({"all", "sum", "", {beside.nodes.front().name, node}, {}, false});
   }
   std::erase_if(file.materials,
@@ -240,6 +275,7 @@ std::string text_of(const ContextCase& drawn) {
     if (context.refining == Refining::apart) out += ", refined apart";
     if (context.threads != 1) out += ", " + std::to_string(context.threads) + " threads";
     if (context.one_by_one) out += ", one by one";
+    if (context.raw) out += ", raw";
     out += "\n" + text_in(drawn, context);
   }
   return out;
@@ -253,7 +289,8 @@ std::map<std::size_t, Disagreements> disagreements(const ContextCase& drawn) {
     const NodeContext& context = drawn.contexts[i];
     Disagreements& found = out[i];
     if (context.setting == Setting::read_back) {
-      compare_read_back(drawn, alone.outputs.at("json"), context, found);
+      const Outputs raw = context.raw ? told_of(drawn, text_alone(drawn), "t.yaml", context).outputs : Outputs();
+      compare_read_back(drawn, (context.raw ? raw : alone.outputs).at("json"), context, found);
       continue;
     }
     const Told there = told_of(drawn, text_in(drawn, context), "t.yaml", context);
@@ -265,8 +302,9 @@ std::map<std::size_t, Disagreements> disagreements(const ContextCase& drawn) {
 }
 
 bool is_known(const std::string& aspect, const NodeContext& context, const std::string& subtree) {
-  return std::any_of(kKnown.begin(), kKnown.end(), [&](const KnownDisagreement& k) {
-    return aspect.starts_with(k.aspect) && subtree.find(k.word) != std::string::npos &&
+  return std::any_of(known().begin(), known().end(), [&](const KnownDisagreement& k) {
+    const auto has = [&](const std::string& word) { return subtree.find(word) != std::string::npos; };
+    return aspect.starts_with(k.aspect) && (k.words.empty() || std::any_of(k.words.begin(), k.words.end(), has)) &&
            (k.settings.empty() || k.settings.contains(context.setting));
   });
 }

@@ -53,6 +53,7 @@ struct NodeContext {
   std::uint64_t order = 0;         ///< of nodes and keys; 0: as they are drawn
   Refining refining = Refining::chosen;
   int threads = 1;
+  bool raw = false;         ///< of `read_back`: cells as the refinement has them
   bool one_by_one = false;  ///< with the volumes of all regions each node is evaluated by itself
 };
 
@@ -82,11 +83,12 @@ std::map<std::size_t, Disagreements> disagreements(const ContextCase& drawn);
 /// is refused.
 std::string context_failure(const ContextCase& drawn);
 
-/// What is known not to hold yet.
+/// What is known not to hold yet: an aspect that begins so, of subtrees with one of the words, in one of the
+/// settings.
 struct KnownDisagreement {
-  const char* aspect;          ///< how its name begins
-  const char* word;            ///< in the text of the subtree; empty: any
-  std::set<Setting> settings;  ///< empty: any
+  const char* aspect;
+  std::vector<std::string> words;  ///< none: any subtree
+  std::set<Setting> settings;      ///< none: any
 };
 bool is_known(const std::string& aspect, const NodeContext& context, const std::string& subtree);
 

@@ -62,6 +62,7 @@ class Drawer {
       case 9:
       case 10: return select(pick());
       case 11: return fold();
+      case 12: return random_.one_in(2) ? fold() : one(pick());
       default: return one(pick());
     }
   }
@@ -367,8 +368,10 @@ NodeContext drawn_context(Random& random, Drawer drawer, const std::vector<Drawn
   if (is(Setting::apart)) out.refining = Refining::apart;
   if (is(Setting::threads)) out.threads = 2;
   if (is(Setting::order) || random.one_in(3)) out.order = random.next() | 1;
-  if (setting == Setting::read_back && random.one_in(2)) {  // beside a box
-    parts.push_back(drawer.leaf(drawn_box(random)));
+  if (setting == Setting::read_back) {  // beside a box its cells are cut
+    out.raw = random.one_in(3);
+    if (!out.raw && random.one_in(2))
+      drawer.push({drawer.name("b"), "box", drawn_box(random).second, {}, {}, false}, Taken::group);
   }
   out.nodes.assign(drawer.nodes.begin() + std::ptrdiff_t(subtree.size()), drawer.nodes.end());
   if (!out.nodes.empty()) keep_reached(out.nodes, {out.nodes.back().name});
@@ -436,7 +439,7 @@ std::string tree_text(const std::vector<std::string>& materials, const std::vect
 // --- less
 
 /// Without node `i`: its users take one of its operands in place of it, or do without.
-bool without(std::vector<DrawnNode>& nodes, std::size_t i, const std::string& instead) {
+bool taken_out(std::vector<DrawnNode>& nodes, std::size_t i, const std::string& instead) {
   const std::string gone = nodes[i].name;
   nodes.erase(nodes.begin() + std::ptrdiff_t(i));
   for (DrawnNode& user : nodes) {
@@ -501,7 +504,7 @@ class Smaller {
     const std::vector<DrawnNode>& nodes = drawn_.subtree;
     for (const std::string& operand : nodes.back().operands)  // an inner node is the one in question
       offer([&](ContextCase& c) {
-        without(c.subtree, nodes.size() - 1, operand), rename(c, nodes.back().name, operand);
+        taken_out(c.subtree, nodes.size() - 1, operand), rename(c, nodes.back().name, operand);
       });
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (nodes[i].in_place) offer([&](ContextCase& c) { c.subtree[i].in_place = false; });
@@ -526,7 +529,7 @@ class Smaller {
       for (const std::string& other : instead) {
         ContextCase less = drawn_;
         if (i + 1 == nodes.size() && (other.empty() || &nodes_of(less) == &less.subtree)) continue;
-        if (!without(nodes_of(less), i, other)) continue;
+        if (!taken_out(nodes_of(less), i, other)) continue;
         if (&nodes_of(less) == &less.subtree && !other.empty())
           for (DrawnNode& n : less.contexts[0].nodes)
             std::replace(n.operands.begin(), n.operands.end(), node.name, other);
