@@ -1,9 +1,15 @@
 // Faces that simplification merged away are passed over: the regions on both sides of them are one.
 #include "csg/topology/around.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
 #include "csg/topology/region_graph.h"
+#include "kernel/exact/predicates.h"
+#include "kernel/selection/canonical.h"
 #include "kernel/selection/incidence.h"
 
 namespace cnrg {
@@ -29,23 +35,61 @@ std::string region_name(const SimplifiedComplex& simplified, std::span<const Reg
   return component_name(components, component_of(simplified, simplified.region_place[r.index()]));
 }
 
+/// A half-edge of an edge along the way that its points tell: from the lesser end; of a closed edge from its least
+/// vertex to the lesser one of the corners next to it.
+HalfEdge way_of(const Complex& complex, const SimplifiedComplex::Edge& edge) {
+  const HalfEdge first = edge.chain.front();
+  const auto less = [&](VertexId a, VertexId b) { return compare_lex(complex.points, a, b) < 0; };
+  if (!edge.closed) return less(complex.origin(first), complex.target(edge.chain.back())) ? first : first.twin();
+  const std::vector<VertexId> v = chain_vertices(complex, edge);
+  const std::size_t n = v.size(), least = std::size_t(std::min_element(v.begin(), v.end(), less) - v.begin());
+  const auto corner = [&](std::size_t step) {  // the next vertex in which the edge bends
+    std::size_t k = least;
+    do k = (k + step) % n;
+    while (k != least && collinear(complex.points, v[(k + n - 1) % n], v[k], v[(k + 1) % n]));
+    return v[k];
+  };
+  return less(corner(1), corner(n - 1)) ? first : first.twin();
+}
+
+/// The faces about an edge, each with the region after it, counter-clockwise against the way of the edge, from the
+/// least one.
+std::vector<std::pair<std::uint32_t, std::string>> faces_about(const Complex& complex,
+                                                               const SimplifiedComplex& simplified,
+                                                               std::span<const RegionAttributes> components,
+                                                               const SimplifiedComplex::Edge& edge) {
+  const HalfEdge way = way_of(complex, edge);
+  std::vector<std::pair<std::uint32_t, std::string>> out;
+  for (const RadialStep& step : radial_order(complex, way.edge())) {
+    const SimplifiedComplex::Place face = simplified.face_place[step.face.face().index()];
+    if (face.dimension == 2) out.emplace_back(face.index, region_name(simplified, components, step.region));
+  }
+  if (way.direction() == 1) {  // the other way round a region is before the face that it was after
+    std::reverse(out.begin(), out.end());
+    for (std::size_t i = 0; i + 1 < out.size(); ++i) std::swap(out[i].second, out[i + 1].second);
+  }
+  auto least = out;
+  for (std::size_t i = 1; i < out.size(); ++i) {
+    std::rotate(out.begin(), out.begin() + 1, out.end());
+    least = std::min(least, out);
+  }
+  return least;
+}
+
 }  // namespace
 
 std::string radial_orders_text(const Complex& complex, const SimplifiedComplex& simplified,
                                std::span<const RegionAttributes> components, std::span<const std::uint32_t> edges,
                                std::size_t most) {
   return lines("radial order (faces and regions about the edge)", edges, most, [&](std::uint32_t i) {
-    const EdgeId e = simplified.edges[i].chain.front().edge();
-    std::string text = cell_name(1, i) + ":";
-    bool any = false;
-    for (const RadialStep& step : radial_order(complex, e)) {
-      const SimplifiedComplex::Place face = simplified.face_place[step.face.face().index()];
-      if (face.dimension != 2) continue;
-      text += std::string(any ? ", " : " ") + cell_name(2, face.index) + ", " +
-              region_name(simplified, components, step.region);
-      any = true;
-    }
-    return any ? text : text + " a wire in " + region_name(simplified, components, complex.some_region(e));
+    const SimplifiedComplex::Edge& edge = simplified.edges[i];
+    const auto faces = faces_about(complex, simplified, components, edge);
+    std::string text;
+    for (const auto& [face, region] : faces)
+      text += (text.empty() ? " " : ", ") + cell_name(2, face) + ", " + region;
+    if (faces.empty())
+      text = " a wire in " + region_name(simplified, components, complex.some_region(edge.chain.front().edge()));
+    return cell_name(1, i) + ":" + text;
   });
 }
 
