@@ -8,6 +8,7 @@
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
 #include "csg/topology/region_graph.h"
+#include "kernel/base/union_find.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/selection/incidence.h"
@@ -76,6 +77,52 @@ std::vector<std::pair<std::uint32_t, std::string>> faces_about(const Complex& co
   return least;
 }
 
+/// How many of each the graph on a small sphere around a vertex has, in cells of the result.
+struct SphereGraph {
+  std::size_t nodes = 0, arcs = 0, germs = 0, parts = 0;
+};
+
+SphereGraph graph_of(const SimplifiedComplex& simplified, const Neighbourhood& n) {
+  using Index = Neighbourhood::Index;
+  const auto is_node = [&](Index i) {
+    return simplified.edge_place[n.nodes[i].edge.edge().index()].dimension == 1;
+  };
+  const auto is_arc = [&](Index i) { return simplified.face_place[n.arcs[i].face.index()].dimension == 2; };
+  const auto node_count = Index(n.nodes.size());
+  UnionFind arcs(n.arcs.size()), germs(n.germs.size()), parts(n.nodes.size() + n.arcs.size());
+  std::vector<Index> ending(n.nodes.size(), Neighbourhood::kNone);  // an arc at a node that is gone
+  for (Index i = 0; i < n.arcs.size(); ++i) {
+    if (!is_arc(i)) {
+      germs.unite(n.arcs[i].germs[0], n.arcs[i].germs[1]);
+      continue;
+    }
+    for (const Index node : n.arcs[i].nodes) {
+      if (node == Neighbourhood::kNone) continue;
+      if (is_node(node)) {
+        parts.unite(node, node_count + i);
+      } else if (ending[node] == Neighbourhood::kNone) {
+        ending[node] = i;
+      } else {
+        arcs.unite(ending[node], i);
+        parts.unite(node_count + ending[node], node_count + i);
+      }
+    }
+  }
+  SphereGraph out;
+  for (Index i = 0; i < n.nodes.size(); ++i) {
+    if (!is_node(i)) continue;
+    ++out.nodes;
+    out.parts += parts.find(i) == i;
+  }
+  for (Index i = 0; i < n.arcs.size(); ++i) {
+    if (!is_arc(i)) continue;
+    out.arcs += arcs.find(i) == i;
+    out.parts += parts.find(node_count + i) == node_count + i;
+  }
+  for (Index i = 0; i < n.germs.size(); ++i) out.germs += germs.find(i) == i;
+  return out;
+}
+
 }  // namespace
 
 std::string radial_orders_text(const Complex& complex, const SimplifiedComplex& simplified,
@@ -95,14 +142,13 @@ std::string radial_orders_text(const Complex& complex, const SimplifiedComplex& 
 
 std::string neighbourhoods_text(const SimplifiedComplex& simplified, Neighbourhoods& neighbourhoods,
                                 std::span<const std::uint32_t> vertices, std::size_t most) {
-  return lines("neighbourhood (graph on a small sphere, in cells of the refinement)", vertices, most,
-               [&](std::uint32_t i) {
-                 const Neighbourhood n = neighbourhoods.at(simplified.vertices[i].cell);
-                 return cell_name(0, i) + ": " + numbered(n.nodes.size(), "node (edge)", "nodes (edges)") + ", " +
-                        numbered(n.arcs.size(), "arc (corner of a face)", "arcs (corners of faces)") + ", " +
-                        numbered(n.germs.size(), "face (piece of a region)", "faces (pieces of regions)") + ", " +
-                        numbered(n.parts, "connected part", "connected parts");
-               });
+  return lines("neighbourhood (graph on a small sphere)", vertices, most, [&](std::uint32_t i) {
+    const SphereGraph g = graph_of(simplified, neighbourhoods.at(simplified.vertices[i].cell));
+    return cell_name(0, i) + ": " + numbered(g.nodes, "node (edge)", "nodes (edges)") + ", " +
+           numbered(g.arcs, "arc (corner of a face)", "arcs (corners of faces)") + ", " +
+           numbered(g.germs, "face (piece of a region)", "faces (pieces of regions)") + ", " +
+           numbered(g.parts, "connected part", "connected parts");
+  });
 }
 
 std::string shells_text(const SimplifiedComplex& simplified, std::span<const RegionAttributes> components,
