@@ -9,6 +9,7 @@
 #include <map>
 
 #include "csg/mesh/material_field.h"
+#include "csg/result/file_numbers.h"
 #include "csg/result/said_table.h"
 #include "csg/text/escape.h"
 #include "csg/text/xml.h"
@@ -97,8 +98,13 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   std::vector<std::string> regions, materials, leaves;
   for (const RegionAttributes& a : view.value->attributes()) regions.push_back(a.name);
   for (const auto& m : view.materials) materials.push_back(m.name);
-  if (view.leaves != nullptr)
-    for (const auto& leaf : *view.leaves) leaves.push_back(leaf.name);
+  std::map<std::int32_t, std::int32_t> numbers{{-1, -1}};  // of the leaves that cells name, without gaps
+  for (const CellTags& tags : tags_) numbers[tags.leaf] = 0;
+  for (auto& [leaf, number] : numbers) {
+    if (leaf < 0) continue;
+    number = static_cast<std::int32_t>(leaves.size());
+    leaves.push_back(leaf_name(view, LeafId(static_cast<std::uint32_t>(leaf))));
+  }
   std::vector<double> coordinates;
   for (const auto& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
 
@@ -143,7 +149,9 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   append_tag("region_back", &CellTags::back);
   append_tag("regions_bounded", &CellTags::bounded);
   append_tag("material", &CellTags::material);
-  append_tag("source_leaf", &CellTags::leaf);
+  std::vector<std::int32_t> sources;
+  for (const CellTags& tags : tags_) sources.push_back(numbers.at(tags.leaf));
+  append_array(text, "source_leaf", "Int32", sources);
   append_tag("source_face", &CellTags::face);
   if (!names.empty()) {
     std::vector<std::int32_t> values;

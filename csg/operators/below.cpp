@@ -72,7 +72,7 @@ class Plumb {
         const RationalPoint &a = point(complex_.origin(h)), &b = point(complex_.target(h));
         if ((a[1] > p[1]) == (b[1] > p[1])) continue;
         const Rational turn = (b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1]);
-        if ((b[1] > a[1]) == (turn > 0)) inside = !inside;
+        if (turn != 0 && (b[1] > a[1]) == (turn > 0)) inside = !inside;
       }
     }
     return inside;

@@ -1,9 +1,16 @@
 // Faces that simplification merged away are passed over: the regions on both sides of them are one.
 #include "csg/topology/around.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
 #include "csg/topology/region_graph.h"
+#include "kernel/base/union_find.h"
+#include "kernel/exact/predicates.h"
+#include "kernel/selection/canonical.h"
 #include "kernel/selection/incidence.h"
 
 namespace cnrg {
@@ -29,36 +36,119 @@ std::string region_name(const SimplifiedComplex& simplified, std::span<const Reg
   return component_name(components, component_of(simplified, simplified.region_place[r.index()]));
 }
 
+/// A half-edge of an edge along the way that its points tell: from the lesser end; of a closed edge from its least
+/// vertex to the lesser one of the corners next to it.
+HalfEdge way_of(const Complex& complex, const SimplifiedComplex::Edge& edge) {
+  const HalfEdge first = edge.chain.front();
+  const auto less = [&](VertexId a, VertexId b) { return compare_lex(complex.points, a, b) < 0; };
+  if (!edge.closed) return less(complex.origin(first), complex.target(edge.chain.back())) ? first : first.twin();
+  const std::vector<VertexId> v = chain_vertices(complex, edge);
+  const std::size_t n = v.size(), least = std::size_t(std::min_element(v.begin(), v.end(), less) - v.begin());
+  const auto corner = [&](std::size_t step) {  // the next vertex in which the edge bends
+    std::size_t k = least;
+    do k = (k + step) % n;
+    while (k != least && collinear(complex.points, v[(k + n - 1) % n], v[k], v[(k + 1) % n]));
+    return v[k];
+  };
+  return less(corner(1), corner(n - 1)) ? first : first.twin();
+}
+
+/// The faces about an edge, each with the region after it, counter-clockwise against the way of the edge, from the
+/// least one.
+std::vector<std::pair<std::uint32_t, std::string>> faces_about(const Complex& complex,
+                                                               const SimplifiedComplex& simplified,
+                                                               std::span<const RegionAttributes> components,
+                                                               const SimplifiedComplex::Edge& edge) {
+  const HalfEdge way = way_of(complex, edge);
+  std::vector<std::pair<std::uint32_t, std::string>> out;
+  for (const RadialStep& step : radial_order(complex, way.edge())) {
+    const SimplifiedComplex::Place face = simplified.face_place[step.face.face().index()];
+    if (face.dimension == 2) out.emplace_back(face.index, region_name(simplified, components, step.region));
+  }
+  if (way.direction() == 1) {  // the other way round a region is before the face that it was after
+    std::reverse(out.begin(), out.end());
+    for (std::size_t i = 0; i + 1 < out.size(); ++i) std::swap(out[i].second, out[i + 1].second);
+  }
+  auto least = out;
+  for (std::size_t i = 1; i < out.size(); ++i) {
+    std::rotate(out.begin(), out.begin() + 1, out.end());
+    least = std::min(least, out);
+  }
+  return least;
+}
+
+/// How many of each the graph on a small sphere around a vertex has, in cells of the result.
+struct SphereGraph {
+  std::size_t nodes = 0, arcs = 0, germs = 0, parts = 0;
+};
+
+SphereGraph graph_of(const SimplifiedComplex& simplified, const Neighbourhood& n) {
+  using Index = Neighbourhood::Index;
+  const auto is_node = [&](Index i) {
+    return simplified.edge_place[n.nodes[i].edge.edge().index()].dimension == 1;
+  };
+  const auto is_arc = [&](Index i) { return simplified.face_place[n.arcs[i].face.index()].dimension == 2; };
+  const auto node_count = Index(n.nodes.size());
+  UnionFind arcs(n.arcs.size()), germs(n.germs.size()), parts(n.nodes.size() + n.arcs.size());
+  std::vector<Index> ending(n.nodes.size(), Neighbourhood::kNone);  // an arc at a node that is gone
+  for (Index i = 0; i < n.arcs.size(); ++i) {
+    if (!is_arc(i)) {
+      germs.unite(n.arcs[i].germs[0], n.arcs[i].germs[1]);
+      continue;
+    }
+    for (const Index node : n.arcs[i].nodes) {
+      if (node == Neighbourhood::kNone) continue;
+      if (is_node(node)) {
+        parts.unite(node, node_count + i);
+      } else if (ending[node] == Neighbourhood::kNone) {
+        ending[node] = i;
+      } else {
+        arcs.unite(ending[node], i);
+        parts.unite(node_count + ending[node], node_count + i);
+      }
+    }
+  }
+  SphereGraph out;
+  for (Index i = 0; i < n.nodes.size(); ++i) {
+    if (!is_node(i)) continue;
+    ++out.nodes;
+    out.parts += parts.find(i) == i;
+  }
+  for (Index i = 0; i < n.arcs.size(); ++i) {
+    if (!is_arc(i)) continue;
+    out.arcs += arcs.find(i) == i;
+    out.parts += parts.find(node_count + i) == node_count + i;
+  }
+  for (Index i = 0; i < n.germs.size(); ++i) out.germs += germs.find(i) == i;
+  return out;
+}
+
 }  // namespace
 
 std::string radial_orders_text(const Complex& complex, const SimplifiedComplex& simplified,
                                std::span<const RegionAttributes> components, std::span<const std::uint32_t> edges,
                                std::size_t most) {
   return lines("radial order (faces and regions about the edge)", edges, most, [&](std::uint32_t i) {
-    const EdgeId e = simplified.edges[i].chain.front().edge();
-    std::string text = cell_name(1, i) + ":";
-    bool any = false;
-    for (const RadialStep& step : radial_order(complex, e)) {
-      const SimplifiedComplex::Place face = simplified.face_place[step.face.face().index()];
-      if (face.dimension != 2) continue;
-      text += std::string(any ? ", " : " ") + cell_name(2, face.index) + ", " +
-              region_name(simplified, components, step.region);
-      any = true;
-    }
-    return any ? text : text + " a wire in " + region_name(simplified, components, complex.some_region(e));
+    const SimplifiedComplex::Edge& edge = simplified.edges[i];
+    const auto faces = faces_about(complex, simplified, components, edge);
+    std::string text;
+    for (const auto& [face, region] : faces)
+      text += (text.empty() ? " " : ", ") + cell_name(2, face) + ", " + region;
+    if (faces.empty())
+      text = " a wire in " + region_name(simplified, components, complex.some_region(edge.chain.front().edge()));
+    return cell_name(1, i) + ":" + text;
   });
 }
 
 std::string neighbourhoods_text(const SimplifiedComplex& simplified, Neighbourhoods& neighbourhoods,
                                 std::span<const std::uint32_t> vertices, std::size_t most) {
-  return lines("neighbourhood (graph on a small sphere, in cells of the refinement)", vertices, most,
-               [&](std::uint32_t i) {
-                 const Neighbourhood n = neighbourhoods.at(simplified.vertices[i].cell);
-                 return cell_name(0, i) + ": " + numbered(n.nodes.size(), "node (edge)", "nodes (edges)") + ", " +
-                        numbered(n.arcs.size(), "arc (corner of a face)", "arcs (corners of faces)") + ", " +
-                        numbered(n.germs.size(), "face (piece of a region)", "faces (pieces of regions)") + ", " +
-                        numbered(n.parts, "connected part", "connected parts");
-               });
+  return lines("neighbourhood (graph on a small sphere)", vertices, most, [&](std::uint32_t i) {
+    const SphereGraph g = graph_of(simplified, neighbourhoods.at(simplified.vertices[i].cell));
+    return cell_name(0, i) + ": " + numbered(g.nodes, "node (edge)", "nodes (edges)") + ", " +
+           numbered(g.arcs, "arc (corner of a face)", "arcs (corners of faces)") + ", " +
+           numbered(g.germs, "face (piece of a region)", "faces (pieces of regions)") + ", " +
+           numbered(g.parts, "connected part", "connected parts");
+  });
 }
 
 std::string shells_text(const SimplifiedComplex& simplified, std::span<const RegionAttributes> components,

@@ -18,7 +18,7 @@ std::string radial_orders_text(const Complex& complex, const SimplifiedComplex& 
                                std::span<const RegionAttributes> components, std::span<const std::uint32_t> edges,
                                std::size_t most = 12);
 
-/// One line per listed vertex: its neighbourhood as a planar graph on a small sphere, in cells of the refinement.
+/// One line per listed vertex: its neighbourhood as a planar graph on a small sphere, in cells of the result.
 std::string neighbourhoods_text(const SimplifiedComplex& simplified, Neighbourhoods& neighbourhoods,
                                 std::span<const std::uint32_t> vertices, std::size_t most = 12);
 

@@ -175,6 +175,19 @@ result: core
   CHECK(volume_of(e, e.kept[2].group()) == 48 - 4 * Rational(3, 2));
 }
 
+TEST_CASE("nothing of a block under a surface is above it, whatever cuts the surface", "[below]") {
+  // The other leaves cut the surface where a line upward from the block meets it.
+  const Evaluation e = evaluated(
+      "cnrg: 1\nnodes:\n  surface: {polygon: [[-9, -9, 4], [9, -9, 4], [9, 9, 4], [-9, 9, 4]]}\n"
+      "  block: {box: {min: [1, 0, 0], max: [3, 1, 2]}}\n"
+      "  left:  {box: {min: [1, -1, 3], max: [2, 2, 5]}}\n  right: {box: {min: [2, -1, 3], max: [3, 2, 5]}}\n"
+      "  over:  {above: surface, within: block}\n  under: {below: surface, within: block}\n"
+      "  all:   {sum: [left, right, over, under]}\nresult: all\n",
+      {"over", "under"});
+  CHECK(e.result("over").component_count() == 0);
+  CHECK(e.result("under").volume(1) == Rational(4));
+}
+
 TEST_CASE("faults of surfaces are told with their places", "[below]") {
   const std::string block = "  b: {box: {min: [0, 0, 0], max: [4, 4, 4]}}\n";
   const auto fault = [&](const std::string& surface) {

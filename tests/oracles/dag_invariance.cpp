@@ -5,7 +5,6 @@
 
 #include "tests/oracles/dag_values.h"
 #include "tests/oracles/evaluation.h"
-#include "tests/scenes/same_arrays.h"
 
 namespace cnrg::properties {
 namespace {
@@ -106,22 +105,6 @@ RandomDag permuted(RandomDag dag, std::vector<std::size_t>& number) {
   return out;
 }
 
-/// Each cell came from the same leaves; the tables of their sets may be in another order.
-bool same_sets(const LeafSets& a, const std::vector<LeafSetId>& x, const LeafSets& b,
-               const std::vector<LeafSetId>& y) {
-  return std::equal(x.begin(), x.end(), y.begin(), y.end(),
-                    [&](LeafSetId s, LeafSetId t) { return std::ranges::equal(a[s], b[t]); });
-}
-
-/// Equal cells, features, components and origins on equal complexes.
-bool same(const Complex& complex_a, const NodeValue& a, const Complex& complex_b, const NodeValue& b) {
-  return selection_of(complex_a, a) == selection_of(complex_b, b) && a.features().edges == b.features().edges &&
-         a.features().vertices == b.features().vertices && a.component_count() == b.component_count() &&
-         same_sets(a.origins().sets, a.origins().faces, b.origins().sets, b.origins().faces) &&
-         same_sets(a.origins().sets, a.origins().edges, b.origins().sets, b.origins().edges) &&
-         same_sets(a.origins().sets, a.origins().vertices, b.origins().sets, b.origins().vertices);
-}
-
 }  // namespace
 
 std::string permutation_failure(const RandomDag& dag) {
@@ -145,22 +128,6 @@ std::string motion_failure(const RandomDag& dag) {
   if (!a.values) return a.failure;
   if (!b.values) return b.failure;
   return compare(dag, forms(dag, *a.values, motion), forms(other, *b.values, {}));
-}
-
-std::string threads_failure(const RandomDag& dag) {
-  try {
-    const DagValues one = evaluate(dag, 1), two = evaluate(dag, 2);
-    if (!scenes::same_arrays(one.complex(), two.complex())) return "the complex depends on the number of threads";
-    for (std::size_t i = 0; i < dag.nodes.size(); ++i)
-      if (!same(one.complex(), *one.values[i], two.complex(), *two.values[i]))
-        return name_of(dag, i) + " depends on the number of threads";
-    const Evaluation result = evaluate_result(dag);
-    if (!same(one.complex(), *one.values.back(), *result.complex, *result.kept.front().value))
-      return "the result depends on which values are kept";
-    return {};
-  } catch (const std::exception& error) {
-    return std::string("thrown: ") + error.what();
-  }
 }
 
 }  // namespace cnrg::properties

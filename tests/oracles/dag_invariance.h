@@ -1,6 +1,5 @@
-// What must not change the values of a dag: the order of its leaves, faces and points, an exact rigid motion, the
-// number of threads, and which values are kept (csg/SEMANTICS.md#identities). Values are compared by their
-// canonical forms, component by component.
+// What must not change the values of a dag: the order of its leaves, faces and points, and an exact rigid motion
+// (csg/SEMANTICS.md#identities). Values are compared by their canonical forms, component by component.
 //
 // Each function returns the first difference in words, or an empty string.
 #pragma once
@@ -15,7 +14,5 @@ namespace cnrg::properties {
 std::string permutation_failure(const RandomDag& dag);
 /// Turned by a rational rotation, and moved.
 std::string motion_failure(const RandomDag& dag);
-/// Evaluated by one thread and by two: equal arrays; and with only the result's value kept.
-std::string threads_failure(const RandomDag& dag);
 
 }  // namespace cnrg::properties

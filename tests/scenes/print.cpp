@@ -7,18 +7,6 @@
 namespace cnrg::scenes {
 namespace {
 
-const char* name(Fill fill) {
-  switch (fill) {
-    case Fill::none: return "none";
-    case Fill::winding: return "winding";
-    case Fill::parity: return "parity";
-    case Fill::cells: return "cells";
-    case Fill::solids: return "solids";
-    case Fill::sides: break;
-  }
-  return "sides";
-}
-
 std::string print_node(std::ostringstream& out, const Expression& e, int& count) {
   if (e.op == Op::leaf) return "leaf" + std::to_string(e.leaf);
   const std::string left = print_node(out, *e.left, count), right = print_node(out, *e.right, count);
@@ -30,6 +18,18 @@ std::string print_node(std::ostringstream& out, const Expression& e, int& count)
 }
 
 }  // namespace
+
+const char* name(Fill fill) {
+  switch (fill) {
+    case Fill::none: return "none";
+    case Fill::winding: return "winding";
+    case Fill::parity: return "parity";
+    case Fill::cells: return "cells";
+    case Fill::solids: return "solids";
+    case Fill::sides: break;
+  }
+  return "sides";
+}
 
 std::string group_text(const Leaf& leaf) {
   std::ostringstream out;

@@ -88,6 +88,8 @@ struct SoupOptions {
 };
 Soup make_soup(const std::vector<Leaf>& leaves, const SoupOptions& options = {});
 
+/// As the tree file has it.
+const char* name(Fill fill);
 /// The fields of a `group` leaf that is this one, each line indented by six.
 std::string group_text(const Leaf& leaf);
 /// The scene as a tree file; inner nodes are `n0`, `n1`, ..., leaves `leaf0`, ...

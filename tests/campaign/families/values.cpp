@@ -1,17 +1,13 @@
-// Values of whole trees against each other: what laws, definitions, order, motions, threads, folds and files must
-// leave as it is. No oracle outside, so these are fast and many.
-#include <unistd.h>
-
+// Values of whole trees against each other: what laws, definitions, order, motions, folds and contexts must leave
+// as it is. No oracle outside, so these are fast and many.
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <sstream>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/formats/result_file.h"
 #include "csg/operators/node_value.h"
 #include "tests/campaign/families/families.h"
+#include "tests/oracles/contexts.h"
 #include "tests/oracles/curved_trees.h"
 #include "tests/oracles/dag_invariance.h"
 #include "tests/oracles/dag_laws.h"
@@ -117,68 +113,6 @@ std::vector<Fold> smaller_folds(const Fold& fold) {
   return out;
 }
 
-// --- files
-
-/// A folder in memory, where there is one: files are flushed to the disk.
-class Folder {
- public:
-  Folder() {
-    const std::filesystem::path memory = "/dev/shm";
-    const auto base = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
-    path_ = base / ("cnrg-campaign-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::string operator/(const char* name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-std::string text_of_file(const std::string& path) {
-  std::ostringstream out;
-  out << std::ifstream(path).rdbuf();
-  return out.str();
-}
-
-std::string compare_results(const Result& a, const Result& b) {
-  if (a.component_count() != b.component_count())
-    return std::to_string(a.component_count()) + " components, read back " + std::to_string(b.component_count());
-  if (active_counts(a.cells()) != active_counts(b.cells())) return "numbers of cells differ";
-  const Selection sa = a.selection(), sb = b.selection();
-  if (std::string f = properties::difference(properties::skeleton(a.complex(), properties::joined(sa)),
-                                             properties::skeleton(b.complex(), properties::joined(sb)));
-      !f.empty())
-    return "the point set, as it was first, then as it was read:\n" + f;
-  for (Component i = 1; i <= a.component_count(); ++i) {
-    const std::string words = "component " + std::to_string(i) + ": ";
-    if (a.volume(i) != b.volume(i)) return words + "volumes differ";
-    if (a.attributes(i).name != b.attributes(i).name) return words + "names differ";
-    const auto part = [&](const Result& r, const Selection& s) {
-      return properties::skeleton(r.complex(), properties::joined(restrict_to(s, support(s, i))));
-    };
-    if (std::string f = properties::difference(part(a, sa), part(b, sb)); !f.empty())
-      return words + "as it was first, then as it was read:\n" + f;
-  }
-  return {};
-}
-
-std::string compare_read_back(const RandomDag& dag) {
-  const Result first = properties::evaluate_result(dag).result();
-  const Folder folder;
-  const std::string path = folder / "result.json";  // which it says it came from
-  write(path, first);
-  const Result second = read_result(path);
-  if (std::string f = compare_results(first, second); !f.empty()) return f;
-  write(path, second);
-  const std::string text = text_of_file(path);
-  write(path, read_result(path));
-  return text == text_of_file(path) ? "" : "read and written twice, the file is another one";
-}
-
 }  // namespace
 
 void add_values(Families& families) {
@@ -198,8 +132,17 @@ void add_values(Families& families) {
   dags("laws", "laws of the algebra, definitions cell by cell", 1, 100'000'000, properties::law_failure);
   dags("permuted", "other order of leaves, faces, points", 1, 200'000'000, properties::permutation_failure);
   dags("moved", "exact rotation and translation", 1, 300'000'000, properties::motion_failure);
-  dags("threads", "1 and 2 threads, byte for byte", 1, 400'000'000, properties::threads_failure);
-  dags("read-back", "written as .json and read: cell for cell", 1, 500'000'000, compare_read_back);
+
+  using properties::ContextCase;
+  Recipe<ContextCase> context;
+  context.name = "contexts";
+  context.oracle = "a node alone and in larger trees, byte for byte";
+  context.share = 4;
+  context.make = [](std::uint64_t seed) { return properties::random_context_case(seed + 400'000'000); };
+  context.compare = properties::context_failure;
+  context.smaller = [](const ContextCase& c) { return properties::smaller(c); };
+  context.text = [](const ContextCase& c) { return properties::text_of(c); };
+  add(families, context);
 
   Recipe<Fold> fold;
   fold.name = "folded";
