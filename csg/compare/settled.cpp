@@ -8,11 +8,11 @@
 
 namespace cnrg {
 
-Settled::Settled(const Tree& tree, NodeId node, const UnusedMarks& marks, int threads) : file_("cnrg compare") {
+Settled::Settled(const Tree& tree, NodeId node, int threads) : file_("cnrg compare") {
   EvaluateOptions options;
   options.threads = threads;
   options.rows = Rows::none;
-  Tree asked = marked(tree, marks);
+  Tree asked = tree;
   asked.result = node;
   const Result result = evaluate(asked, options).result();
   const std::string text = json_text(result.data().view()).text;

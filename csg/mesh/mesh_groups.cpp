@@ -17,7 +17,7 @@ std::map<Component, std::string> region_names(const ResultView& view, const Flat
   std::map<std::string, int> uses;
   for (const auto& region : flat.regions) {
     if (region.component == 0 || names.count(region.component) != 0) continue;
-    std::string name = shown_in_quotes(attributes_of(view, region.component).name);
+    std::string name = shown_in_quotes(attributes_of(view, region.component).name.text());
     if (name.empty()) name = "region";
     ++uses[name];
     names.emplace(region.component, name);
