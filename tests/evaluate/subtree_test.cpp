@@ -1,15 +1,17 @@
 // All that is said of a node follows from its own subtree: other leaves, their order, other roots change nothing.
 #include <algorithm>
-#include <map>
+#include <array>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/geometry/transform.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/result_data.h"
 #include "csg/result/result_json.h"
-#include "kernel/complex/interior.h"
+#include "kernel/exact/exact_vectors.h"
 #include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
@@ -194,6 +196,57 @@ TEST_CASE("cavities of a leaf keep their numbers wherever it is and whatever cut
       } else {
         CHECK(names == expected);
       }
+    }
+  }
+}
+
+TEST_CASE("cavities of random faces keep their numbers under random motions beside other leaves", "[subtree]") {
+  const auto [first, last] = scenes::seeds(25);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto number = [&](int below) { return static_cast<int>(random() % static_cast<std::uint64_t>(below)); };
+    const auto list = [](const RationalPoint& p) {
+      return "[" + to_string(p[0]) + ", " + to_string(p[1]) + ", " + to_string(p[2]) + "]";
+    };
+    // Tetrahedra that cross each other, two of them with one corner.
+    std::string points, faces;
+    for (int t = 0; t < 3; ++t) {
+      std::array<RationalPoint, 4> p;
+      do {
+        for (RationalPoint& corner : p) corner = {number(7), number(7), number(7)};
+        if (t < 2) p[0] = {0, 0, 0};
+      } while (volume6(p[0], p[1], p[2], p[3]) == 0);
+      for (const RationalPoint& corner : p) points += (points.empty() ? "" : ", ") + list(corner);
+      for (const std::array<int, 3>& f : {std::array{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}) {
+        faces += faces.empty() ? "[" : ", [";
+        for (int k = 0; k < 3; ++k)
+          faces += (k == 0 ? "" : ", ") + std::to_string(4 * t + f[static_cast<std::size_t>(k)]);
+        faces += "]";
+      }
+    }
+    const RationalPoint axis{number(5) - 2, number(5) - 2, 1},
+        factors{number(2) == 0 ? 1 : -2, 1, number(2) == 0 ? 3 : -1};
+    const int degrees = number(360);
+    const std::string mesh = "  two: {mesh: {points: [" + points + "], faces: [" + faces + "], fill: cells}";
+    const std::string motion =
+        ", rotate: {axis: " + list(axis) + ", degrees: " + std::to_string(degrees) + "}, scale: " + list(factors);
+    const Transform transform = Transform::scaling(factors) * Transform::rotation(axis, degrees, {0, 0, 0});
+    INFO("seed " << seed << "\n" << mesh << motion);
+    const Result alone = result_in({mesh + "}\n", "two"}, "two");
+    const Result moved = result_in(
+        {"  other: {box: {min: [-3, -3, -3], max: [2, 3, 3]}}\n" + mesh + motion + "}\n  r: {sum: [other, two]}\n",
+         "r"},
+        "two");
+    REQUIRE(alone.component_count() == moved.component_count());
+    const Locator in_alone(alone.complex()), in_moved(moved.complex());
+    const auto name_at = [](const Result& result, const Locator& locator, const RationalPoint& p) {
+      const Component c = result.component(result.place(locator.locate(p)));
+      return c == 0 ? std::string() : result.attributes(c).name.text();
+    };
+    for (int i = 0; i < 30; ++i) {
+      const RationalPoint p{Rational(1 + 2 * number(20), 7), Rational(1 + 2 * number(20), 7),
+                            Rational(1 + 2 * number(20), 7)};
+      CHECK(name_at(alone, in_alone, p) == name_at(moved, in_moved, transform.apply(p)));
     }
   }
 }
