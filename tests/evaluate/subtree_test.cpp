@@ -3,11 +3,14 @@
 #include <array>
 #include <functional>
 #include <random>
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/geometry/transform.h"
+#include "csg/leaves/prepare_shapes.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/result_data.h"
 #include "csg/result/result_json.h"
@@ -273,6 +276,33 @@ TEST_CASE("names are data: no text in them means anything", "[subtree]") {
       {"  b: {box: {min: [0, 0, 0], max: [2, 2, 2]}}\n  u: {unify: b}\n  n: {product: [b, u]}\n", "n"}, "n");
   REQUIRE(mixed.component_count() == 2);
   CHECK(mixed.attributes(2).name == "b");
+}
+
+TEST_CASE("an exact file keeps the parts of names; one without them is read", "[subtree]") {
+  const Result n = result_in({"  b: {box: {min: [0, 0, 0], max: [2, 2, 2]}, name: sand & clay}\n  c: {box: {min: "
+                              "[1, 0, 0], max: [3, 2, 2]}}\n"
+                              "  two: {mesh: {points: [[9, 0, 0], [9, 1, 0], [9, 0, 1], [8, 0, 0], [5, 0, 0], [5, "
+                              "1, 0], [5, 0, 1], [4, 0, 0]], "
+                              "faces: [[0, 1, 2], [0, 1, 3], [1, 2, 3], [2, 0, 3], [4, 5, 6], [4, 5, 7], [5, 6, "
+                              "7], [6, 4, 7]], fill: cells}}\n"
+                              "  u: {unify: c}\n  n: {closure: {interior: {sum: [b, u, two]}}}\n",
+                              "n"},
+                             "n");
+  const std::string text = result_json(n.data().view());
+  const std::vector<Attributes> read = prepare_result(text, "n.json", nullptr)->regions();
+  REQUIRE(read.size() == n.component_count());
+  std::set<NameOrigin> origins;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    CHECK(read[i].name == n.attributes(static_cast<Component>(i + 1)).name);
+    for (const NamePart& part : read[i].name.parts()) origins.insert(part.origin);
+  }
+  CHECK(origins == std::set{NameOrigin::operation, NameOrigin::node, NameOrigin::given});
+  const std::string old = std::regex_replace(text, std::regex(R"("called":\[([^\]]*)\],)"), "");
+  CHECK(old.find("called") == std::string::npos);
+  for (const Attributes& of : prepare_result(old, "n.json", nullptr)->regions()) {
+    REQUIRE(of.name.parts().size() == 1);
+    CHECK(of.name.parts()[0].origin == NameOrigin::file);
+  }
 }
 
 TEST_CASE("what is written inline is called after its user, where that is a part or another form of it",
