@@ -20,7 +20,7 @@ struct Evaluated {
         value(evaluate_node(complex, Operation::unite, leaves).value),
         selection(selection_of(complex, value)),
         simplified(simplify(complex, selection, value.features())),
-        names(complex.leaf_count, LeafInfo{"leaf"}) {
+        names(complex.leaf_count, LeafInfo{"leaf", 0}) {
     put_in_order(complex, simplified);
   }
   ResultView view() const {

@@ -19,6 +19,7 @@
 #include "csg/app/exit_status.h"
 #include "csg/app/line_reader.h"
 #include "csg/evaluate/evaluate.h"
+#include "csg/evaluate/leaf_numbers.h"
 #include "csg/evaluate/places.h"
 #include "csg/explain/lives.h"
 #include "csg/leaves/surface_parameters.h"
@@ -76,7 +77,7 @@ std::string cell_words(const SimplifiedComplex& simplified, const SimplifiedComp
                            std::to_string(component);
   if (component == 0) return text;
   const std::string name =
-      shown(said != nullptr && !said->name.empty() ? said->name : value.attributes(component).name);
+      shown(said != nullptr && !said->name.empty() ? said->name.text() : value.attributes(component).name.text());
   return name.empty() ? text : text + " " + name;
 }
 
@@ -90,18 +91,23 @@ std::string describe_properties(const Attributes* said) {
 }
 
 /// The fields of parameters, the least where a seam or a pole has many.
-std::string describe_parameters(const Evaluation& evaluation, const NodeValue& value, const Location& cell,
+std::string describe_parameters(const Evaluation& evaluation, const KeptValue& kept, const Location& cell,
                                 const RationalPoint& p) {
   const SurfaceParameters& parameters = *evaluation.parameters;
-  const std::vector<LeafId> leaves = origins_in(*evaluation.complex, value, cell);
+  const std::vector<LeafId> leaves = origins_in(*evaluation.complex, *kept.value, cell);
   std::string text;
   const auto add = [&](LeafId leaf, const std::string& surface, const std::string& at) {
     text += "\t" + shown(evaluation.leaf_names[leaf.index()]) + ": " + shown(surface) + ": " + at;
   };
-  for (const PatchPoint& q : first_of_each(parameters.on_patches(cell, p, leaves))) {
+  const LeafOrder order = evaluation.leaves->order_below(evaluation.instances, kept.instance);
+  const auto in_order = [&](auto points) {
+    order.sort(points, [](const auto& q) { return q.leaf; });
+    return points;
+  };
+  for (const PatchPoint& q : in_order(first_of_each(parameters.on_patches(cell, p, leaves)))) {
     add(q.leaf, parameters.patch_name(q.leaf, q.patch), to_string(q.at[0]) + " " + to_string(q.at[1]));
   }
-  for (const CurvePoint& q : first_of_each(parameters.on_curves(cell, p, leaves))) {
+  for (const CurvePoint& q : in_order(first_of_each(parameters.on_curves(cell, p, leaves)))) {
     add(q.leaf, parameters.curve_name(q.leaf, q.curve), to_string(q.at));
   }
   return text;
@@ -152,7 +158,7 @@ class PlacesOfNodes {
     std::string text = cell_words(*value.simplified, place, *value.value, said);
     const bool of_component = said == nullptr && component != 0;
     text += describe_properties(of_component ? &value.value->attributes(component) : said);
-    if (arguments_.parameters) text += describe_parameters(*evaluation_, *value.value, cell, p);
+    if (arguments_.parameters) text += describe_parameters(*evaluation_, value, cell, p);
     if (arguments_.material) text += materials_->describe(component, said, p);
     return text;
   }

@@ -32,9 +32,9 @@ struct ComparedSide {
 
 class Comparer {
  public:
-  Comparer(const Together& together, const UnusedMarks& marks, const Names& names, const Evaluation& evaluation,
+  Comparer(const Together& together, const std::string& mark, const Evaluation& evaluation,
            const CompareOptions& options)
-      : marks_(marks), names_(names), complex_(*evaluation.complex), options_(options) {
+      : mark_(mark), complex_(*evaluation.complex), options_(options) {
     for (std::size_t side = 0; side < 2; ++side) {
       const KeptValue& kept = evaluation.value(together.nodes[side]);
       sides_[side].kept = &kept;
@@ -129,7 +129,7 @@ class Comparer {
           out_.components[side].push_back(kEntitiesLabel);
           continue;
         }
-        const std::string name = shown(names_.plain(value(side).attributes(i).name));
+        const std::string name = shown(value(side).attributes(i).name.text());
         out_.components[side].push_back((value(side).is_group() ? "region " : "component ") + std::to_string(i) +
                                         (name.empty() ? "" : " `" + name + "`"));
       }
@@ -145,16 +145,15 @@ class Comparer {
   /// What is said otherwise in `a`, of A, and `b`, of B.
   std::vector<Comparison::Word> differing(const Attributes& a, const Attributes& b) const {
     std::vector<Comparison::Word> out;
-    if (options_.names && names_.differ(a.name, b.name)) {
-      out.push_back({"name", false, {names_.plain(a.name), names_.plain(b.name)}});
+    if (options_.names && names_differ(a.name, b.name)) {
+      out.push_back({"name", false, {a.name.text(), b.name.text()}});
     }
     if (options_.materials) {
-      const std::string& mark = marks_.material;
       const std::string word_a = a.material.name();
-      const std::string word_b = without_mark(b.material.name(), mark);
+      const std::string word_b = without_mark(b.material.name(), mark_);
       const PlacedGrade *grade_a = a.material.grade(), *grade_b = b.material.grade();
       const bool same_grades =
-          grade_a == nullptr || grade_b == nullptr ? grade_a == grade_b : same_grade(*grade_a, *grade_b, mark);
+          grade_a == nullptr || grade_b == nullptr ? grade_a == grade_b : same_grade(*grade_a, *grade_b, mark_);
       if (word_a != word_b || !same_grades) out.push_back({"material", false, {word_a, word_b}, word_a == word_b});
     }
     if (!options_.attributes) return out;
@@ -225,8 +224,7 @@ class Comparer {
     }
   }
 
-  const UnusedMarks& marks_;
-  const Names& names_;
+  const std::string& mark_;
   const Complex& complex_;
   const CompareOptions& options_;
   std::array<ComparedSide, 2> sides_;
@@ -258,9 +256,8 @@ bool Comparison::same() const {
 Comparison compare(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const CompareOptions& options) {
   const std::array<const Tree*, 2> trees{&a, &b};
   std::array<NodeId, 2> nodes{node_a, node_b};
-  const UnusedMarks marks(a, b);
-  const Names names(marks.node, {Given(a, node_a), Given(b, node_b)});
-  // A fault of one of the trees is told in its own words, without marks and in the file that it is in.
+  const std::string mark = unused_mark(a, b);
+  // A fault of one of the trees is told in its own words, without the mark and in the file that it is in.
   const auto told_alone = [&](const std::vector<std::size_t>& sides, const auto& work) {
     const auto alone = [&] {
       for (const std::size_t side : sides) evaluated(*trees[side], side == 0 ? node_a : node_b, {}, options);
@@ -279,21 +276,19 @@ Comparison compare(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, c
   std::array<Tree, 2> ready{a, b};
   for (const std::size_t side : {0, 1}) {
     if (trees[side]->weld) {
-      told_alone({side}, [&] { settled[side].emplace(*trees[side], nodes[side], marks, options.threads); });
+      told_alone({side}, [&] { settled[side].emplace(*trees[side], nodes[side], options.threads); });
       ready[side] = settled[side]->tree();
       nodes[side] = ready[side].result;
     }
-    ready[side] = marked(std::move(ready[side]), marks);
   }
-  const Together both = together(ready[0], nodes[0], ready[1], nodes[1], marks);
+  const Together both = together(ready[0], nodes[0], ready[1], nodes[1], mark);
   try {
     const Evaluation evaluation =
         told_alone({0, 1}, [&] { return evaluated(both.tree, both.nodes[0], {both.nodes[1]}, options); });
-    return Comparer(both, marks, names, evaluation, options).run();
+    return Comparer(both, mark, evaluation, options).run();
   } catch (const TreeError& e) {
     if (e.file() != a.file && e.file() != b.file) throw;  // a file that a leaf reads
-    if (e.message().find(marks.node) == std::string::npos) throw;
-    throw InputError(a.file + " and " + b.file + " cannot be refined together: " + names.plain(e.message()));
+    throw InputError(a.file + " and " + b.file + " cannot be refined together: " + e.message());
   }
 }
 

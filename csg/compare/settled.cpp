@@ -8,12 +8,12 @@
 
 namespace cnrg {
 
-Settled::Settled(const Tree& tree, NodeId node, const UnusedMarks& marks, int threads) : file_("cnrg compare") {
+Settled::Settled(const Tree& tree, NodeId node, int threads) : file_("cnrg compare") {
   EvaluateOptions options;
   options.threads = threads;
   options.rows = Rows::none;
   options.result = node;
-  const Result result = evaluate(marked(tree, marks), options).result();
+  const Result result = evaluate(tree, options).result();
   const std::string text = json_text(result.data().view()).text;
   file_.write(text.data(), text.size());
   const ResultShape shape{"/proc/self/fd/" + std::to_string(file_.descriptor())};

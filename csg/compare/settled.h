@@ -12,9 +12,8 @@ namespace cnrg {
 
 class Settled {
  public:
-  /// Evaluates the node; names of nodes are marked in the result. InputError if the result reaches infinity,
-  /// which no `.json` can give back.
-  Settled(const Tree& tree, NodeId node, const UnusedMarks& marks, int threads);
+  /// Evaluates the node. InputError if the result reaches infinity, which no `.json` can give back.
+  Settled(const Tree& tree, NodeId node, int threads);
   /// One leaf, the result; of use as long as this lives.
   const Tree& tree() const { return tree_; }
 

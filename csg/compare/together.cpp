@@ -14,31 +14,6 @@
 namespace cnrg {
 namespace {
 
-/// Words of a name, as operators join them.
-void add_words(const std::string& name, std::set<std::string>& words) {
-  for (std::size_t begin = 0; !name.empty() && begin <= name.size();) {
-    const std::size_t end = std::min(name.find(" & ", begin), name.size());
-    words.insert(name.substr(begin, end - begin));
-    begin = end + 3;
-  }
-}
-
-constexpr std::string_view kJoint = " & ";
-
-/// A name whose words were each given by somebody, or are that of a node, which has the mark in front. From the
-/// eleventh word on, so that ways stay few, they are taken as given.
-std::vector<std::string> ways_to_be_called(const std::string& name, const std::string& mark, int words = 10) {
-  if (words == 0) return {name};
-  const std::size_t end = std::min(name.find(kJoint), name.size());
-  const std::string first = name.substr(0, end);
-  if (end == name.size()) return {first, mark + first};
-  std::vector<std::string> out;
-  for (const std::string& rest : ways_to_be_called(name.substr(end + kJoint.size()), mark, words - 1)) {
-    for (const std::string& word : {first, mark + first}) out.push_back(word + std::string(kJoint) + rest);
-  }
-  return out;
-}
-
 /// Sides of walls that may be called in any of the `ways` of a name.
 template <class Ways>
 void accept(std::vector<std::array<SideName, 2>>& between, Ways ways) {
@@ -58,10 +33,10 @@ void accept(std::vector<std::array<SideName, 2>>& between, Ways ways) {
 
 class Joiner {
  public:
-  explicit Joiner(const UnusedMarks& marks) : marks_(marks) {}
+  explicit Joiner(const std::string& mark) : mark_(mark) {}
 
   void add(const Tree& tree, NodeId root, std::size_t side) {
-    const std::string mark = side == 0 ? "" : marks_.material;
+    const std::string mark = side == 0 ? "" : mark_;
     const auto mark_it = [&](std::string& name) {
       if (!name.empty()) name.insert(0, mark);
     };
@@ -107,15 +82,13 @@ class Joiner {
   std::shared_ptr<const Selector> joined(Selector selector, std::size_t first, std::size_t side) const {
     for (NodeId& node : selector.from) node = NodeId(first + node.index());
     if (side == 1) {
-      for (std::string& name : selector.criteria.materials) name.insert(0, marks_.material);
-      accept(selector.criteria.between, [&](const std::string& name) {
-        return std::array{name, marks_.material + name};
-      });
+      for (std::string& name : selector.criteria.materials) name.insert(0, mark_);
+      accept(selector.criteria.between, [&](const std::string& name) { return std::array{name, mark_ + name}; });
     }
     return std::make_shared<const Selector>(std::move(selector));
   }
 
-  const UnusedMarks& marks_;
+  const std::string& mark_;
   Together out_;
   Dag dag_;
 };
@@ -160,60 +133,20 @@ std::optional<std::pair<Shape, const char*>> shape_of(const std::string& path) {
 
 }  // namespace
 
-UnusedMarks::UnusedMarks(const Tree& a, const Tree& b) {
+std::string unused_mark(const Tree& a, const Tree& b) {
   // Longer than any run of this character in a name, so that no name can have it by itself.
   std::size_t longest = 0;
-  const auto look = [&](const std::string& name) {
-    std::size_t run = 0;
-    for (const char c : name) longest = std::max(longest, run = c == '\x01' ? run + 1 : 0);
-  };
   for (const Tree* tree : {&a, &b}) {
-    for (const Node& each : tree->nodes) look(each.name), look(each.label);
-    for (const Material& each : tree->materials) look(each.name);
-  }
-  node = std::string(longest + 1, '\x01') + "n";
-  material = std::string(longest + 1, '\x01') + "b";
-}
-
-Given::Given(const Tree& tree, NodeId node) {
-  const std::vector<char> used = tree.dag->reachable({node});
-  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
-    const Node& each = tree.nodes[id];
-    if (!used[id.index()]) continue;
-    add_words(each.label, words);
-    if (!each.shape) continue;
-    reads_result = reads_result || std::holds_alternative<ResultShape>(*each.shape);
-    if (const auto* group = std::get_if<GroupShape>(&*each.shape)) {
-      for (const auto& [number, region] : group->regions) add_words(region.name, words);
+    for (const Material& each : tree->materials) {
+      std::size_t run = 0;
+      for (const char c : each.name) longest = std::max(longest, run = c == '\x01' ? run + 1 : 0);
     }
   }
+  return std::string(longest + 1, '\x01') + "b";
 }
 
-Tree marked(Tree tree, const UnusedMarks& marks) {
-  for (Node& node : tree.nodes) {
-    node.name.insert(0, marks.node);
-    for (std::size_t at = 0; (at = node.name.find(kJoint, at)) != std::string::npos;) {
-      node.name.insert(at += kJoint.size(), marks.node);  // it looks like several that were joined
-    }
-    if (!node.selector) continue;
-    // What is picked by a name may be called so by somebody or after its node.
-    Selector selector = *node.selector;
-    for (std::vector<std::string>* const names : {&selector.criteria.names, &selector.criteria.regions}) {
-      std::vector<std::string> accepted;
-      for (const std::string& name : *names) {
-        for (std::string& way : ways_to_be_called(name, marks.node)) accepted.push_back(std::move(way));
-      }
-      *names = std::move(accepted);
-    }
-    accept(selector.criteria.between,
-           [&](const std::string& name) { return ways_to_be_called(name, marks.node); });
-    node.selector = std::make_shared<const Selector>(std::move(selector));
-  }
-  return tree;
-}
-
-Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const UnusedMarks& marks) {
-  Joiner joiner(marks);
+Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const std::string& mark) {
+  Joiner joiner(mark);
   joiner.add(a, node_a, 0);
   joiner.add(b, node_b, 1);
   return joiner.take(a.file);

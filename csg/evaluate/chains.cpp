@@ -17,7 +17,8 @@ bool can_be_followed(const Node& node) {
          node.properties.empty();
 }
 
-std::optional<ChainOutcome> evaluate_chain(const Complex& complex, std::span<const ChainNode> chain, bool totals) {
+std::optional<ChainOutcome> evaluate_chain(const Complex& complex, std::span<const ChainNode> chain, bool totals,
+                                           const LeafOrder& order) {
   std::vector<PartedGroup> operands;
   std::vector<Dominance> dominances;
   PartedGroup left;  // the value so far: its dominance alone, and whether materials may decide
@@ -37,8 +38,8 @@ std::optional<ChainOutcome> evaluate_chain(const Complex& complex, std::span<con
     }
     if (of.node->dominance) left.dominance = *of.node->dominance;
   }
-  FoldInSteps fold =
-      boolean_fold_in_steps(complex, boolean_op(chain.front().node->op), dominances, std::move(operands), totals);
+  FoldInSteps fold = boolean_fold_in_steps(complex, boolean_op(chain.front().node->op), dominances,
+                                           std::move(operands), totals, order);
   ChainOutcome out;
   auto step = fold.steps.begin();
   for (const ChainNode& of : chain) {

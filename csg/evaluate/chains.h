@@ -39,7 +39,9 @@ struct ChainOutcome {
 };
 
 /// Nothing if the nodes must be evaluated one by one: an operand is no group, materials or properties conflict,
-/// what is equal is decided by materials, or `totals` cannot be told. Operands stay as they are.
-std::optional<ChainOutcome> evaluate_chain(const Complex& complex, std::span<const ChainNode> chain, bool totals);
+/// what is equal is decided by materials, or `totals` cannot be told. Operands stay as they are. `order` is that
+/// of the leaves below the last node, which is that below each node before it.
+std::optional<ChainOutcome> evaluate_chain(const Complex& complex, std::span<const ChainNode> chain, bool totals,
+                                           const LeafOrder& order);
 
 }  // namespace cnrg

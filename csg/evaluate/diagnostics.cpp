@@ -89,7 +89,7 @@ std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, c
     const bool is_region = !cells.regions.empty() || !value.is_group();
     const std::string what = conflict.key.empty() ? "the material" : "the attribute `" + conflict.key + ":";
     const std::string message = "`" + node.name + "`: " +
-                                (is_region ? "the region `" + value.attributes(component).name + "` keeps "
+                                (is_region ? "the region `" + value.attributes(component).name.text() + "` keeps "
                                            : std::string(places.front().dimension == 2   ? "a sheet"
                                                          : places.front().dimension == 1 ? "a wire"
                                                                                          : "a point") +

@@ -180,7 +180,7 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   const SimplifyMode mode = options.raw ? SimplifyMode::raw : SimplifyMode::features;
   for (const InstanceId root : unfolding.roots) {
     const NodeId node = unfolding.instances[root].node;
-    result.kept.push_back({node, values.share(root),
+    result.kept.push_back({node, root, values.share(root),
                            made.of_result && root == unfolding.roots.front()
                                ? *made.of_result
                                : SimplifiedValue(result.complex, values.share(root), mode),

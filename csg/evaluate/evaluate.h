@@ -90,6 +90,7 @@ struct JoinedNode {
 /// The value of a node that was asked for; of use with the complex of its evaluation alone.
 struct KeptValue {
   NodeId node;
+  InstanceId instance;
   std::shared_ptr<const NodeValue> value;
   SimplifiedValue simplified;   ///< with mode raw when the options say so
   std::vector<LeafId> leaves;   ///< the leaves below it, ascending, those below joined ones included

@@ -1,6 +1,7 @@
 #include "csg/evaluate/leaf_numbers.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "csg/tree/sizes.h"
 #include "kernel/base/sorted.h"
@@ -16,15 +17,29 @@ LeafId number(LeafId joined, LeafId below) { return LeafId(joined.value() + 1 + 
 }  // namespace
 
 LeafNumbers::LeafNumbers(const IdVector<InstanceId, Instance>& instances, const JoinedLeaves& joined)
-    : of_instance_(instances.size()) {
+    : of_instance_(instances.size()), first_(instances.size()), last_(instances.size()) {
   for (const InstanceId i : IdRange<InstanceId>(instances.size())) {
-    if (!instances[i].operands.empty()) continue;
-    of_instance_[i] = nodes_.push_back(instances[i].node);
-    const auto found = joined.find(instances[i].node);
-    if (found == joined.end()) continue;
-    const LeafNumbers& below = found->second.run->leaves;
-    runs_.emplace(of_instance_[i], found->second.run);
-    for (const LeafId leaf : IdRange<LeafId>(below.count())) nodes_.push_back(below.node_of(leaf));
+    if (!instances[i].operands.empty()) {
+      note_range(i, instances[i].operands);
+      continue;
+    }
+    of_instance_[i] = first_[i] = nodes_.push_back(instances[i].node);
+    if (const auto found = joined.find(instances[i].node); found != joined.end()) {
+      const LeafNumbers& below = found->second.run->leaves;
+      runs_.emplace(of_instance_[i], found->second.run);
+      for (const LeafId leaf : IdRange<LeafId>(below.count())) nodes_.push_back(below.node_of(leaf));
+    }
+    last_[i] = LeafId(nodes_.size() - 1);
+  }
+}
+
+/// Numbers ascend where they do in each operand and from one to the next.
+void LeafNumbers::note_range(InstanceId id, std::span<const InstanceId> operands) {
+  first_[id] = first_[operands.front()];
+  last_[id] = last_[operands.front()];
+  for (const InstanceId operand : operands.subspan(1)) {
+    if (!first_[operand].valid() || first_[operand] <= last_[id]) first_[id] = LeafId();
+    last_[id] = std::max(last_[id], last_[operand]);
   }
 }
 
@@ -45,6 +60,29 @@ std::vector<LeafId> LeafNumbers::below(const IdVector<InstanceId, Instance>& ins
   leaves.insert(leaves.end(), more.begin(), more.end());
   sort_unique(leaves);
   return leaves;
+}
+
+std::vector<LeafId> LeafNumbers::in_order(const IdVector<InstanceId, Instance>& instances, InstanceId root) const {
+  if (first_[root].valid()) return below(instances, root);
+  std::vector<LeafId> order;
+  std::vector<char> seen(root.index() + 1, 0);
+  std::vector<InstanceId> stack{root};
+  while (!stack.empty()) {
+    const InstanceId id = stack.back();
+    stack.pop_back();
+    if (std::exchange(seen[id.index()], 1)) continue;
+    const auto& operands = instances[id].operands;
+    stack.insert(stack.end(), operands.rbegin(), operands.rend());
+    if (!of_instance_[id].valid()) continue;
+    for (LeafId leaf = of_instance_[id]; leaf.value() <= last_[id].value(); leaf = LeafId(leaf.value() + 1))
+      order.push_back(leaf);
+  }
+  return order;
+}
+
+LeafOrder LeafNumbers::order_below(const IdVector<InstanceId, Instance>& instances, InstanceId root) const {
+  if (first_[root].valid()) return {};
+  return LeafOrder([this, &instances, root] { return in_order(instances, root); });
 }
 
 std::vector<double> LeafNumbers::sizes(const Tree& tree, const IdVector<InstanceId, Instance>& instances,

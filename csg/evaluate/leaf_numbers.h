@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "csg/leaves/leaf.h"
+#include "csg/operators/leaf_order.h"
 #include "csg/result/result_view.h"
 #include "csg/tree/unfold.h"
 
@@ -38,6 +39,10 @@ class LeafNumbers {
   /// only those that are at or below one of these nodes there.
   std::vector<LeafId> below(const IdVector<InstanceId, Instance>& instances, InstanceId root,
                             std::span<const NodeId> nodes = {}) const;
+  /// The same in the order of the subtree (csg/operators/leaf_order.h): each joined leaf, then those below it.
+  std::vector<LeafId> in_order(const IdVector<InstanceId, Instance>& instances, InstanceId root) const;
+  /// That order for an operator; both arguments must outlive it.
+  LeafOrder order_below(const IdVector<InstanceId, Instance>& instances, InstanceId root) const;
   /// Of the leaves below an instance what `leaf_sizes` says (csg/tree/sizes.h), parallel to `below`; a joined leaf
   /// has no size, those below it have theirs. `above`: what is heard at the root from its users.
   std::vector<double> sizes(const Tree& tree, const IdVector<InstanceId, Instance>& instances, InstanceId root,
@@ -46,9 +51,12 @@ class LeafNumbers {
   void tell(std::vector<LeafInfo>& leaves) const;
 
  private:
+  void note_range(InstanceId id, std::span<const InstanceId> operands);
+
   IdVector<InstanceId, LeafId> of_instance_;
   IdVector<LeafId, NodeId> nodes_;
   std::map<LeafId, std::shared_ptr<const JoinedRun>> runs_;  // of joined leaves
+  IdVector<InstanceId, LeafId> first_, last_;  // below each; without a first one where the order is not theirs
 };
 
 /// What is known of a run that evaluated the operand of a joined node.

@@ -74,16 +74,23 @@ PartedGroup group_operand(const Complex& complex, const Node& node, const Operan
   return parted(complex, group_of(complex, value.components()));
 }
 
+/// How the steps of a Boolean node are made, besides by its operator.
+struct StepRules {
+  const Transform& placement;
+  const LeafOrder& order;
+};
+
 /// One step of a Boolean node.
-FoldResult step_of(const Complex& complex, const Node& node, const Transform& placement, Dominance dominance,
+FoldResult step_of(const Complex& complex, const Node& node, const StepRules& rules, Dominance dominance,
                    PartedGroup left, PartedGroup right) {
   switch (rule_of(node, dominance, left, right)) {
-    case StepRule::blend: return blended_union(complex, placement, std::move(left), std::move(right));
+    case StepRule::blend:
+      return blended_union(complex, rules.placement, std::move(left), std::move(right), rules.order);
     case StepRule::materials:
-      return boolean_by_materials(complex, boolean_op(node.op), std::move(left), std::move(right));
+      return boolean_by_materials(complex, boolean_op(node.op), std::move(left), std::move(right), rules.order);
     default:
       return boolean_fold(complex, boolean_op(node.op), std::span(&dominance, 1),
-                          {std::move(left), std::move(right)});
+                          {std::move(left), std::move(right)}, rules.order);
   }
 }
 
@@ -95,7 +102,7 @@ void add_step(FoldResult step, PartedGroup& value, StepOutcome& outcome) {
 }
 
 /// A Boolean node: the fold ((a op b) op c) op ... of its operands.
-StepOutcome boolean_of(const Complex& complex, const Node& node, const Transform& placement,
+StepOutcome boolean_of(const Complex& complex, const Node& node, const StepRules& rules,
                        std::span<const Operand> operands) {
   std::vector<PartedGroup> values;
   values.reserve(operands.size());
@@ -114,13 +121,13 @@ StepOutcome boolean_of(const Complex& complex, const Node& node, const Transform
       std::any_of(values.begin(), values.end(), [](const PartedGroup& value) { return value.ranked; });
   const bool alike = std::find(dominances.begin(), dominances.end(), Dominance::equal) != dominances.end();
   if (!node.blend && !(ranked && alike && !node.dominant)) {
-    FoldResult result = boolean_fold(complex, boolean_op(node.op), dominances, std::move(values));
+    FoldResult result = boolean_fold(complex, boolean_op(node.op), dominances, std::move(values), rules.order);
     return {std::move(result.group), std::move(result.removals), std::move(result.conflicts)};
   }
   StepOutcome outcome;
   PartedGroup value = std::move(values[0]);
   for (std::size_t k = 1; k < values.size(); ++k) {
-    add_step(step_of(complex, node, placement, dominances[k - 1], std::move(value), std::move(values[k])), value,
+    add_step(step_of(complex, node, rules, dominances[k - 1], std::move(value), std::move(values[k])), value,
              outcome);
   }
   outcome.value = std::move(value);
@@ -128,7 +135,7 @@ StepOutcome boolean_of(const Complex& complex, const Node& node, const Transform
 }
 
 /// The same in folds of two, each shown to `see` as whole groups.
-StepOutcome boolean_in_steps(const Complex& complex, const Node& node, const Transform& placement,
+StepOutcome boolean_in_steps(const Complex& complex, const Node& node, const StepRules& rules,
                              std::span<const Operand> operands,
                              const std::function<void(const BooleanStep&)>& see) {
   const BooleanOp op = boolean_op(node.op);
@@ -139,7 +146,7 @@ StepOutcome boolean_in_steps(const Complex& complex, const Node& node, const Tra
     const Dominance dominance = dominance_of(node, value, right);
     const Group left_whole = whole(value), right_whole = whole(right);
     const StepRule rule = rule_of(node, dominance, value, right);
-    FoldResult step = step_of(complex, node, placement, dominance, std::move(value), std::move(right));
+    FoldResult step = step_of(complex, node, rules, dominance, std::move(value), std::move(right));
     const Group result = whole(step.group);
     see({op, dominance, left_whole, right_whole, result, k, rule});
     add_step(std::move(step), value, outcome);
@@ -150,7 +157,7 @@ StepOutcome boolean_in_steps(const Complex& complex, const Node& node, const Tra
 
 /// What of a solid is below or above a surface: the solid cut to the part that is there.
 StepOutcome side_of(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                    const std::function<void(const BooleanStep&)>& see) {
+                    const LeafOrder& order, const std::function<void(const BooleanStep&)>& see) {
   const Group surface = whole(group_operand(complex, node, operands[0]));
   PartedGroup block = group_operand(complex, node, operands[1]);
   const Group left = whole(block);
@@ -158,7 +165,7 @@ StepOutcome side_of(const Complex& complex, const Node& node, std::span<const Op
   const Group right = part_of(complex, side, surface, operands[0].name, left, operands[1].name);
   const Dominance dominance = Dominance::left;
   FoldResult cut = boolean_fold(complex, BooleanOp::intersect, std::span(&dominance, 1),
-                                {std::move(block), parted(complex, right)});
+                                {std::move(block), parted(complex, right)}, order);
   if (see) see({BooleanOp::intersect, dominance, left, right, whole(cut.group), 1, StepRule::operands});
   return {std::move(cut.group), std::move(cut.removals), std::move(cut.conflicts)};
 }
@@ -185,9 +192,9 @@ StepOutcome selected(const Complex& complex, const Node& node, std::span<const O
   return {NodeValue(complex, std::move(picked)), {}, {}};
 }
 
-StepOutcome validated_boolean(const Complex& complex, const Node& node, const Transform& placement,
+StepOutcome validated_boolean(const Complex& complex, const Node& node, const StepRules& rules,
                               std::span<const Operand> operands) {
-  return boolean_in_steps(complex, node, placement, operands, [&](const BooleanStep& step) {
+  return boolean_in_steps(complex, node, rules, operands, [&](const BooleanStep& step) {
     require_identity(node, check_boolean(complex, step.op, step.left, step.right, step.result));
   });
 }
@@ -249,10 +256,14 @@ StepOutcome aggregate_all(const Complex& complex, std::span<const Operand> opera
   return of_components(aggregate(complex, all.pointers, names));
 }
 
+Name called_after(const Node& node) {
+  return Name(std::vector{NamePart{node.regions_called(), 0, NameOrigin::node}});
+}
+
 /// A component with a single name keeps it; without one, or with several joined, it is called after the node.
 void name_after(const Node& node, StepOutcome& outcome) {
   for (ComponentAttributes& a : outcome.value.components().attributes) {
-    if (a.name.empty() || a.name == kEntitiesName || a.name.find(" & ") != std::string::npos) a.name = node.name;
+    if (a.name.parts().size() != 1 || a.name.is_of_entities()) a.name = called_after(node);
   }
 }
 
@@ -264,7 +275,7 @@ StepOutcome complement_of(const Complex& complex, const Node& node, const NodeVa
   if (validate) require_identity(node, check_complement(complex, operand.group(), closed));
   closed.dominance = operand.group().dominance;
   for (RegionAttributes& region : closed.regions) {
-    if (region.name.empty()) region.name = node.name;
+    if (region.name.empty()) region.name = called_after(node);
   }
   outcome.value.stands_for = std::move(closed);
   return outcome;
@@ -322,9 +333,9 @@ void add_attributes(const Complex& complex, const Node& node, const RegionMateri
 }  // namespace
 
 void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                   const std::function<void(const BooleanStep&)>& see) {
-  if (node.op == Operator::below || node.op == Operator::above) side_of(complex, node, operands, see);
-  else boolean_in_steps(complex, node, {}, operands, see);
+                   const LeafOrder& order, const std::function<void(const BooleanStep&)>& see) {
+  if (node.op == Operator::below || node.op == Operator::above) side_of(complex, node, operands, order, see);
+  else boolean_in_steps(complex, node, {{}, order}, operands, see);
 }
 
 namespace {
@@ -360,19 +371,21 @@ Topological topological(Operator op) {
   }
 }
 
-StepOutcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands) {
-  return boolean_of(complex, node, {}, operands);
+StepOutcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands,
+                        const LeafOrder& order) {
+  return boolean_of(complex, node, {{}, order}, operands);
 }
 
 StepOutcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
-                    std::span<const Operand> operands, bool validate, const Transform& placement) {
+                    std::span<const Operand> operands, bool validate, const Transform& placement,
+                    const LeafOrder& order) {
   StepOutcome outcome;
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
     case Operator::subtract:
-      outcome = validate ? validated_boolean(complex, node, placement, operands)
-                         : boolean_of(complex, node, placement, operands);
+      outcome = validate ? validated_boolean(complex, node, {placement, order}, operands)
+                         : boolean_of(complex, node, {placement, order}, operands);
       break;
     case Operator::sum:
     case Operator::product:
@@ -389,7 +402,7 @@ StepOutcome operate(const Complex& complex, const Node& node, const RegionMateri
     case Operator::regularize: outcome = topology_of(complex, node, operands[0], validate); break;
     case Operator::below:
     case Operator::above:
-      outcome = side_of(complex, node, operands, [&](const BooleanStep& step) {
+      outcome = side_of(complex, node, operands, order, [&](const BooleanStep& step) {
         if (validate) require_identity(node, check_boolean(complex, step.op, step.left, step.right, step.result));
       });
       break;

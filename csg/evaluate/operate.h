@@ -11,6 +11,7 @@
 
 #include "csg/operators/boolean.h"
 #include "csg/operators/cnrg.h"
+#include "csg/operators/leaf_order.h"
 #include "csg/operators/node_value.h"
 #include "csg/operators/verdict.h"
 #include "csg/tree/tree.h"
@@ -39,12 +40,15 @@ std::optional<std::span<const NodeId>> leaves_wanted(const Node& node, bool firs
 /// is the node's, empty for none. With `validate` each Boolean, complement and CNRG operator is checked against
 /// the identities of csg/SEMANTICS.md#identities; InvariantError names the node and the first violation.
 /// InputError when the operands do not suit the operator: the message names the operator to insert. Mixtures that
-/// the node makes itself (`blend`) are placed by `placement`, as its material is.
+/// the node makes itself (`blend`) are placed by `placement`, as its material is. `order` is that of the leaves
+/// below the node.
 StepOutcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
-                    std::span<const Operand> operands, bool validate, const Transform& placement = {});
+                    std::span<const Operand> operands, bool validate, const Transform& placement,
+                    const LeafOrder& order);
 
 /// The first operands of an intersection as one: the fold of these alone, without the node's attributes.
-StepOutcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands);
+StepOutcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands,
+                        const LeafOrder& order);
 
 BooleanOp boolean_op(Operator op);
 /// The dominance that the node states for a step; if it states none, the operand with the greater number
@@ -78,7 +82,7 @@ Verdict verdict(const Complex& complex, const BooleanStep& step, VertexId v);
 /// Evaluates a Boolean node as `operate` does and shows every step; of `below` and `above` the one step in which
 /// the solid is cut.
 void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                   const std::function<void(const BooleanStep&)>& see);
+                   const LeafOrder& order, const std::function<void(const BooleanStep&)>& see);
 
 /// The operator of a node that is interior, closure, boundary or regularize.
 Topological topological(Operator op);

@@ -77,7 +77,7 @@ std::string solids_in(const std::string& solids, const std::vector<Attributes>& 
     words += (words.empty() ? "solid " : ", solid ") + it->str();
     const auto number = index_in(it->str());
     if (number && *number > 0 && *number <= regions.size() && !regions[*number - 1].name.empty())
-      words += " `" + regions[*number - 1].name + "`";
+      words += " `" + regions[*number - 1].name.text() + "`";
   }
   return words.empty() ? words : words + " of ";
 }
@@ -168,7 +168,8 @@ std::vector<Attributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t co
   const Node& node = node_of(leaf);
   const std::vector<Attributes> own = instances_[leaf.index()].leaf->regions();
   const bool joined = node.within.has_value();
-  const std::string& name = node.label.empty() || joined ? node.name : node.label;
+  const bool named = !node.label.empty() && !joined;
+  NamePart name{named ? node.label : node.regions_called(), 0, named ? NameOrigin::given : NameOrigin::node};
   std::vector<Attributes> result(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (i < own.size()) {
@@ -179,7 +180,8 @@ std::vector<Attributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t co
       result[i].material =
           of_tree ? grades.on(instance, own[i].material.name()) : grades.moved(instance, own[i].material);
     }
-    if (result[i].name.empty()) result[i].name = count == 1 ? name : name + "." + std::to_string(i + 1);
+    if (count > 1) name.ordinal = i + 1;
+    if (result[i].name.empty()) result[i].name = Name(std::vector{name});
     if (joined) continue;
     if (result[i].material.empty()) result[i].material = grades.on(instance, node.material);
     result[i].properties.insert(node.properties.begin(), node.properties.end());

@@ -18,6 +18,10 @@ Result result_of(const Evaluation& evaluation, const KeptValue& kept) {
   data->raw = evaluation.raw;
   data->name({kept.name, evaluation.leaf_names, evaluation.materials});
   evaluation.leaves->tell(data->leaves);
+  for (LeafInfo& leaf : data->leaves) leaf.place = LeafInfo::kNoPlace;
+  std::uint32_t place = 0;
+  for (const LeafId leaf : evaluation.leaves->in_order(evaluation.instances, kept.instance))
+    data->leaves[leaf.index()].place = place++;
   for (std::size_t i = 0; i < kept.sizes.size(); ++i) data->leaves[kept.leaves[i].index()].size = kept.sizes[i];
   return Result(std::move(data));
 }

@@ -248,11 +248,13 @@ class Scopes {
     const Node& node = tree_.nodes[instance.node];
     try {
       return operate(*scope.complex, node, x_.grades.on(instance, node.material), operands_of(scope, id),
-                     x_.options.validate, x_.grades.placement(instance));
+                     x_.options.validate, x_.grades.placement(instance), order_below(id));
     } catch (const InputError& e) {
       throw TreeError(tree_.file, node.operator_at, e.what());
     }
   }
+
+  LeafOrder order_below(InstanceId id) const { return x_.leaves.numbers().order_below(instances_, id); }
 
   void make_values(Scope& scope, std::span<const InstanceId> roots, bool top) {
     std::optional<Steps> steps;
@@ -348,7 +350,8 @@ class Scopes {
               {&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, {}});
       }
     }
-    std::optional<ChainOutcome> outcome = evaluate_chain(*scope.complex, nodes, x_.options.rows == Rows::all);
+    std::optional<ChainOutcome> outcome =
+        evaluate_chain(*scope.complex, nodes, x_.options.rows == Rows::all, order_below(chain.back()));
     if (!outcome) {
       for (const InstanceId id : chain) make_value(scope, id, roots, top);
       return;
@@ -395,7 +398,7 @@ class Scopes {
         operands.push_back({&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, nullptr});
       StepOutcome outcome = [&] {
         try {
-          return first_steps(*scope.complex, node, operands);
+          return first_steps(*scope.complex, node, operands, order_below(id));
         } catch (const InputError& e) {
           throw TreeError(tree_.file, node.operator_at, e.what());
         }

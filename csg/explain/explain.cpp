@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "csg/evaluate/leaf_numbers.h"
 #include "csg/explain/lives.h"
 #include "csg/materials/sampler.h"
 #include "kernel/base/error.h"
@@ -71,6 +72,7 @@ class LifeClasses {
  public:
   LifeClasses(const Tree& tree, const Evaluation& evaluation, NodeId node, const Locator& locator)
       : evaluation_(evaluation),
+        root_(evaluation.value(node).instance),
         value_(*evaluation.value(node).value),
         made_(value_.is_group() ? components_of(*evaluation.complex, value_.group()) : Components()),
         components_(value_.is_group() ? made_ : value_.components()),
@@ -144,6 +146,9 @@ class LifeClasses {
     out.mixture = mixture_at(state_in(complex, value_, piece.cell).component, out.point);
     out.patches = first_of_each(evaluation_.parameters->on_patches(out.example, out.point, leaves));
     out.curves = first_of_each(evaluation_.parameters->on_curves(out.example, out.point, leaves));
+    const LeafOrder order = evaluation_.leaves->order_below(evaluation_.instances, root_);
+    const auto leaf_of = [](const auto& of) { return of.leaf; };
+    order.sort(out.origins, leaf_of), order.sort(out.patches, leaf_of), order.sort(out.curves, leaf_of);
     return out;
   }
 
@@ -155,6 +160,7 @@ class LifeClasses {
   }
 
   const Evaluation& evaluation_;
+  const InstanceId root_;
   const NodeValue& value_;
   const Components made_;  // of a group
   const Components& components_;

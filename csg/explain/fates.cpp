@@ -46,7 +46,7 @@ void note(const Verdict& verdict, Component& mark) {
 }
 
 void ask_tables(const Complex& complex, const Node& node, const std::vector<Operand>& operands, FateMarks& marks) {
-  for_each_step(complex, node, operands, [&](const BooleanStep& step) {
+  for_each_step(complex, node, operands, {}, [&](const BooleanStep& step) {
     for (const Group* group : {&step.left, &step.right}) {
       for_each_group_list(*group, [&](const auto& cells) {
         for (const auto cell : cells) {

@@ -198,7 +198,7 @@ bool is_closed_complement(const NodeValue& value) { return !value.is_group() && 
 }  // namespace
 
 CellState state_in(const Complex& complex, const Group& group, const Location& cell) {
-  if (has(group, cell)) return {static_cast<Component>(group.regions.size() + 1), kEntitiesName, true, true};
+  if (has(group, cell)) return {static_cast<Component>(group.regions.size() + 1), Name::of_entities(), true, true};
   return region_state(group, group.region_of(region_at(complex, cell)));
 }
 
@@ -348,7 +348,8 @@ std::vector<Operand> Lives::operands_of(InstanceId id) const {
 void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<CellSide>& pieces,
                          std::vector<LifeStep>& steps) {
   const std::vector<Operand> operands = operands_of(id);
-  for_each_step(complex_, node, operands, [&](const BooleanStep& s) {
+  const LeafOrder order = evaluation_.leaves->order_below(evaluation_.instances, id);
+  for_each_step(complex_, node, operands, order, [&](const BooleanStep& s) {
     const bool first = s.operand == 1;
     const bool is_side = node.op == Operator::below || node.op == Operator::above;
     const std::string left = is_side ? operands[1].name
@@ -442,8 +443,9 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Cel
   Node without = node;
   without.regularize = false;
   const std::vector<Operand> operands = operands_of(id);
-  made_.push_back(
-      std::make_unique<NodeValue>(operate(complex_, without, without.material, operands, false).value));
+  made_.push_back(std::make_unique<NodeValue>(operate(complex_, without, without.material, operands, false, {},
+                                                      evaluation_.leaves->order_below(evaluation_.instances, id))
+                                                  .value));
   const NodeValue& before = *made_.back();
   std::vector<LifeStep> after(pieces.size());
   add_topology(Topological::regularize, false, before, pieces, named, after);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "csg/materials/grade.h"
+
 namespace cnrg {
 namespace {
 
@@ -25,6 +27,14 @@ bool gives(const Node& node, const std::string& key) {
   if (key == "name") return !node.label.empty();
   if (key == "material") return !node.material.empty();
   return node.properties.contains(key);
+}
+
+/// Operators made one name, or one material, of several.
+bool is_joined(const Attributes* said, const std::string& key) {
+  if (said == nullptr) return false;
+  if (key == "name") return said->name.parts().size() > 1;
+  const PlacedGrade* const grade = said->material.grade();
+  return key == "material" && grade != nullptr && std::holds_alternative<BlendGrade>(grade->grade.along);
 }
 
 std::string value_in(const Words& words, const std::string& key) {
@@ -81,8 +91,7 @@ std::vector<Word> SaidAt::changes(const Node& node, const Attributes* said,
       if (other == word.value && !other.empty()) word.from.push_back(name);
       else if (!other.empty()) word.gave_way.emplace_back(name, other);
     }
-    const bool joined = word.value.find(" & ") != std::string::npos && !word.given && word.from.empty();
-    if (joined && (key == "name" || key == "material")) {
+    if (is_joined(said, key) && !word.given && word.from.empty()) {
       for (const auto& [name, value] : word.gave_way) word.from.push_back(name);
       word.gave_way.clear();
       out.push_back(std::move(word));

@@ -209,8 +209,9 @@ class Collector {
   void add_components() {
     const std::size_t n = view_.value->component_count();
     const bool group = view_.of_group || view_.value->is_group();
-    if (group && n > 0 && view_.value->attributes(Component(n)).name == "entities") parts_.entities = Component(n);
-    for (const LeafInfo& leaf : *view_.leaves) parts_.leaves.push_back(leaf.name);
+    if (group && n > 0 && view_.value->attributes(Component(n)).name.is_of_entities())
+      parts_.entities = Component(n);
+    parts_.leaves = *view_.leaves;
     for (Component i = 1; i <= n; ++i) {
       const RegionAttributes& attributes = attributes_of(view_, i);
       CadParts::Attributes of{attributes.name, attributes.material.name(), ""};

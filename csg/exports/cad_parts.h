@@ -56,7 +56,7 @@ struct CadParts {
   std::vector<Edge> edges;             ///< the same
   std::vector<Attributes> components;  ///< by number, from 1
   Component entities = 0;              ///< that of what bounds no region, in a group
-  std::vector<std::string> leaves;     ///< their names
+  std::vector<LeafInfo> leaves;        ///< by LeafId
 };
 
 /// Throws InputError for a result with open sets or without bounds; `format` begins the message.

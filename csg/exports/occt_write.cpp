@@ -173,8 +173,13 @@ class StepMaker {
 
   /// Such as `bolt` or `bolt + fault`.
   std::string names_of(const std::set<LeafId>& leaves) const {
+    std::map<std::uint32_t, std::string> in_order;
+    for (const LeafId leaf : leaves) {
+      const LeafInfo& info = parts_.leaves.at(leaf.index());
+      in_order.emplace(info.place, info.name);
+    }
     std::string result;
-    for (const LeafId leaf : leaves) result += (result.empty() ? "" : " + ") + parts_.leaves.at(leaf.index());
+    for (const auto& [place, name] : in_order) result += (result.empty() ? "" : " + ") + name;
     return result;
   }
 

@@ -2,6 +2,7 @@
 
 #include "csg/formats/gmsh_order.h"
 #include "csg/formats/mesh_file.h"
+#include "csg/result/file_numbers.h"
 #include "csg/result/result_data.h"
 #include "csg/result/said_table.h"
 
@@ -41,7 +42,7 @@ void fill(const Result& result, const Mesh& mesh, SaidTableMaker& said, MeshArra
       for (const Mesh::Index group : entity.groups) out.groups[d][group - 1].cells.push_back(entity.tags.cell);
     }
   }
-  for (const LeafInfo& leaf : result.data().leaves) out.leaves.push_back(leaf.name);
+  out.leaves = leaf_names(result.data().leaves);
   for (const ResultNames::Material& material : result.data().materials) out.materials.push_back(material.name);
   out.curved = !mesh.middles.empty();
 }

@@ -86,7 +86,7 @@ void append_names(std::string& text, const std::string& array, const std::vector
 /// From 1, of a sheet, a wire or a point; 0: it has none.
 std::int32_t number_of_name(const std::vector<std::string>& names, const CellTags& tags) {
   if (tags.said == nullptr || tags.dimension == 3) return 0;
-  const auto it = std::lower_bound(names.begin(), names.end(), tags.said->name);
+  const auto it = std::lower_bound(names.begin(), names.end(), tags.said->name.text());
   if (it == names.end() || *it != tags.said->name) return 0;
   return static_cast<std::int32_t>(it - names.begin()) + 1;
 }
@@ -98,13 +98,7 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   std::vector<std::string> regions, materials, leaves;
   for (const RegionAttributes& a : view.value->attributes()) regions.push_back(a.name);
   for (const auto& m : view.materials) materials.push_back(m.name);
-  std::map<std::int32_t, std::int32_t> numbers{{-1, -1}};  // of the leaves that cells name, without gaps
-  for (const CellTags& tags : tags_) numbers[tags.leaf] = 0;
-  for (auto& [leaf, number] : numbers) {
-    if (leaf < 0) continue;
-    number = static_cast<std::int32_t>(leaves.size());
-    leaves.push_back(leaf_name(view, LeafId(static_cast<std::uint32_t>(leaf))));
-  }
+  if (view.leaves != nullptr) leaves = leaf_names(*view.leaves);
   std::vector<double> coordinates;
   for (const auto& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
 

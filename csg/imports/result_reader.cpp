@@ -2,6 +2,7 @@
 // result has, things that are named and do not exist, things that exist and are not named. What the cells are is
 // known only once they are made (result_check.cpp).
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -179,6 +180,29 @@ class Reader {
     return wanted ? of.member("dominance").rational() : Rational(0);
   }
 
+  /// Files of older releases have the text alone.
+  static Name name(const Cursor& of) {
+    const std::string text = of.member("name").text();
+    if (!of.has("called")) return text.empty() ? Name() : Name(std::vector{NamePart{text, 0, NameOrigin::file}});
+    std::vector<NamePart> parts;
+    const Cursor list = of.member("called").array();
+    for (std::size_t i = 0; i < list.size(); ++i) parts.push_back(part_of_name(list.at(i)));
+    Name made(std::move(parts));
+    if (made.text() != text) list.refuse("these parts make the name \"" + made.text() + "\"");
+    return made;
+  }
+
+  static NamePart part_of_name(const Cursor& of) {
+    if (!of.has("name")) return {of.text()};
+    NamePart part{of.only({"name", "ordinal", "by"}).member("name").text()};
+    if (of.has("ordinal")) part.ordinal = of.member("ordinal").number(kNone, "ordinal");
+    if (!of.has("by")) return part;
+    const auto it = std::find(std::begin(kNameOrigins), std::end(kNameOrigins), of.member("by").text());
+    if (it == std::end(kNameOrigins)) of.member("by").refuse("nobody of that kind gives names");
+    part.origin = static_cast<NameOrigin>(it - std::begin(kNameOrigins));
+    return part;
+  }
+
   Attributes attributes(const Cursor& of) {
     RegionMaterial made(material(of.member("material")));
     if (of.has("grade")) {
@@ -189,7 +213,7 @@ class Reader {
       made = {made.name(), made_grades_[grade]};
     }
     if (!made.empty()) made.set_dominance(materials_.at(made.name()));
-    Attributes out{of.member("name").text(), std::move(made), {}};
+    Attributes out{name(of), std::move(made), {}};
     if (!of.has("properties")) return out;
     const Cursor properties = of.member("properties");
     properties.each_member([&](const std::string& key, const Cursor& value) {
@@ -207,7 +231,7 @@ class Reader {
   void read_attributes() {
     if (!root_.has("attributes")) return;
     each("attributes", [&](const Cursor& a) {
-      a.only({"name", "material", "grade", "properties"});
+      a.only({"name", "called", "material", "grade", "properties"});
       table_.said.push_back(attributes(a));
       if (table_.said.back().empty()) a.refuse("what says nothing is left out");
     });
@@ -236,7 +260,7 @@ class Reader {
         root_, [&](const std::string& name, const Cursor& at) { require_material(name, at); },
         [&](Index inner) { grades_.name(inner); });
     each("components", [&](const Cursor& c) {
-      c.only({"name", "material", "leaves", "dominance", "grade", "properties"});
+      c.only({"name", "called", "material", "leaves", "dominance", "grade", "properties"});
       content_.components.push_back(attributes(c));
       const Rational own = dominance(c, !table_.group);
       if (!table_.group) table_.dominances.push_back(own);

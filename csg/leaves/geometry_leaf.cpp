@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "kernel/base/error.h"
@@ -53,6 +54,25 @@ class DoubleTransform {
 
 }  // namespace
 
+namespace {
+
+/// The own axes of a leaf's cavities once it is moved; nothing where these are in the same order in x, y and z.
+std::optional<LeafAxes> moved_axes(const LeafAxes* axes, const Transform& transform) {
+  const LeafAxes own = axes != nullptr ? *axes : LeafAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const auto& back = transform.inverse().linear;
+  LeafAxes there;
+  bool same = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      there[i][j] = own[i][0] * back[0][j] + own[i][1] * back[1][j] + own[i][2] * back[2][j];
+      same = same && (i == j ? there[i][j] > 0 : there[i][j] == 0);
+    }
+  }
+  return same ? std::nullopt : std::optional(there);
+}
+
+}  // namespace
+
 RationalPoint exact_value(const Soup& soup, PointId p) {
   if (const RationalPoint* value = soup.rational(p)) return *value;
   const double* xyz = soup.xyz(p);
@@ -77,6 +97,9 @@ LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
   const Soup& from = geometry_;
   const LeafId leaf = soup.add_leaf(from.fill(LeafId(0)));
   const bool identity = transform.identity();
+  if (from.fill(LeafId(0)) == Fill::cells) {
+    if (const auto axes = moved_axes(from.own_axes(LeafId(0)), transform)) soup.set_own_axes(leaf, *axes);
+  }
   const bool mirrored = transform.determinant() < 0;
   const DoubleTransform in_doubles(transform);
 

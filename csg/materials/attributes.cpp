@@ -16,8 +16,7 @@ std::string to_text(const Property& value) {
 
 bool AttributesOrder::operator()(const Attributes& a, const Attributes& b) const {
   const auto key = [](const Attributes& x) {
-    return std::tuple<const std::string&, const std::string&, const Properties&>(x.name, x.material.name(),
-                                                                                 x.properties);
+    return std::tuple<const Name&, const std::string&, const Properties&>(x.name, x.material.name(), x.properties);
   };
   if (key(a) != key(b)) return key(a) < key(b);
   return a.material != b.material && std::less<>()(a.material.grade(), b.material.grade());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "csg/materials/material.h"
+#include "csg/materials/name.h"
 
 namespace cnrg {
 
@@ -21,7 +22,7 @@ using Properties = std::map<std::string, Property>;
 std::string to_text(const Property& value);
 
 struct Attributes {
-  std::string name{};         ///< may be empty
+  Name name{};                ///< may be empty
   RegionMaterial material{};  ///< empty: none; a grade is placed in the space of the complex
   Properties properties{};
   /// Nothing is said.

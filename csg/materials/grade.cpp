@@ -8,12 +8,15 @@ namespace {
 
 bool same_target(const SharedTarget& a, const SharedTarget& b) { return a == b || (a && b && *a == *b); }
 
-void add_words(const std::string& name, std::set<std::string>& words) {
-  for (std::size_t begin = 0; begin <= name.size();) {
-    const std::size_t end = std::min(name.find(" & ", begin), name.size());
-    words.insert(name.substr(begin, end - begin));
-    begin = end + 3;
+/// What a blend is a mixture of, else the material itself.
+void add_materials(const RegionMaterial& material, std::set<std::string>& names) {
+  const PlacedGrade* const grade = material.grade();
+  const auto* const blend = grade == nullptr ? nullptr : std::get_if<BlendGrade>(&grade->grade.along);
+  if (blend == nullptr) {
+    names.insert(material.name());
+    return;
   }
+  for (const BlendGrade::Side* side : {&blend->first, &blend->second}) add_materials(side->material, names);
 }
 
 }  // namespace
@@ -42,11 +45,11 @@ void for_each_name(const PlacedGrade& grade, const std::function<void(const std:
   }
 }
 
-std::string blended_name(const std::string& a, const std::string& b) {
-  std::set<std::string> words;
-  add_words(a, words), add_words(b, words);
+std::string blended_name(const RegionMaterial& a, const RegionMaterial& b) {
+  std::set<std::string> names;
+  add_materials(a, names), add_materials(b, names);
   std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : " & ") + word;
+  for (const std::string& name : names) out += (out.empty() ? "" : " & ") + name;
   return out;
 }
 

@@ -96,6 +96,6 @@ void for_each_name(const PlacedGrade& grade, const std::function<void(const std:
 
 /// Names of materials joined by ` & `, each once and in the order of the alphabet: what a blend is called does not
 /// depend on the order of its operands.
-std::string blended_name(const std::string& a, const std::string& b);
+std::string blended_name(const RegionMaterial& a, const RegionMaterial& b);
 
 }  // namespace cnrg

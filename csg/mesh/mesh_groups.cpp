@@ -17,7 +17,7 @@ std::map<Component, std::string> region_names(const ResultView& view, const Flat
   std::map<std::string, int> uses;
   for (const auto& region : flat.regions) {
     if (region.component == 0 || names.count(region.component) != 0) continue;
-    std::string name = shown_in_quotes(attributes_of(view, region.component).name);
+    std::string name = shown_in_quotes(attributes_of(view, region.component).name.text());
     if (name.empty()) name = "region";
     ++uses[name];
     names.emplace(region.component, name);
@@ -147,7 +147,7 @@ class Grouper {
       keys.push_back(cell.component == 0 ? Key{} : key_of(cell));
       const Attributes* of = said(cell);
       if (of != nullptr && !of->name.empty()) {
-        given[shown_in_quotes(of->name)] = 0;
+        given[shown_in_quotes(of->name.text())] = 0;
         if (!is_wall(cell)) keys.back() = Key{};  // of a wall with a name one may ask for both
       }
       if (keys.back().first != 0) list.want(keys.back().first, keys.back().second);
@@ -165,7 +165,7 @@ class Grouper {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       auto& of = groups_.of[std::size_t(dimension)].emplace_back();
       const Attributes* what = said(cells[i]);
-      if (what != nullptr && !what->name.empty()) of.push_back(given.at(shown_in_quotes(what->name)));
+      if (what != nullptr && !what->name.empty()) of.push_back(given.at(shown_in_quotes(what->name.text())));
       if (keys[i].first != 0) of.push_back(before + list(keys[i].first, keys[i].second));
     }
   }

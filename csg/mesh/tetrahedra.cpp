@@ -17,6 +17,7 @@
 #include "csg/mesh/proven_mesh.h"
 #include "csg/mesh/surface_triangles.h"
 #include "csg/mesh/tetgen_run.h"
+#include "csg/result/file_numbers.h"
 #include "csg/result/solid.h"
 #include "csg/text/input_file.h"
 #include "csg/text/plugin.h"
@@ -90,9 +91,7 @@ class TetrahedraMaker {
     result_.rounding = rounded.report();
     result_.expected = expected_;
     number_points(result_.mesh, flat_, out_.points);
-    std::vector<std::string> leaves;
-    for (const LeafInfo& leaf : *view_.leaves) leaves.push_back(leaf.name);
-    result_.quality = quality_of(mesh(), leaves, options_.quality, options_.max_volume);
+    result_.quality = quality_of(mesh(), leaf_names(*view_.leaves), options_.quality, options_.max_volume);
     tell_rationed();
     tell_larger(rounded);
     return std::move(result_);

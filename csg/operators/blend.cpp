@@ -6,14 +6,14 @@
 #include <map>
 
 #include "csg/materials/distance_target.h"
-#include "csg/operators/component_attributes.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {
 
-FoldResult fold(const Complex& complex, BooleanOp op, Dominance dominance, PartedGroup a, PartedGroup b) {
-  return boolean_fold(complex, op, std::span(&dominance, 1), {std::move(a), std::move(b)});
+FoldResult fold(const Complex& complex, BooleanOp op, Dominance dominance, PartedGroup a, PartedGroup b,
+                const LeafOrder& order) {
+  return boolean_fold(complex, op, std::span(&dominance, 1), {std::move(a), std::move(b)}, order);
 }
 
 /// An operand, asked for the boundaries of its regions.
@@ -40,8 +40,8 @@ class BlendSide {
     }
     std::optional<DistanceTarget> found = builder.take();
     if (!found || found->empty()) {
-      throw InputError("`blend` needs the distance to the boundary of the region `" + attributes(region).name +
-                       "`, which overlaps `" + other.name + "` and has " +
+      throw InputError("`blend` needs the distance to the boundary of the region `" +
+                       attributes(region).name.text() + "`, which overlaps `" + other.name.text() + "` and has " +
                        (found ? "no boundary" : "an unbounded one") +
                        "; cut it with a box first, or leave `blend` out");
     }
@@ -81,7 +81,7 @@ class Blend {
     const RegionAttributes* const both[] = {&a, &b};
     RegionAttributes out = combined(both, false, yielded);
     std::erase_if(yielded, [](const Yielded& what) { return what.key.empty(); });  // materials are mixed
-    out.name = joined(a.name, b.name);
+    out.name = join_names(a.name, b.name);
     out.leaves = a.leaves;
     add_leaves(out.leaves, b.leaves);
     if (!a.material.empty() && !b.material.empty() && !(a.material == b.material)) out.material = mixture(i, j);
@@ -94,7 +94,7 @@ class Blend {
     if (!known.empty()) return known;
     const RegionAttributes &a = left_.attributes(i), &b = right_.attributes(j);
     PlacedGrade grade{{BlendGrade{left_.of(i, b), right_.of(j, a)}, {}}, placement_};
-    known = RegionMaterial(blended_name(a.material.name(), b.material.name()),
+    known = RegionMaterial(blended_name(a.material, b.material),
                            std::make_shared<const PlacedGrade>(std::move(grade)));
     known.set_dominance(std::max(a.material.dominance(), b.material.dominance()));
     return known;
@@ -107,13 +107,14 @@ class Blend {
 
 }  // namespace
 
-FoldResult blended_union(const Complex& complex, const Transform& placement, PartedGroup left, PartedGroup right) {
+FoldResult blended_union(const Complex& complex, const Transform& placement, PartedGroup left, PartedGroup right,
+                         const LeafOrder& order) {
   const Group a = whole(left), b = whole(right);
-  FoldResult all = fold(complex, BooleanOp::unite, Dominance::equal, left, right);
+  FoldResult all = fold(complex, BooleanOp::unite, Dominance::equal, left, right, order);
   PartedGroup common =
-      fold(complex, BooleanOp::intersect, Dominance::equal, std::move(left), std::move(right)).group;
+      fold(complex, BooleanOp::intersect, Dominance::equal, std::move(left), std::move(right), order).group;
   const PartedGroup both =
-      fold(complex, BooleanOp::unite, Dominance::right, std::move(all.group), std::move(common)).group;
+      fold(complex, BooleanOp::unite, Dominance::right, std::move(all.group), std::move(common), order).group;
   Blend blend(complex, placement, a, b);
   FoldResult out;
   // What is said of sheets, wires and points is as in any union of equals.

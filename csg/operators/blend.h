@@ -20,6 +20,7 @@ namespace cnrg {
 /// Mixtures are given in coordinates that `placement` brings to those of the complex. Nothing is removed, and of
 /// regions that blend no materials conflict, only properties. Throws InputError where the boundary of a region
 /// that is to blend is unbounded or empty.
-FoldResult blended_union(const Complex& complex, const Transform& placement, PartedGroup left, PartedGroup right);
+FoldResult blended_union(const Complex& complex, const Transform& placement, PartedGroup left, PartedGroup right,
+                         const LeafOrder& order = {});
 
 }  // namespace cnrg

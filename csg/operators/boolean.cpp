@@ -25,7 +25,8 @@ BooleanResult boolean_operation(const Complex& complex, BooleanOp op, Dominance 
                                 const Group& right) {
   const Group* const first[] = {&left};
   const Group* const next[] = {&right};
-  TableEngine engine(complex, op, first);
+  const LeafOrder order;
+  TableEngine engine(complex, op, first, order);
   FoldStep step;
   engine.step(dominance, next, step);
   BooleanResult out;

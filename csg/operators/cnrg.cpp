@@ -198,7 +198,7 @@ ComponentAttributes strongest(const Components& x, std::vector<AttributeConflict
   for (std::size_t i = 0; i < x.attributes.size(); ++i) {
     const ComponentAttributes& a = x.attributes[i];
     if (a.dominance != out.dominance || a.material.dominance() != level) continue;
-    out.name = joined(out.name, a.name);
+    out.name = join_names(out.name, a.name);
     std::vector<Yielded> yielded;
     fill_in(out, a, yielded);
     for (const Yielded& other : yielded) {
@@ -460,7 +460,7 @@ ComponentsResult topological_operation(const Complex& complex, Topological op, c
   value.selection = add_component(restrict_to(x.selection, want), subtract(want, have), extra);
   value.attributes = x.attributes;
   value.attributes.emplace_back();
-  value.attributes.back().name = name(op);
+  value.attributes.back().name = Name(std::vector{NamePart{name(op), 0, NameOrigin::operation}});
   inherit_origins(complex, x, below, value);
   value.features = active(value.selection, x.features);
   value.attributes.back().dominance = largest_dominance(x);

@@ -8,31 +8,6 @@
 #include "csg/operators/component_lists.h"
 
 namespace cnrg {
-namespace {
-
-std::vector<std::string> parts_of(const std::string& name) {
-  std::vector<std::string> out;
-  for (std::size_t begin = 0; begin <= name.size();) {
-    const std::size_t end = std::min(name.find(" & ", begin), name.size());
-    out.push_back(name.substr(begin, end - begin));
-    begin = end + 3;
-  }
-  return out;
-}
-
-}  // namespace
-
-std::string joined(const std::string& a, const std::string& b) {
-  if (b.empty() || b == kEntitiesName || a == b) return a.empty() ? b : a;
-  if (a.empty() || a == kEntitiesName) return b;
-  std::vector<std::string> parts = parts_of(a);
-  std::string out = a;
-  for (const std::string& part : parts_of(b)) {
-    if (std::find(parts.begin(), parts.end(), part) == parts.end()) out += " & " + part;
-  }
-  return out;
-}
-
 Dominance dominant(const ComponentAttributes& a, const ComponentAttributes& b,
                    std::optional<Dominance> dominance) {
   if (dominance) return *dominance;
@@ -47,7 +22,7 @@ Combined combine(const ComponentAttributes& a, const ComponentAttributes& b, std
   const Dominance decides = dominant(a, b, dominance);
   out.attributes = decides == Dominance::right ? b : a;
   if (decides == Dominance::equal) {
-    out.attributes.name = joined(a.name, b.name);
+    out.attributes.name = join_names(a.name, b.name);
     fill_in(out.attributes, b, out.yielded);
   }
   out.attributes.dominance = std::max(a.dominance, b.dominance);

@@ -10,9 +10,6 @@
 
 namespace cnrg {
 
-/// Names joined by ` & `, each once; what the entities of a group are called yields to a name that somebody gave.
-std::string joined(const std::string& a, const std::string& b);
-
 struct Combined {
   ComponentAttributes attributes;
   std::vector<Yielded> yielded;  ///< what gave way without being dominated

@@ -93,7 +93,7 @@ Components components_of(const Complex& complex, const Group& group) {
   for (const RegionAttributes& region : group.regions) out.attributes.push_back({region, group.dominance});
   const auto entities = static_cast<Component>(group.regions.size() + 1);
   if (group.has_entities()) {
-    out.attributes.push_back({{{.name = kEntitiesName}, {}}, group.dominance});
+    out.attributes.push_back({{{.name = Name::of_entities()}, {}}, group.dominance});
     std::vector<char> used(group.origins.sets.size(), 0);
     for (const auto* origins : {&group.origins.vertices, &group.origins.edges, &group.origins.faces}) {
       for (const LeafSetId set : *origins) used[set.index()] = 1;

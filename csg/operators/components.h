@@ -30,9 +30,6 @@ struct Components {
   Origins origins;                              ///< parallel to the lists of `selection`
 };
 
-/// The name of the component that the entities of a group are.
-inline constexpr const char* kEntitiesName = "entities";
-
 /// A group as components; each has the group's dominance. The entities come last, if there are any.
 Components components_of(const Complex& complex, const Group& group);
 

@@ -26,11 +26,12 @@ bool can_tally(const Complex& complex, const std::vector<PartedGroup>& operands)
 class Fold {
  public:
   Fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-       std::vector<PartedGroup> operands, bool tallies = false)
+       std::vector<PartedGroup> operands, const LeafOrder& order, bool tallies = false)
       : complex_(complex),
         op_(op),
         dominances_(dominances),
         operands_(std::move(operands)),
+        order_(order),
         tallies_(tallies),
         busy_(operands_.size()),
         steps_(dominances.size()) {}
@@ -76,7 +77,7 @@ class Fold {
     };
     std::uint32_t operand = next->operand;
     if (operand > 0) tally(cluster, operand);
-    TableEngine engine(complex_, op_, take(operand), tallies_);
+    TableEngine engine(complex_, op_, take(operand), order_, tallies_);
     while (true) {
       // An intersection with an operand that has no part here leaves nothing.
       if (op_ == BooleanOp::intersect && !engine.empty()) ++operand;
@@ -202,6 +203,7 @@ class Fold {
   BooleanOp op_;
   std::span<const Dominance> dominances_;
   std::vector<PartedGroup> operands_;
+  const LeafOrder& order_;
   bool tallies_;
   std::vector<Parts> busy_;  // by operand: its parts in clusters
   std::vector<FoldStep> steps_;
@@ -210,8 +212,8 @@ class Fold {
 }  // namespace
 
 FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-                        std::vector<PartedGroup> operands) {
-  Fold fold(complex, op, dominances, std::move(operands));
+                        std::vector<PartedGroup> operands, const LeafOrder& order) {
+  Fold fold(complex, op, dominances, std::move(operands), order);
   FoldResult out;
   out.group = fold.run();
   for (FoldStep& step : fold.steps()) {
@@ -222,13 +224,13 @@ FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Do
 }
 
 FoldInSteps boolean_fold_in_steps(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-                                  std::vector<PartedGroup> operands, bool totals) {
+                                  std::vector<PartedGroup> operands, bool totals, const LeafOrder& order) {
   std::optional<Totals> sums;
   if (totals && can_tally(complex, operands)) sums = Totals();
   if (sums) {
     for (const PartRef& part : operands[0].parts) sums->add(complex, *part.get());
   }
-  Fold fold(complex, op, dominances, std::move(operands), sums.has_value());
+  Fold fold(complex, op, dominances, std::move(operands), order, sums.has_value());
   FoldInSteps out;
   out.group = fold.run();
   for (FoldStep& step : fold.steps()) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "csg/operators/attributes.h"
+#include "csg/operators/leaf_order.h"
 #include "csg/operators/parts.h"
 #include "csg/operators/tables.h"
 
@@ -21,10 +22,11 @@ struct FoldResult {
   std::vector<AttributeConflict> conflicts;  ///< step by step, those of one step in the order of its regions
 };
 
-/// `dominances[k]` is that of the step that takes in operand k + 1. The value, removals and conflicts are those of
-/// `boolean_operation` step by step. Move in operands that are not needed any more: their lists are used again.
+/// `dominances[k]` is that of the step that takes in operand k + 1; `order` that of the leaves below the node,
+/// where there is one. The value, removals and conflicts are those of `boolean_operation` step by step. Move in
+/// operands that are not needed any more: their lists are used again.
 FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-                        std::vector<PartedGroup> operands);
+                        std::vector<PartedGroup> operands, const LeafOrder& order = {});
 
 /// What became of the value in one step.
 struct StepOfFold {
@@ -42,6 +44,6 @@ struct FoldInSteps {
 /// The same, told step by step. With `totals` the sums over the value after each step are known, unless something
 /// is said of single cells, the space has a frame, a region has no bounds, or a merged face would be one-sided.
 FoldInSteps boolean_fold_in_steps(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-                                  std::vector<PartedGroup> operands, bool totals);
+                                  std::vector<PartedGroup> operands, bool totals, const LeafOrder& order = {});
 
 }  // namespace cnrg

@@ -15,14 +15,17 @@ struct HeldRegions::Source {
   bool second;     // not of the operand that comes first
   RegionId first;  // the smallest cell of the source
   bool held;
-  std::uint32_t attributes;  // index into the pool, or into those of next
+  std::uint32_t attributes;             // index into the pool, or into those of next
+  std::vector<std::uint32_t> leaves{};  // their places in the order, where these decide
   auto key() const { return std::tuple(result, second, first); }
 };
 
-HeldRegions::HeldRegions(const Complex& complex, BooleanOp op, const EntityMarks<FaceId>& faces)
+HeldRegions::HeldRegions(const Complex& complex, BooleanOp op, const EntityMarks<FaceId>& faces,
+                         const LeafOrder& order)
     : complex_(complex),
       op_(op),
       faces_(faces),
+      leaf_order_(order),
       inside_(complex.region_count),
       sets_(complex.region_count),
       ring_(complex.region_count),
@@ -213,17 +216,19 @@ void HeldRegions::combine(Roles roles, const std::vector<RegionId>& next_cells, 
   for (auto& [region, attributes] : made) set_attributes(region, std::move(attributes));
 }
 
-// Of several regions of one operand in one region of the result the leaves decide which goes first: numbers of
-// cells depend on what else is in the tree.
+// Of several regions of one operand in one region of the result the leaves decide which goes first.
 void HeldRegions::put_in_order_of_leaves(std::vector<Source>& sources) const {
   const auto order = [&](const Source& source) {
     const RegionAttributes& a = attributes_of(source);
-    return std::tie(a.leaves, a.name, a.material.name(), a.properties);
+    return std::tie(source.leaves, a.name, a.material.name(), a.properties);
   };
   for (auto begin = sources.begin(); begin != sources.end();) {
     const auto end = std::find_if(begin, sources.end(), [&](const Source& s) {
       return s.result != begin->result || s.second != begin->second;
     });
+    if (end - begin > 1) {
+      for (auto it = begin; it != end; ++it) it->leaves = leaf_order_.places(attributes_of(*it).leaves);
+    }
     std::stable_sort(begin, end, [&](const Source& a, const Source& b) { return order(a) < order(b); });
     begin = end;
   }

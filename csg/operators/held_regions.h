@@ -19,6 +19,7 @@
 
 #include "csg/operators/attributes.h"
 #include "csg/operators/entity_marks.h"
+#include "csg/operators/leaf_order.h"
 #include "csg/operators/tables.h"
 
 namespace cnrg {
@@ -26,7 +27,7 @@ namespace cnrg {
 class HeldRegions {
  public:
   /// `faces` are those of the fold: regions end at them.
-  HeldRegions(const Complex& complex, BooleanOp op, const EntityMarks<FaceId>& faces);
+  HeldRegions(const Complex& complex, BooleanOp op, const EntityMarks<FaceId>& faces, const LeafOrder& order);
 
   /// The first operand, which becomes held, and each next one; parts share no point.
   void load(std::span<const Group* const> parts);
@@ -81,6 +82,7 @@ class HeldRegions {
   const Complex& complex_;
   const BooleanOp op_;
   const EntityMarks<FaceId>& faces_;
+  const LeafOrder& leaf_order_;
 
   // Held.
   Marks<RegionId> inside_;

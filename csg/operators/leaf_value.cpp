@@ -369,7 +369,7 @@ NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, co
                      const Transform& transform, const std::vector<Attributes>& attributes,
                      const std::vector<Attributes>& said, HeldCells* held) {
   std::vector<Attributes> all = attributes;
-  if (table.group) all.push_back({.name = kEntitiesName});
+  if (table.group) all.push_back({.name = Name::of_entities()});
   LeafValue made(complex, leaf, cells, table);
   Components components = made.run(transform, all, said);
   if (held != nullptr) made.list_held(components.selection, *held);

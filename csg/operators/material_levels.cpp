@@ -140,11 +140,12 @@ class Levels {
 
 class ByMaterials {
  public:
-  ByMaterials(const Complex& complex, BooleanOp op, const Group& left, const Group& right)
+  ByMaterials(const Complex& complex, BooleanOp op, const Group& left, const Group& right, const LeafOrder& order)
       : complex_(complex),
         op_(op),
         left_(left),
         right_(right),
+        order_(order),
         of_left_(complex, left),
         of_right_(complex, right) {}
 
@@ -179,7 +180,7 @@ class ByMaterials {
   }
 
   PartedGroup step(BooleanOp op, Dominance dominance, PartedGroup a, PartedGroup b, const Rational& level) {
-    FoldResult made = boolean_fold(complex_, op, std::span(&dominance, 1), {std::move(a), std::move(b)});
+    FoldResult made = boolean_fold(complex_, op, std::span(&dominance, 1), {std::move(a), std::move(b)}, order_);
     for (auto& conflict : made.conflicts) {
       if (stands(conflict.cells, level)) out_.conflicts.push_back(std::move(conflict));
     }
@@ -200,7 +201,7 @@ class ByMaterials {
   void put(PartedGroup piece) {
     const Dominance dominance = Dominance::right;
     out_.group = boolean_fold(complex_, BooleanOp::unite, std::span(&dominance, 1),
-                              {std::move(out_.group), std::move(piece)})
+                              {std::move(out_.group), std::move(piece)}, order_)
                      .group;
   }
 
@@ -227,6 +228,7 @@ class ByMaterials {
   const Complex& complex_;
   const BooleanOp op_;
   const Group &left_, &right_;
+  const LeafOrder& order_;
   const Levels of_left_, of_right_;
   FoldResult out_;
 };
@@ -250,12 +252,13 @@ Rational level_of_entity(const Complex& complex, const Group& g, VertexId v) {
   return greatest_level(complex, g, v);
 }
 
-FoldResult boolean_by_materials(const Complex& complex, BooleanOp op, PartedGroup left, PartedGroup right) {
+FoldResult boolean_by_materials(const Complex& complex, BooleanOp op, PartedGroup left, PartedGroup right,
+                                const LeafOrder& order) {
   const Group a = whole(left), b = whole(right);
-  ByMaterials made(complex, op, a, b);
+  ByMaterials made(complex, op, a, b, order);
   if (made.levels().size() > 1) return made.run();
   const Dominance equal = Dominance::equal;
-  return boolean_fold(complex, op, std::span(&equal, 1), {std::move(left), std::move(right)});
+  return boolean_fold(complex, op, std::span(&equal, 1), {std::move(left), std::move(right)}, order);
 }
 
 Dominance LevelsAt::dominance() const {

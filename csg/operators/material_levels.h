@@ -39,7 +39,8 @@ Rational level_of_entity(const Complex& complex, const Group& g, VertexId v);
 
 /// A union or intersection in which materials decide. Removals: each entity that is gone counts once, by the row
 /// of its relation under `dominance_at`.
-FoldResult boolean_by_materials(const Complex& complex, BooleanOp op, PartedGroup left, PartedGroup right);
+FoldResult boolean_by_materials(const Complex& complex, BooleanOp op, PartedGroup left, PartedGroup right,
+                                const LeafOrder& order = {});
 
 /// The levels of both operands at a cell: of an entity the greatest around it, of another cell that of the region
 /// that it is in, none outside.

@@ -50,7 +50,7 @@ std::size_t NodeValue::component_count() const {
 }
 
 const RegionAttributes& NodeValue::attributes(Component i) const {
-  static const RegionAttributes entities{{.name = kEntitiesName}, {}};
+  static const RegionAttributes entities{{.name = Name::of_entities()}, {}};
   if (!is_group()) return components().attributes.at(i - 1);
   return i <= group().regions.size() ? group().regions[i - 1] : entities;
 }

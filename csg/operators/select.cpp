@@ -78,7 +78,7 @@ class Picker {
       return std::any_of(criteria_.properties.begin(), criteria_.properties.end(),
                          [&](const auto& other) { return other.first == wanted.first && says_it(other); });
     };
-    return one_of(criteria_.names, said->name) && one_of(criteria_.materials, said->material.name()) &&
+    return one_of(criteria_.names, said->name.text()) && one_of(criteria_.materials, said->material.name()) &&
            std::all_of(criteria_.properties.begin(), criteria_.properties.end(), key_holds);
   }
 
@@ -115,8 +115,8 @@ class Picker {
     const auto is = [&](const auto& list, const auto& value) {
       return std::find(list.begin(), list.end(), value) != list.end();
     };
-    return component != 0 &&
-           (is(criteria_.region_numbers, component) || is(criteria_.regions, attributes(value_, component).name));
+    return component != 0 && (is(criteria_.region_numbers, component) ||
+                              is(criteria_.regions, attributes(value_, component).name.text()));
   }
 
   /// Those that the 3-cells around a cell are of, ascending and unique; 0 is none.

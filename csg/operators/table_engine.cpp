@@ -44,13 +44,13 @@ enum class Who : std::uint8_t { held = kHeld, next = kNext };
 
 class TableEngine::State {
  public:
-  State(const Complex& complex, BooleanOp op, Operands first, bool tallies)
+  State(const Complex& complex, BooleanOp op, Operands first, const LeafOrder& order, bool tallies)
       : complex_(complex),
         op_(op),
         faces_(complex.face_count()),
         edges_(complex.edge_count()),
         vertices_(complex.points.size()),
-        regions_(complex, op, faces_) {
+        regions_(complex, op, faces_, order) {
     for (const Group* part : first) load(*part);
     regions_.load(first);
     if (tallies) tally_.emplace(complex, faces_, edges_, vertices_, sets_, regions_, first);
@@ -421,8 +421,9 @@ class TableEngine::State {
   std::optional<Tally> tally_;  // keeps references to the marks above
 };
 
-TableEngine::TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts, bool tallies)
-    : state_(std::make_unique<State>(complex, op, parts, tallies)) {}
+TableEngine::TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts,
+                         const LeafOrder& order, bool tallies)
+    : state_(std::make_unique<State>(complex, op, parts, order, tallies)) {}
 TableEngine::~TableEngine() = default;
 
 void TableEngine::step(Dominance dominance, std::span<const Group* const> parts, FoldStep& step) {

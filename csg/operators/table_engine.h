@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "csg/operators/attributes.h"
+#include "csg/operators/leaf_order.h"
 #include "csg/operators/parts.h"
 #include "csg/operators/tables.h"
 
@@ -31,8 +32,10 @@ struct FoldStep {
 class TableEngine {
  public:
   /// Starts as the group of the first operand's `parts`, which share no point with each other. `tallies`: each
-  /// step says what it changes in the sums over the value (tally.h); nothing may be said of any cell.
-  TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts, bool tallies = false);
+  /// step says what it changes in the sums over the value (tally.h); nothing may be said of any cell. `order` is
+  /// that of the leaves below the node.
+  TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts, const LeafOrder& order,
+              bool tallies = false);
   ~TableEngine();
   /// One step with the next operand, given as its parts, which may be none; what it did is added to `step`.
   void step(Dominance dominance, std::span<const Group* const> parts, FoldStep& step);

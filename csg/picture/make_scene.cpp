@@ -142,7 +142,7 @@ class SceneMaker {
     const RegionAttributes& a = attributes_of(view_, flat_.regions[region].component);
     const std::string& material = a.material.name();
     const bool by_material = a.name.empty() || (by_ == ColorBy::material && !material.empty());
-    const std::string& text = by_material ? material : a.name;
+    const std::string& text = by_material ? material : a.name.text();
     if (!text.empty()) labels.push_back(label(shown(text), region));
   }
   /// The one leaf that a sheet, a wire or a point came from.

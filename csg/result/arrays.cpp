@@ -78,11 +78,10 @@ class Filler {
 
   template <class Cell>
   void add_common(ResultArrays::Common& to, const Cell& cell, const CellTags& tags) {
-    const auto leaf = leaf_numbers_.find(LeafId(static_cast<std::size_t>(tags.leaf)));
     to.holder.push_back(tags.region);
     to.material.push_back(tags.material - 1);
     to.said.push_back(said_.place(tags));
-    to.leaf.push_back(leaf == leaf_numbers_.end() ? kNoNumber : static_cast<Number>(leaf->second));
+    to.leaf.push_back(tags.leaf < 0 ? kNoNumber : static_cast<Number>(leaf_numbers_.at(tags.source)));
     to.leaf_face.push_back(tags.face);
     to.component.push_back(static_cast<Number>(cell.component));
     if constexpr (requires { cell.entity; }) to.entity.push_back(cell.entity);
@@ -203,14 +202,15 @@ class Filler {
   }
 
   void add_names() {
-    for (const auto& [leaf, place] : leaf_numbers_) out_.leaves.push_back(leaf_name(view_, leaf));
+    for (const LeafId leaf : in_order(leaf_numbers_)) out_.leaves.push_back(leaf_name(view_, leaf));
     for (Component i = 1; i <= view_.value->component_count(); ++i) {
       const RegionAttributes& from = view_.value->attributes(i);
       ResultArrays::Component& to = out_.components.emplace_back();
       to.name = from.name;
       to.material = from.material.name();
       to.properties = from.properties;
-      for (const LeafId leaf : from.leaves) to.leaves.push_back(static_cast<Number>(leaf_numbers_.at(leaf)));
+      for (const std::size_t leaf : numbers_of(from.leaves, leaf_numbers_))
+        to.leaves.push_back(static_cast<Number>(leaf));
     }
     out_.materials = view_.materials;
     out_.said = said_.table(view_);

@@ -63,11 +63,15 @@ void CellTagger::finish(CellTags& tags, const FlatComplex::Provenance& origin) c
     tags.material = std::int32_t(i + 1);
     break;
   }
-  if (!origin.leaves.empty()) tags.leaf = std::int32_t(origin.leaves[0].value());
+  const auto came_from = [&](LeafId leaf) {
+    tags.source = leaf;
+    tags.leaf = std::int32_t(view_.place(leaf));
+  };
+  if (!origin.leaves.empty()) came_from(origin.leaves[0]);
   if (tags.dimension == 3) return;
   for (const LeafCell& cell : origin.cells) {
     if (cell.dimension != 2) continue;
-    tags.leaf = std::int32_t(cell.leaf.value());
+    came_from(cell.leaf);
     tags.face = std::int32_t(cell.number);
     return;
   }

@@ -12,7 +12,8 @@ namespace cnrg {
 /// Numbers of a cell for formats that hold arrays of them; what each means is in the head of vtu.cpp.
 struct CellTags {
   std::int32_t dimension = 0, cell = 0, component = 0, region = 0, front = 0, back = 0, bounded = -1;
-  std::int32_t material = 0, leaf = -1, face = -1;
+  std::int32_t material = 0, leaf = -1, face = -1;  ///< `leaf` by its place (LeafInfo)
+  LeafId source;                                    ///< the same leaf
   /// What is said of the cell: of a region or a cell of a component without regions what is said of the component,
   /// of a sheet, a wire or a point what is said of it. nullptr: nothing. Lives as long as the value.
   const Attributes* said = nullptr;

@@ -1,5 +1,7 @@
 #include "csg/result/file_numbers.h"
 
+#include <algorithm>
+
 namespace cnrg {
 
 std::map<LeafId, std::size_t> leaf_numbers(const ResultView& view, const FlatComplex& flat) {
@@ -12,9 +14,42 @@ std::map<LeafId, std::size_t> leaf_numbers(const ResultView& view, const FlatCom
   };
   see_all(flat.vertices), see_all(flat.edges), see_all(flat.faces), see_all(flat.regions);
   for (Component i = 1; i <= view.value->component_count(); ++i) see(view.value->attributes(i).leaves);
-  std::size_t next = 0;
-  for (auto& [leaf, number] : numbers) number = next++;
+  std::vector<LeafId> order;
+  for (const auto& [leaf, number] : numbers) order.push_back(leaf);
+  std::sort(order.begin(), order.end(), [&](LeafId a, LeafId b) { return view.place(a) < view.place(b); });
+  for (std::size_t i = 0; i < order.size(); ++i) numbers[order[i]] = i;
   return numbers;
+}
+
+std::vector<LeafId> in_order(const std::map<LeafId, std::size_t>& numbers) {
+  std::vector<LeafId> leaves(numbers.size());
+  for (const auto& [leaf, number] : numbers) leaves[number] = leaf;
+  return leaves;
+}
+
+std::vector<std::size_t> numbers_of(const std::vector<LeafId>& leaves,
+                                    const std::map<LeafId, std::size_t>& numbers) {
+  std::vector<std::size_t> out;
+  out.reserve(leaves.size());
+  for (const LeafId leaf : leaves) out.push_back(numbers.at(leaf));
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::vector<LeafId> in_order_of_place(const std::vector<LeafInfo>& leaves) {
+  std::vector<LeafId> out;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    if (leaves[i].place != LeafInfo::kNoPlace) out.emplace_back(i);
+  }
+  std::sort(out.begin(), out.end(),
+            [&](LeafId a, LeafId b) { return leaves[a.index()].place < leaves[b.index()].place; });
+  return out;
+}
+
+std::vector<std::string> leaf_names(const std::vector<LeafInfo>& leaves) {
+  std::vector<std::string> out;
+  for (const LeafId leaf : in_order_of_place(leaves)) out.push_back(leaves[leaf.index()].name);
+  return out;
 }
 
 std::string leaf_name(const ResultView& view, LeafId leaf) {

@@ -11,6 +11,7 @@
 #include "csg/geometry/canonical_loop.h"
 #include "csg/operators/cell_sources.h"
 #include "csg/operators/component_lists.h"
+#include "csg/result/file_numbers.h"
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
@@ -36,7 +37,11 @@ class Flattener {
         points_(simple_.in_order ? CanonicalPoints(complex_, simple_) : cnrg::put_in_order(complex_, own_)),
         of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
         value_(view.value->is_group() ? of_group_ : view.value->components()),
-        sources_(complex_, value_) {}
+        sources_(complex_, value_) {
+    if (view.leaves == nullptr) return;
+    const std::vector<LeafId> order = in_order_of_place(*view.leaves);
+    by_number_ = std::is_sorted(order.begin(), order.end());
+  }
 
   FlatComplex run() {
     count_walks();
@@ -59,6 +64,7 @@ class Flattener {
   const Components of_group_;  // a group as components
   const Components& value_;
   const ComponentSources sources_;
+  bool by_number_ = true;  // leaves are in the order of their numbers
   FlatComplex flat_;
   IdVector<EdgeId, Index> edge_of_;  // simplified edge that holds an edge of the complex
   IdVector<FaceId, Index> front_;    // the side of a face of the complex that is the front of the simplified one
@@ -98,7 +104,7 @@ class Flattener {
     for (const auto& region : simple_.regions) {
       flat_.regions.push_back({region.component, region.bounded, region.shells, region.cells,
                                origin_of(value_.selection.regions, value_.origins.regions, region.cells)});
-      name_makers(flat_.regions.back().origin);
+      finish(flat_.regions.back().origin);
     }
   }
 
@@ -134,6 +140,23 @@ class Flattener {
     if (from.size() > 1) sort_unique(of);
     sort_unique(on);
     return {{of.begin(), of.end()}, {on.begin(), on.end()}};
+  }
+
+  /// Of leaves and of what has one in `leaf_of`: by the places of leaves.
+  template <class List, class LeafOf>
+  void put_in_order_of_place(List& list, const LeafOf& leaf_of) const {
+    if (by_number_) return;
+    std::stable_sort(list.begin(), list.end(), [&](const auto& a, const auto& b) {
+      return view_.place(leaf_of(a)) < view_.place(leaf_of(b));
+    });
+  }
+  static LeafId leaf_of_patch(const FlatComplex::Patch& patch) { return patch.first; }
+
+  /// The last word on an origin: its lists are ascending until then.
+  void finish(FlatComplex::Provenance& origin) const {
+    name_makers(origin);
+    put_in_order_of_place(origin.leaves, [](LeafId leaf) { return leaf; });
+    put_in_order_of_place(origin.cells, [](const LeafCell& cell) { return cell.leaf; });
   }
 
   /// What a joined leaf stands for is in its place (csg/evaluate/leaf_numbers.h).
@@ -291,7 +314,7 @@ class Flattener {
         if (face.patch) add_cells(face, facets, from);
         else if (face.surface != 0) add_cells_of_patches(face, from);
       }
-      name_makers(face.origin);
+      finish(face.origin);
     });
   }
 
@@ -324,11 +347,12 @@ class Flattener {
     return leaves.empty() || std::binary_search(leaves.begin(), leaves.end(), complex_.sources[cover.source].leaf);
   }
 
-  /// The surface of the patch, or else the smallest number that all cells have.
+  /// The surface of the patch, or else one that all cells have, that of the first patch.
   std::uint32_t surface_of(const SimplifiedComplex::Face& from, const FlatComplex::Face& face) const {
     if (complex_.surface_count == 0) return 0;
+    const std::span<const Cover> covers = complex_.cover(from.cells[0].face());
     if (face.patch) {
-      for (const Cover& cover : complex_.cover(from.cells[0].face())) {
+      for (const Cover& cover : covers) {
         const Soup::Face& source = complex_.sources[cover.source];
         if (FlatComplex::Patch{source.leaf, source.patch} == *face.patch) return source.surface;
       }
@@ -336,7 +360,15 @@ class Flattener {
     const auto& all = common_of<std::uint32_t>(from, [&](const Cover& cover, const Soup::Face& source) {
       return source.surface != 0 && is_own(face, cover) ? std::optional(source.surface) : std::nullopt;
     });
-    return all.empty() ? 0 : all[0];
+    if (all.size() < 2) return all.empty() ? 0 : all[0];
+    const Soup::Face* first = nullptr;
+    for (const Cover& cover : covers) {
+      const Soup::Face& source = complex_.sources[cover.source];
+      const auto key = [&](const Soup::Face& of) { return std::pair(view_.place(of.leaf), of.patch); };
+      const bool fits = is_own(face, cover) && std::binary_search(all.begin(), all.end(), source.surface);
+      if (fits && (first == nullptr || key(source) < key(*first))) first = &source;
+    }
+    return first->surface;
   }
 
   void add_cells_of_patches(FlatComplex::Face& face, const SimplifiedComplex::Face& from) const {
@@ -353,6 +385,7 @@ class Flattener {
       }
     }
     sort_unique(face.cells_of_patches);
+    put_in_order_of_place(face.cells_of_patches, [](const auto& cell) { return cell.first.first; });
   }
 
   bool must_flip(const FlatComplex::Face& face, HalfFace first) const {
@@ -425,10 +458,12 @@ class Flattener {
       return source.leaf == complex_.frame ? std::nullopt
                                            : std::optional(FlatComplex::Patch{source.leaf, source.patch});
     });
-    const auto own = std::find_if(common.begin(), common.end(), [&](const FlatComplex::Patch& patch) {
-      return std::binary_search(leaves.begin(), leaves.end(), patch.first);
-    });
-    return own == common.end() ? std::nullopt : std::optional(*own);
+    std::optional<FlatComplex::Patch> first;
+    for (const FlatComplex::Patch& patch : common) {
+      if (!std::binary_search(leaves.begin(), leaves.end(), patch.first)) continue;
+      if (!first || view_.place(patch.first) < view_.place(first->first)) first = patch;
+    }
+    return first;
   }
 
   void make_edges() {
@@ -472,7 +507,7 @@ class Flattener {
       edge.origin = origin_of(value_.selection.edges, value_.origins.edges, from.chain);
       edge.origin.said = sources_.said(first);
       add_carriers(edge, from);
-      name_makers(edge.origin);
+      finish(edge.origin);
     });
   }
 
@@ -504,6 +539,8 @@ class Flattener {
       keep_common(patches, around, i == 0);
       keep_common(curves, on, i == 0);
     }
+    put_in_order_of_place(patches, leaf_of_patch);
+    put_in_order_of_place(curves, leaf_of_patch);
     edge.patches = {patches.begin(), patches.end()};
     if (!curves.empty()) edge.curve = curves.front();
     const auto uses = complex_.edge_uses[from.chain[0].edge()];
@@ -553,7 +590,7 @@ class Flattener {
       if (!whole_) return;
       vertex.origin = origin_of(value_.selection.vertices, value_.origins.vertices, std::span(&from.cell, 1));
       vertex.origin.said = sources_.said(from.cell);
-      name_makers(vertex.origin);
+      finish(vertex.origin);
     });
   }
 

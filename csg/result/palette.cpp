@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "csg/result/file_numbers.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -101,10 +102,12 @@ ColorBy default_colors(const ResultView& view) {
 
 LeafColors::LeafColors(const std::vector<LeafInfo>& leaves) {
   std::map<std::string, std::size_t> numbers;
-  for (const LeafInfo& leaf : leaves) {
-    const auto [at, is_new] = numbers.try_emplace(leaf.name, numbers.size());
-    if (is_new) names_.push_back(leaf.name);
-    numbers_.push_back(at->second);
+  numbers_.resize(leaves.size());
+  for (const LeafId leaf : in_order_of_place(leaves)) {
+    const std::string& name = leaves[leaf.index()].name;
+    const auto [at, is_new] = numbers.try_emplace(name, numbers.size());
+    if (is_new) names_.push_back(name);
+    numbers_[leaf.index()] = at->second;
   }
 }
 

@@ -64,7 +64,8 @@ Components components_by_selection(const Complex& complex, Selection selection) 
 
 void Result::Data::name(ResultNames names) {
   node = std::move(names.result);
-  for (std::string& leaf : names.leaves) leaves.push_back({std::move(leaf), 0});
+  for (std::string& leaf : names.leaves)
+    leaves.push_back({std::move(leaf), static_cast<std::uint32_t>(leaves.size())});
   for (ResultNames::Material& m : names.materials) materials.push_back({std::move(m.name), std::move(m.color)});
   std::set<std::string> known;
   for (const ResultView::Material& m : materials) known.insert(m.name);

@@ -12,12 +12,13 @@
 //       or, in place of the last four, "blend": [{"material", "grade",          a grade before this one in the
 //       list
 //         "boundary": {"points", "vertices", "segments", "triangles"}}]}],          of two
-//   "components": [{"name", "material", "leaves": [leaf], "grade", "properties", "dominance"}],
+//   "components": [{"name", "called", "material", "leaves": [leaf], "grade", "properties", "dominance"}],
 //                                                                    component i is at [i - 1]
-//   "attributes": [{"name", "material", "grade", "properties"}],     what is said of cells of dimension < 3, if
-//   any "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted "frame":
-//   [point],                                                points that stand for infinity "vertices": [{"point",
-//   "component", "origin", ...}], "edges": [{"points": [point], "closed", "component", "origin", ...}], "faces":
+//   "attributes": [{"name", "called", "material", "grade", "properties"}],  what is said of cells of dimension <
+//   3, if any "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
+//   "frame": [point],                                                points that stand for infinity "vertices":
+//   [{"point", "component", "origin", ...}], "edges": [{"points": [point], "closed", "component", "origin", ...}],
+//   "faces":
 //   [{"loops": [[point]], "component", "regions": [front, back], "patch", "triangles", "origin", ...}], "regions":
 //   [{"component", "bounded", "shells": [[{"face", "side"}]], "volume", "origin", ...}]
 // }
@@ -178,8 +179,8 @@ class JsonWriter {
   /// Leaves that the result names, numbered in the file.
   void leaves() {
     leaf_number_ = cnrg::leaf_numbers(view_, flat_);
-    list("leaves", leaf_number_,
-         [&](const auto& entry) { JsonObject(text_).add("name", leaf_name(view_, entry.first)); });
+    list("leaves", in_order(leaf_number_),
+         [&](LeafId leaf) { JsonObject(text_).add("name", leaf_name(view_, leaf)); });
   }
 
   /// The dominance of a material is known where a component or a cell is made of it.
@@ -190,13 +191,25 @@ class JsonWriter {
       object.add("dominance", to_string(it->second));
   }
 
+  /// A name that somebody gave is a text; of others it is told who gave them.
+  void called(const NamePart& part) {
+    if (part.origin == NameOrigin::given && part.ordinal == 0) return append_json(text_, part.text);
+    JsonObject object(text_);
+    object.add("name", part.text);
+    if (part.ordinal != 0) object.add("ordinal", part.ordinal);
+    if (part.origin != NameOrigin::given) object.add("by", kNameOrigins[static_cast<std::size_t>(part.origin)]);
+  }
+
   /// `leaves` and `dominance`: of a component.
   void attributes(const Attributes& a, const std::vector<LeafId>* leaves = nullptr,
                   const Rational* dominance = nullptr) {
     JsonObject object(text_);
-    object.add("name", a.name).add("material", a.material.name());
+    object.add("name", a.name.text());
+    if (!a.name.empty())
+      append_json(object.key("called"), a.name.parts(), [&](const NamePart& part) { called(part); });
+    object.add("material", a.material.name());
     if (leaves != nullptr) {
-      append_json(object.key("leaves"), *leaves, [&](LeafId leaf) { append_json(text_, leaf_number_.at(leaf)); });
+      append_json(object.key("leaves"), numbers_of(*leaves, leaf_number_));
     }
     if (a.material.grade() != nullptr) object.add("grade", grades_.number(a.material));
     if (!a.properties.empty()) {
@@ -367,7 +380,9 @@ class JsonWriter {
     const RegionAttributes& attributes = attributes_of(view_, r.component);
     JsonObject object(out);
     object.add("component", r.component);
-    object.add("name", attributes.name).add("material", attributes.material.name()).add("bounded", r.bounded);
+    object.add("name", attributes.name.text())
+        .add("material", attributes.material.name())
+        .add("bounded", r.bounded);
     object.key("volume");
     if (!r.bounded) out += "null";
     else if (const Part* part = part_of(r)) append_quoted(out, part->volume(*view_.complex).bounded);

@@ -20,7 +20,11 @@ using LeafParts = std::vector<std::vector<LeafId>>;
 /// What a writer says of a leaf.
 struct LeafInfo {
   std::string name;  ///< the node's name in the tree
-  double size = 0;   ///< how long edges of a mesh are to be on what comes from it; 0: nobody says
+  /// Among the leaves below the node, in the order of its subtree (csg/operators/leaf_order.h): files number
+  /// leaves so.
+  std::uint32_t place = kNoPlace;
+  static constexpr std::uint32_t kNoPlace = 0xffffffffu;  ///< it is not below the node
+  double size = 0;  ///< how long edges of a mesh are to be on what comes from it; 0: nobody says
   /// Nobody says a size here, but users of the result may.
   bool asks = false;
   /// Of a node that joins: so many leaves after it are those below it. What its cells came from is these.
@@ -37,6 +41,9 @@ struct ResultView {
   const NodeValue* value = nullptr;
   const SimplifiedComplex* simplified = nullptr;
   const std::vector<LeafInfo>* leaves = nullptr;  ///< by LeafId
+  std::uint32_t place(LeafId leaf) const {
+    return leaves != nullptr && leaf.index() < leaves->size() ? (*leaves)[leaf.index()].place : leaf.value();
+  }
   using Material = ResultNames::Material;
   std::vector<Material> materials{};
   bool of_group = false;  ///< `value` is a snapped group's components (snap.h), the last its entities

@@ -43,7 +43,7 @@ SaidTable SaidTableMaker::table(const ResultView& view) const {
     column.array = "name";
     column.texts = names;
     for (const Attributes& said : said_) {
-      const auto at = std::lower_bound(names.begin(), names.end(), said.name);
+      const auto at = std::lower_bound(names.begin(), names.end(), said.name.text());
       const bool known = at != names.end() && *at == said.name;
       column.places.push_back(known ? static_cast<std::int32_t>(at - names.begin()) + 1 : 0);
     }

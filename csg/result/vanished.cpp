@@ -20,7 +20,7 @@ using Index = FlatComplex::Index;
 
 /// Its name, or else its leaves.
 std::string name_of_region(const ResultView& view, const FlatComplex& flat, Index r) {
-  const std::string name = shown(attributes_of(view, flat.regions[r].component).name);
+  const std::string name = shown(attributes_of(view, flat.regions[r].component).name.text());
   return name.empty() ? "a region of " + names_of_leaves(view, flat.regions[r].origin) : name;
 }
 

@@ -33,7 +33,7 @@ std::string component_name(std::span<const RegionAttributes> components, Compone
   if (component == 0) return "outside";
   const std::string number = std::to_string(component);
   const bool named = component <= components.size() && !components[component - 1].name.empty();
-  return named ? number + " " + components[component - 1].name : "component " + number;
+  return named ? number + " " + components[component - 1].name.text() : "component " + number;
 }
 
 RegionGraph region_graph(const SimplifiedComplex& simplified, std::span<const RegionAttributes> components) {

@@ -123,7 +123,7 @@ class Lister {
     if (!of_group_ && tags.component != 0) components.insert(Component(tags.component));
     for (const Component c : components) holds.insert(region_of(c));
     if (tags.said != nullptr) {
-      if (!tags.said->name.empty()) holds.insert({name, 0, typed(tags.said->name)});
+      if (!tags.said->name.empty()) holds.insert({name, 0, typed(tags.said->name.text())});
       if (!tags.said->material.empty()) holds.insert({material, 0, typed(tags.said->material.name())});
       for (const auto& [key, value] : tags.said->properties) {
         holds.insert({attributes, 0, "{" + typed(key) + ": " + typed(value) + "}"});

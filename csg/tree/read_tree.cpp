@@ -186,6 +186,21 @@ class TreeReader {
                (hint.empty() ? "; add it to `nodes` or use another name" : hint));
   }
 
+  /// The operand of which the result is a part, or another form: written inline, it has no name but that of its
+  /// user.
+  static bool is_subject(Operator op, std::size_t number) {
+    switch (op) {
+      case Operator::unite:
+      case Operator::intersect:
+      case Operator::sum:
+      case Operator::product:
+      case Operator::aggregate: return false;
+      case Operator::below:
+      case Operator::above: return number == 2;
+      default: return number == 1;
+    }
+  }
+
   /// An operand by name or inline.
   void read_operand(NodeId user, const Value& value, std::size_t number) {
     if (!value.is_map()) {
@@ -199,6 +214,7 @@ class TreeReader {
       return;
     }
     const NodeId id = add_node(tree_.nodes[user].name + "/" + std::to_string(number), true, value.at());
+    if (is_subject(tree_.nodes[user].op, number)) tree_.nodes[id].called = tree_.nodes[user].regions_called();
     dag_.add_operand(user, id, value.at());
     remember(value, id);
     read_node(id, value);

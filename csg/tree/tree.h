@@ -63,6 +63,8 @@ enum class DominantOperand : std::uint8_t { left, right, equal };
 struct Node {
   std::string name;  ///< the key in `nodes`; of an inline node its place, such as `model/2`
   bool is_inline = false;
+  std::string called{};  ///< after whom regions are called that nobody named, where it is not `name`
+  const std::string& regions_called() const { return called.empty() ? name : called; }
   Position at;           ///< of the key, or of the inline node
   Position operator_at;  ///< of the operator's key
   Operator op = Operator::leaf;

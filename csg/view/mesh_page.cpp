@@ -9,6 +9,7 @@
 #include "csg/picture/draw.h"
 #include "csg/picture/mesh_scene.h"
 #include "csg/picture/paint.h"
+#include "csg/result/file_numbers.h"
 #include "csg/result/result_data.h"
 #include "csg/text/file.h"
 #include "csg/text/table.h"
@@ -274,8 +275,7 @@ std::string mesh_page(const Result& result, const TetrahedralMesh& made, const C
 
 std::string mesh_page(const Result& result, const SurfaceTriangles& made, const MeshPageOptions& options) {
   const Mesh& mesh = made.mesh;
-  std::vector<std::string> leaves;
-  for (const LeafInfo& leaf : result.data().leaves) leaves.push_back(leaf.name);
+  const std::vector<std::string> leaves = leaf_names(result.data().leaves);
   const TriangleQuality q = triangle_quality_of(mesh, leaves);
   std::vector<std::array<double, 3>> worst;
   for (const TriangleQuality::Bad& bad : q.worst_ones) worst.push_back(bad.at);

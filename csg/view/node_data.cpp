@@ -66,7 +66,8 @@ class SaidList {
   static Json json_of(const Attributes& said) {
     Json properties = Json::array();
     for (const auto& [key, value] : said.properties) properties.push_back({shown(key), shown(to_text(value))});
-    return {{"name", shown(said.name)}, {"material", shown(said.material.name())}, {"attributes", properties}};
+    return {
+        {"name", shown(said.name.text())}, {"material", shown(said.material.name())}, {"attributes", properties}};
   }
 
  private:

@@ -58,7 +58,8 @@ Json origins_of(const PageTables& tables) {
 /// The colors of origins, by number; of no origin at 0.
 std::string source_colors(const Evaluation& evaluation, PageTables& tables) {
   std::vector<LeafInfo> infos;
-  for (const std::string& name : evaluation.leaf_names) infos.push_back({name, 0});
+  for (const std::string& name : evaluation.leaf_names)
+    infos.push_back({name, static_cast<std::uint32_t>(infos.size())});
   const LeafColors colors(infos);
   std::vector<std::uint32_t> out(tables.origins.size() + 1);
   const auto number = [&](const std::vector<LeafId>& leaves) {

@@ -152,6 +152,7 @@ class LeafWelder {
     const Soup& from = *soups_[i];
     Soup soup;
     const LeafId leaf = soup.add_leaf(from.fill(LeafId(0)));
+    if (const LeafAxes* const axes = from.own_axes(LeafId(0))) soup.set_own_axes(leaf, *axes);
     std::map<RationalPoint, PointId> ids;
     const auto id = [&](const RationalPoint& p) {
       const auto it = ids.find(p);

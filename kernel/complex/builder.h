@@ -37,8 +37,6 @@ class ComplexBuilder {
 
   // Their order (region_order.cpp).
   std::vector<std::uint32_t> places_of_regions(const std::vector<RegionId>& region_of) const;
-  void order_at(VertexId v, const std::vector<RegionId>& region_of, std::span<std::uint32_t> regions) const;
-  std::vector<HalfFace> wedges_from_least(HalfEdge h) const;
 
   std::uint32_t patch_side(HalfFace h) const { return front_side_[h.face()] ^ h.side(); }
   ShellId shell(HalfFace h) const { return side_shell_[patch_side(h)]; }

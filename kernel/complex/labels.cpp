@@ -6,10 +6,12 @@
 // of the latest. Every face is checked in the end, not only those of the spanning tree.
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
 #include "kernel/complex/builder.h"
+#include "kernel/complex/region_order.h"
 
 namespace cnrg {
 
@@ -293,28 +295,50 @@ class Labelling {
                      "dominate, or use fill: winding, which makes what they have in common a region");
   }
 
-  /// Fill::cells: bounded cavities of the leaf's own faces, in the order of their first region.
+  /// Fill::cells: bounded cavities of the leaf's own faces, by where they are in its own coordinates: so what else
+  /// is there and how the leaf was moved change no number.
   void detect_cavities() {
     for (std::size_t l = 0; l < c_.leaf_count; ++l) {
       const LeafId leaf(l);
       if (c_.fills[leaf] != Fill::cells) continue;
       UnionFind space(c_.region_count);
+      std::vector<FaceId> walls;
       for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
         bool wall = false;
         for (const Cover& x : c_.cover(f)) wall = wall || c_.sources[x.source].leaf == leaf;
-        if (!wall) space.unite(c_.face_regions[f][0].value(), c_.face_regions[f][1].value());
+        if (wall) walls.push_back(f);
+        else space.unite(c_.face_regions[f][0].value(), c_.face_regions[f][1].value());
       }
-      std::map<std::uint32_t, std::int32_t> number;
-      const std::uint32_t outside = space.find(0);
+      IdVector<RegionId, std::uint32_t> cavity(c_.region_count);  // 0: outside
+      std::map<std::uint32_t, std::uint32_t> number{{space.find(0), 0}};
       for (const RegionId r : IdRange<RegionId>(c_.region_count)) {
-        const std::uint32_t root = space.find(r.value());
-        if (root == outside) continue;
-        const auto it = number.try_emplace(root, static_cast<std::int32_t>(number.size()) + 1).first;
+        const auto fresh = static_cast<std::uint32_t>(number.size());
+        cavity[r] = number.try_emplace(space.find(r.value()), fresh).first->second;
+      }
+      const std::vector<std::uint32_t> place = places_of_cavities(leaf, std::move(walls), cavity, number.size());
+      for (const RegionId r : IdRange<RegionId>(c_.region_count)) {
+        if (cavity[r] == 0) continue;
         Values values = *sets_[set_of_[r]];
-        values.insert(std::lower_bound(values.begin(), values.end(), Value{leaf, 0, 0}), {leaf, 0, it->second});
+        values.insert(std::lower_bound(values.begin(), values.end(), Value{leaf, 0, 0}),
+                      {leaf, 0, static_cast<std::int32_t>(place[cavity[r]])});
         set_of_[r] = intern(std::move(values));
       }
     }
+  }
+
+  /// Cavities come numbered by their first regions, which is their order in x, y and z.
+  std::vector<std::uint32_t> places_of_cavities(LeafId leaf, std::vector<FaceId> walls,
+                                                const IdVector<RegionId, std::uint32_t>& cavity,
+                                                std::size_t count) const {
+    std::vector<std::uint32_t> place(count);
+    std::iota(place.begin(), place.end(), 0u);
+    const LeafAxes* const axes = soup_.own_axes(leaf);
+    if (axes == nullptr || count <= 2) return place;
+    const BodiesOfSpace bodies{std::move(walls), [&](HalfFace h) { return cavity[c_.region(h)]; },
+                               static_cast<std::uint32_t>(count)};
+    std::uint32_t next = 0;
+    for (const std::uint32_t body : in_order_of_place(c_, bodies, axes)) place[body] = ++next;
+    return place;
   }
 
   void store() {

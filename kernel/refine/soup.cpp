@@ -14,6 +14,12 @@ LeafId Soup::add_leaf(Fill fill) {
   return LeafId(fills_.size() - 1);
 }
 
+const LeafAxes* Soup::own_axes(LeafId leaf) const {
+  const auto it =
+      std::find_if(own_axes_.begin(), own_axes_.end(), [&](const auto& of) { return of.first == leaf; });
+  return it == own_axes_.end() ? nullptr : &it->second;
+}
+
 PointId Soup::add_point(double x, double y, double z) {
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
     throw InputError("a point has a coordinate that is no finite number: give finite coordinates");

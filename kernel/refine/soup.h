@@ -29,16 +29,22 @@ enum class Fill : std::uint8_t {
   sides,    ///< each face names the region on its front and on its back
   winding,  ///< region 1 where the winding number is not zero; the back of each face is inside
   parity,   ///< region 1 where a ray crosses the faces an odd number of times
-  cells,    ///< every bounded cavity of the faces is a region, numbered from 1
+  cells,    ///< every bounded cavity of the faces is a region, numbered from 1 by where it is (own_axes)
   /// Each face names the solid on its front and on its back; region r where the winding number of the faces of
   /// solid r is not zero. Solids may touch, also where their faces lie on each other; InputError if two overlap.
   solids,
 };
 
+/// Three linear functions of a point, independent: coordinates up to a shift.
+using LeafAxes = std::array<RationalPoint, 3>;
+
 class Soup {
  public:
   /// A new leaf; its faces, wires and points are added to it by id.
   LeafId add_leaf(Fill fill);
+  /// The coordinates in which a leaf was made, before it was moved: in these its cavities are numbered. Without
+  /// them it is where it was made.
+  void set_own_axes(LeafId leaf, const LeafAxes& axes) { own_axes_.emplace_back(leaf, axes); }
 
   PointId add_point(double x, double y, double z);  ///< finite; InputError otherwise
   PointId add_point(const RationalPoint& p);
@@ -95,6 +101,8 @@ class Soup {
   std::size_t face_count() const { return faces_.size(); }
   std::size_t leaf_count() const { return fills_.size(); }
   Fill fill(LeafId leaf) const { return fills_[leaf.index()]; }
+  /// nullptr: x, y and z.
+  const LeafAxes* own_axes(LeafId leaf) const;
   const Face& face(SourceId f) const { return faces_[f.index()]; }
   /// Corners of the face, loop after loop, with `PointId::none()` between two loops.
   std::span<const PointId> corners(SourceId f) const {
@@ -118,6 +126,7 @@ class Soup {
   std::vector<double> xyz_;                                   // nearest doubles
   std::vector<std::pair<PointId, RationalPoint>> rationals_;  // sorted by id: the points that are no doubles
   std::vector<Fill> fills_;
+  std::vector<std::pair<LeafId, LeafAxes>> own_axes_;
   std::vector<Face> faces_;
   std::vector<std::uint32_t> offsets_{0};
   std::vector<PointId> corners_;

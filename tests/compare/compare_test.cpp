@@ -130,8 +130,9 @@ TEST_CASE("Names that somebody gave count, names of nodes do not", "[compare]") 
   CHECK(text("a" + box + "}", "b" + box + "}").empty());
   CHECK(text("a" + box + ", name: rock}", "b" + box + ", name: rock}").empty());
   CHECK(text("a & b" + box + "}", "c" + box + "}").empty());
-  CHECK(text("a & b" + box + "}", "c" + box + ", name: b & a}").empty());
-  CHECK(text("a & b" + box + "}", "c" + box + ", name: c & a}") == "name of region 1: `a & b` in A, `c & a` in B");
+  // A name with ` & ` in it is one name.
+  CHECK(text("a & b" + box + "}", "c" + box + ", name: b & a}") == "name of region 1: `a & b` in A, `b & a` in B");
+  CHECK(text("a & b" + box + "}", "c" + box + ", name: a & b}").empty());
   CHECK(text("rock" + box + "}", "b" + box + ", name: rock}").empty());
   CHECK(text("a" + box + ", name: rock}", "b" + box + "}") == "name of region 1: `rock` in A, `b` in B");
   CHECK(text("a" + box + ", name: rock}", "b" + box + ", name: ore}") ==

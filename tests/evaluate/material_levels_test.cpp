@@ -168,7 +168,7 @@ TEST_CASE("ties of components are decided by their materials", "[material-levels
   for (const std::string op : {"product: [a, b]", "product: [b, a]", "product: [c, b, a]"}) {
     const LevelRun r = run_levels(nodes + "  r: {" + op + "}\nresult: r\n");
     CHECK(value_of(r).attributes(1).material.name() == "steel");
-    CHECK(value_of(r).attributes(1).name == "b/1");
+    CHECK(value_of(r).attributes(1).name == "b");
     CHECK(r.evaluation.diagnostics.empty());
   }
   const LevelRun many = run_levels(nodes + "  r: {sum: [a, b, c]}\nresult: r\n");

@@ -83,7 +83,7 @@ TEST_CASE("what is said of cells comes back from .json, and stays when a result 
         for (const auto& cell : cells) {
           std::string text;
           if (const Attributes* a = cell.origin.said) {
-            text = a->name + "|" + a->material.name();
+            text = a->name.text() + "|" + a->material.name();
             for (const auto& [key, value] : a->properties) {
               text += "|" + key + (value.index() == 0 ? "=" : ":") + to_text(value);
             }

@@ -99,7 +99,7 @@ struct Case {
   explicit Case(const Soup& soup, const Names& names = {}) {
     complex = build_complex(soup);
     leaves = leaf_groups(*complex, names);
-    for (std::size_t i = 0; i < leaves.size(); ++i) infos.push_back({"leaf" + std::to_string(i)});
+    for (std::uint32_t i = 0; i < leaves.size(); ++i) infos.push_back({"leaf" + std::to_string(i), i});
     show(leaves[0]);
   }
   void show(Group shown, SimplifyMode mode = SimplifyMode::features) {

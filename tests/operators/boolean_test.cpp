@@ -214,7 +214,8 @@ TEST_CASE("complement twice, De Morgan, regularize", "[complement]") {
 TEST_CASE("a step of a fold asks what the steps before it have left", "[boolean]") {
   const auto fold = [](const Complex& complex, BooleanOp op, const std::vector<Group>& groups) {
     const Group* first = &groups[0];
-    TableEngine engine(complex, op, std::span(&first, 1));
+    const LeafOrder order;
+    TableEngine engine(complex, op, std::span(&first, 1), order);
     FoldStep step;
     for (std::size_t i = 1; i < groups.size(); ++i) {
       const Group* next = &groups[i];

@@ -44,7 +44,7 @@ TEST_CASE("a group is its regions and its entities", "[cnrg]") {
   const Scene s({parted_box({0, 0, 0}, {4, 2, 2}, 2) + wire({0, 0, 0}, {-1, 0, 0})},
                 {{{"l", "", {}}, {"r", "", {}}}});
   CHECK(check_components(s.complex, s.leaves[0]) == "");
-  CHECK(names(s.leaves[0]) == std::vector<std::string>{"l", "r", kEntitiesName});
+  CHECK(names(s.leaves[0]) == std::vector<std::string>{"l", "r", "entities"});
   const Group again = group_of(s.complex, s.leaves[0]);
   CHECK(check_group(s.complex, again) == "");
   const Group first = leaf_groups(s.complex)[0];
@@ -197,7 +197,7 @@ TEST_CASE("a plane is a component of entities though it has no vertex", "[cnrg]"
   plane.origins.faces = {box.origins.faces[0]};
   const Components x = components_of(s.complex, plane);
   CHECK(check_components(s.complex, x) == "");
-  REQUIRE(names(x) == std::vector<std::string>{kEntitiesName});
+  REQUIRE(names(x) == std::vector<std::string>{"entities"});
   CHECK(x.attributes[0].leaves == std::vector<LeafId>{LeafId(0)});
   CHECK(NodeValue(s.complex, plane).component_count() == 1);
 }

@@ -170,7 +170,7 @@ TEST_CASE("of components single cells are picked, which keep their component", "
   CHECK(bolt.selection.edges.size() == 1);
   CHECK(support(bolt.selection).size() == 1);  // without its ends
   CHECK(bolt.attributes.size() == 1);
-  CHECK(bolt.attributes[0].name == kEntitiesName);
+  CHECK(bolt.attributes[0].name.is_of_entities());
   CHECK(select(s.complex, all, {}).selection == all.selection);
 }
 

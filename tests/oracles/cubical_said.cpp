@@ -42,7 +42,7 @@ struct Saying {
 };
 
 std::string text(const Attributes& a) {
-  std::string out = "[" + a.name + "|" + a.material.name();
+  std::string out = "[" + a.name.text() + "|" + a.material.name();
   for (const auto& [key, value] : a.properties) {
     const char* const quote = std::holds_alternative<std::string>(value) ? "'" : "";
     out += "|" + key + "=" + quote + cnrg::to_text(value) + quote;
@@ -258,8 +258,9 @@ class Sayings {
         // For what has none of its own; names of several regions are numbered.
         s.regions[r] = node.said;
         auto& name = s.regions[r]->name;
-        if (name.empty()) name = cnrg::properties::name_of(dag_, i);
-        if (s.regions.size() > 1) name += "." + std::to_string(r + 1);
+        const std::uint32_t ordinal = s.regions.size() > 1 ? static_cast<std::uint32_t>(r + 1) : 0;
+        name = name.empty() ? one_part(cnrg::properties::name_of(dag_, i), NameOrigin::node, ordinal)
+                            : one_part(name.text(), NameOrigin::given, ordinal);
         const auto own = node.parts.find(static_cast<std::uint32_t>(r + 1));
         if (own != node.parts.end()) say(*s.regions[r], own->second);
       }
@@ -368,7 +369,7 @@ class Sayings {
       if (v.labels[i] == 0) continue;
       const bool is_region = v.labels[i] <= static_cast<std::uint32_t>(v.group.region_count);
       if (is_region) out[i] = s.regions[v.labels[i] - 1];
-      else out[i] = Attributes{"entities", {}, {}};
+      else out[i] = Attributes{cnrg::Name::of_entities(), {}, {}};
     }
     return out;
   }
@@ -386,8 +387,8 @@ class Sayings {
     for (std::size_t k = 1; k < node.operands.size(); ++k) meet(node, k, before, in_x);
     if (node.op == Operator::unify || node.op == Operator::complement) {
       std::optional<Attributes> one = node.op == Operator::unify ? of_all(before, in_x) : Attributes();
-      if (one && (one->name.empty() || one->name == "entities" || one->name.find(" & ") != std::string::npos))
-        one->name = cnrg::properties::name_of(dag_, node_number);
+      if (one && (one->name.parts().size() != 1 || is_of_entities(one->name.parts()[0])))
+        one->name = one_part(cnrg::properties::name_of(dag_, node_number), NameOrigin::node);
       before.assign(out.size(), one);
       if (node.op == Operator::complement)
         for (std::size_t i = 0; i < in_x.size(); ++i) in_x[i] = !in_x[i];
@@ -396,8 +397,8 @@ class Sayings {
       if (value.labels[i] == 0) continue;
       // What an operator adds is called after it, what the attribute `regularize` adds as by that operator.
       const bool there = value.first_labels.empty() || value.first_labels[i] != 0;
-      if (!there) out[i] = Attributes{"regularize", {}, {}};
-      else out[i] = in_x[i] ? before[i] : Attributes{operator_name, {}, {}};
+      if (!there) out[i] = Attributes{one_part("regularize", NameOrigin::operation), {}, {}};
+      else out[i] = in_x[i] ? before[i] : Attributes{one_part(operator_name, NameOrigin::operation), {}, {}};
       if (out[i]) say(*out[i], node.said);
     }
     return out;
@@ -425,23 +426,30 @@ class Sayings {
     }
   }
 
-  /// Of two equal components: names word by word, the rest of the left one, what it lacks of the other.
+  using NamePart = cnrg::NamePart;
+  using NameOrigin = cnrg::NameOrigin;
+  static cnrg::Name one_part(const std::string& text, NameOrigin origin, std::uint32_t ordinal = 0) {
+    return cnrg::Name(std::vector{NamePart{text, ordinal, origin}});
+  }
+  static bool is_of_entities(const NamePart& part) { return part.origin == NameOrigin::entities; }
+
+  /// Of two equal components: names part by part, the rest of the left one, what it lacks of the other.
   static Attributes joined(const Attributes& a, const Attributes& b) {
     Attributes out = a;
     take(out, b, nullptr);
-    out.name.clear();
-    std::vector<std::string> words;
-    for (const std::string* name : {&a.name, &b.name}) {
-      for (std::size_t begin = 0; begin < name->size();) {
-        const std::size_t end = std::min(name->find(" & ", begin), name->size());
-        const std::string word = name->substr(begin, end - begin);
-        if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
-        begin = end + 3;
+    std::map<std::pair<std::string, std::uint32_t>, NameOrigin> strongest;
+    std::vector<NamePart> parts;
+    for (const cnrg::Name* name : {&a.name, &b.name}) {
+      for (const NamePart& part : name->parts()) {
+        const auto [it, fresh] = strongest.try_emplace({part.text, part.ordinal}, part.origin);
+        if (fresh) parts.push_back(part);
+        it->second = std::max(it->second, part.origin);
       }
     }
+    for (NamePart& part : parts) part.origin = strongest.at({part.text, part.ordinal});
     // That entities are entities goes without saying where the other one has a name.
-    if (words.size() > 1) words.erase(std::remove(words.begin(), words.end(), "entities"), words.end());
-    for (const std::string& word : words) out.name += (out.name.empty() ? "" : " & ") + word;
+    if (parts.size() > 1) std::erase_if(parts, is_of_entities);
+    out.name = cnrg::Name(std::move(parts));
     return out;
   }
 

@@ -82,7 +82,7 @@ Standing standing(const DagNode& node, const std::vector<Standing>& below) {
 /// `key: value` for what is said and for the number of dominance.
 std::vector<std::string> attribute_fields(const Attributes& said) {
   std::vector<std::string> out;
-  if (!said.name.empty()) out.push_back("name: \"" + said.name + "\"");
+  if (!said.name.empty()) out.push_back("name: \"" + said.name.text() + "\"");
   if (!said.material.empty()) out.push_back("material: " + said.material.name());
   std::string properties;
   for (const auto& [key, value] : said.properties) {

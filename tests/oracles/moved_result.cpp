@@ -21,7 +21,7 @@ using Index = FlatComplex::Index;
 using Vector = std::array<double, 3>;
 
 std::string attributes_text(const Attributes& a) {
-  std::string out = a.name + " | " + a.material.name();
+  std::string out = a.name.text() + " | " + a.material.name();
   for (const auto& [key, value] : a.properties) out += " | " + key + " = " + to_text(value);
   return out;
 }
@@ -219,7 +219,7 @@ class Moved {
   }
   static std::vector<std::string> parts_of(const Attributes& a) {
     std::vector<std::string> out;
-    if (!a.name.empty()) out.push_back("name " + a.name);
+    if (!a.name.empty()) out.push_back("name " + a.name.text());
     if (!a.material.empty()) out.push_back("material " + a.material.name());
     for (const auto& [key, value] : a.properties) out.push_back("attribute " + key + " = " + to_text(value));
     return out;

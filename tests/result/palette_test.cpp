@@ -143,7 +143,7 @@ TEST_CASE("sheets, wires and points have the color of their own material, others
 }
 
 TEST_CASE("the sets of four leaves have colors of their own; copies of a leaf are one", "[palette]") {
-  const LeafColors leaves({{"a"}, {"b"}, {"a"}, {"c"}, {"d"}});
+  const LeafColors leaves({{"a", 0}, {"b", 1}, {"a", 2}, {"c", 3}, {"d", 4}});
   std::set<std::string> seen;
   const std::vector<std::uint32_t> one_each{0, 1, 3, 4};
   for (unsigned mask = 1; mask < 16; ++mask) {
@@ -158,9 +158,13 @@ TEST_CASE("the sets of four leaves have colors of their own; copies of a leaf ar
   CHECK(twice.text == "a");
   CHECK(twice.color == leaves.of(std::array{LeafId(2)}).color);
   CHECK(leaves.of({}).text == "no leaf");
+  // The order is that of places; what is not below the node counts for nothing.
+  const LeafColors turned({{"d", 3}, {"x"}, {"c", 2}, {"b", 1}, {"a", 0}});
+  CHECK(turned.of(std::array{LeafId(0), LeafId(3)}).text == "b + d");
+  CHECK(turned.of(std::array{LeafId(0), LeafId(3)}).color == leaves.of(std::array{LeafId(1), LeafId(4)}).color);
   // Of very many leaves the last one's power of two is beyond every integer.
   std::vector<LeafInfo> many;
-  for (int i = 0; i < 500; ++i) many.push_back({std::to_string(i)});
+  for (std::uint32_t i = 0; i < 500; ++i) many.push_back({std::to_string(i), i});
   const LeafColors most(many);
   std::set<std::string> pairs;
   for (std::uint32_t i = 0; i < 21; ++i) pairs.insert(hex(most.of(std::array{LeafId(i), LeafId(499)}).color));

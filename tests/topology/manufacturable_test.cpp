@@ -65,7 +65,7 @@ TEST_CASE("a component that touches itself is no 2-manifold, also where others f
   // The block is full there; the first and the second component meet around its middle line by turns.
   const std::string block = verdict_on(boxes + "  result: {aggregate: [one, two]}\n");
   CHECK(block.find("manufacturable: no\n  1 one, 4 boundary faces meet: 2 solid sectors: e") == 0);
-  CHECK(block.find("  2 two/1, 4 boundary faces meet: 2 solid sectors: e") != std::string::npos);
+  CHECK(block.find("  2 two, 4 boundary faces meet: 2 solid sectors: e") != std::string::npos);
   // In a vertex alone.
   CHECK(verdict_on("  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
                    "  b: {box: {min: [1, 1, 1], max: [2, 2, 2]}}\n"
