@@ -207,7 +207,7 @@ class Grouper {
       if (flat_.active(region)) beside.push_back(flat_.regions[region].component);
     }
     const std::size_t n = view_.value->component_count() + 1;
-    if (beside.empty()) return {{2 * n * n, "face" + of_leaf(face.origin, 2)}};
+    if (flat_.regions_bounded(face) == 0) return {{2 * n * n, "face" + of_leaf(face.origin, 2)}};
     const bool pieces =
         std::any_of(beside.begin(), beside.end(), [&](Component c) { return !regions_.at(c).name.empty(); });
     Keys keys{key_of_sides(0, beside, [&](Component c) { return std::pair(c, regions_.at(c).piece); })};
