@@ -25,7 +25,7 @@ using Index = Mesh::Index;
 class AbaqusWriter {
  public:
   explicit AbaqusWriter(const Mesh& mesh)
-      : mesh_(mesh), plan_(mesh), names_(distinct_names(mesh, plain_label, 80)) {}
+      : mesh_(mesh), plan_(mesh), names_(distinct_names(mesh, {plain_label, 80})) {}
 
   std::string run() {
     text_ = "*HEADING\nnode " + cut(shown(mesh_.node), 70) + ", written by cnrg\n";

@@ -35,12 +35,40 @@ void collect(const Mesh& mesh, std::size_t dimension, const Simplices& simplices
   }
 }
 
+/// Something is said of the wall that is not said of the region.
+bool says_more(const Attributes& wall, const Attributes& region) {
+  if (!wall.name.empty() && wall.name != region.name) return true;
+  if (!wall.material.empty() && !(wall.material == region.material)) return true;
+  return std::any_of(wall.properties.begin(), wall.properties.end(), [&](const auto& property) {
+    const auto it = region.properties.find(property.first);
+    return it == region.properties.end() || !(it->second == property.second);
+  });
+}
+
+/// By entity of faces: its triangles are elements.
+std::vector<char> find_shells(const Mesh& mesh) {
+  static const Attributes kNothing;
+  std::map<std::int32_t, const Attributes*> regions;  // by component
+  for (const auto& region : mesh.entities[3]) regions[region.tags.region] = region.tags.said;
+  std::vector<char> shells;
+  for (const auto& face : mesh.entities[2]) {
+    const CellTags& tags = face.tags;
+    const auto says_more_than = [&](std::int32_t component) {
+      const auto it = regions.find(component);
+      return it == regions.end() || says_more(*tags.said, it->second == nullptr ? kNothing : *it->second);
+    };
+    shells.push_back(mesh.tetrahedra.empty() || tags.bounded == 0 ||
+                     (tags.said != nullptr && says_more_than(tags.front) && says_more_than(tags.back)));
+  }
+  return shells;
+}
+
 }  // namespace
 
 ElementPlan::ElementPlan(const Mesh& mesh) : mesh_(mesh) {
+  const std::vector<char> shells = find_shells(mesh);
   for (const auto& t : mesh.triangles) {
-    const CellTags& tags = mesh.entities[2][t.entity].tags;
-    if (mesh.tetrahedra.empty() || tags.bounded == 0 || tags.said != nullptr) shells_.push_back(t);
+    if (shells[t.entity]) shells_.push_back(t);
   }
   for (const auto& s : mesh.segments) {
     if (mesh.entities[1][s.entity].wire) bars_.push_back(s);

@@ -1,7 +1,7 @@
 #include "csg/formats/group_names.h"
 
 #include <cctype>
-#include <set>
+#include <map>
 
 #include "csg/text/escape.h"
 
@@ -35,24 +35,30 @@ std::string plain_label(std::string_view name) {
   return label;
 }
 
-std::array<std::vector<std::string>, 4> distinct_names(const Mesh& mesh, std::string (*clean)(std::string_view),
-                                                       std::size_t longest) {
+std::array<std::vector<std::string>, 4> distinct_names(const Mesh& mesh, const GroupNameForm& form) {
+  static constexpr const char* kCells[] = {"points", "edges", "faces", "solids"};
   std::array<std::vector<std::string>, 4> names;
-  std::set<std::string> given;
-  const auto fresh = [&](std::string name) {
-    for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return given.insert(name).second;
+  std::map<std::string, std::size_t> given;  // with the dimension
+  const auto key_of = [&](std::string name) {
+    for (char& c : name) {
+      if (!form.case_matters) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+    return name;
   };
   for (std::size_t d = 4; d-- > 0;) {
     for (const std::string& group : mesh.groups[d]) {
-      const std::string first = clean(group);
-      const auto short_of = [&](const std::string& ending) {
-        std::string name = first;
-        if (name.size() + ending.size() > longest) name = clean(cut(first, longest - ending.size()));
-        return name + ending;
+      const std::string first = form.clean(group);
+      const auto with = [&](const std::string& word) {
+        const std::string ending = word.empty() ? "" : form.before + word + form.after;
+        if (first.size() + ending.size() <= form.longest) return first + ending;
+        return form.clean(cut(first, form.longest - ending.size())) + ending;
       };
-      std::string name = short_of("");
-      for (int n = 2; !fresh(name); ++n) name = short_of("_" + std::to_string(n));
+      std::string name = with("");
+      const auto taken = given.find(key_of(name));
+      std::string word = taken == given.end() || taken->second == d ? "" : kCells[d];
+      if (!word.empty()) name = with(word);
+      for (int n = 2; !given.try_emplace(key_of(name), d).second; ++n)
+        name = with(word + (word.empty() ? "" : " ") + std::to_string(n));
       names[d].push_back(name);
     }
   }

@@ -126,7 +126,7 @@ class H5mWriter {
   void find_groups() {
     for (Index r = 0; r < mesh_.entities[3].size(); ++r) add_what_is_said(mesh_.entities[3][r], volume(r));
     for (std::size_t s = 0; s < surfaces_.size(); ++s) add_what_is_said(*surfaces_[s].face, first_set_ + s);
-    const auto names = distinct_names(mesh_, without_words_of_dagmc, kNameSize - 1);
+    const auto names = distinct_names(mesh_, {without_words_of_dagmc, kNameSize - 1});
     std::array<std::vector<std::vector<EntityHandle>>, 4> members;
     for (std::size_t d = 0; d < 4; ++d) members[d].resize(names[d].size());
     const auto add = [&](std::size_t d, const Mesh::Entity& entity, EntityHandle member) {

@@ -41,7 +41,7 @@ std::string ascii_of(std::string_view name) {
 
 class MedWriter {
  public:
-  explicit MedWriter(const Mesh& mesh) : mesh_(mesh), names_(distinct_names(mesh, ascii_of, kGroupSize)) {}
+  explicit MedWriter(const Mesh& mesh) : mesh_(mesh), names_(distinct_names(mesh, {ascii_of, kGroupSize})) {}
 
   std::string run() {
     add_head();

@@ -16,6 +16,7 @@
 
 #include "csg/formats/formats.h"
 #include "csg/formats/gmsh_order.h"
+#include "csg/formats/group_names.h"
 #include "csg/mesh/mesh.h"
 #include "csg/text/escape.h"
 #include "kernel/base/vectors.h"
@@ -26,9 +27,22 @@ namespace {
 using Index = Mesh::Index;
 using Vector = DoubleVector;
 
+constexpr std::size_t kLongestName = 100;  // Gmsh has room for 127 bytes
+
+/// A name as Gmsh and meshio read it.
+std::string gmsh_name(std::string_view text) {
+  std::string name(text);
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (name[i] == '\\' && (i + 1 == name.size() || name[i + 1] == '\\')) name[i] = '/';
+  }
+  return cut(name, kLongestName);
+}
+
 class MshWriter {
  public:
-  explicit MshWriter(const Mesh& mesh) : mesh_(mesh) {
+  explicit MshWriter(const Mesh& mesh)
+      : mesh_(mesh), names_(distinct_names(mesh, {gmsh_name, kLongestName, " (", ")", true})) {
+    for (const auto& names : names_) given_.insert(names.begin(), names.end());
     for (std::size_t d = 4; d-- > 0;) name_groups(d);
   }
 
@@ -59,20 +73,9 @@ class MshWriter {
   std::array<std::vector<std::vector<Index>>, 4> groups_;  ///< of entities
   std::set<std::string> given_;
 
-  /// A name as Gmsh and meshio read it, unlike all others in the file.
-  std::string distinct(std::string name) {
-    constexpr std::size_t kLongest = 100;  // Gmsh has room for 127 bytes
-    for (std::size_t i = 0; i < name.size(); ++i) {
-      if (name[i] == '\\' && (i + 1 == name.size() || name[i + 1] == '\\')) name[i] = '/';
-    }
-    if (name.size() > kLongest) {
-      std::size_t end = 0;
-      for (std::size_t next = 0; next <= kLongest;
-           next += first_character(std::string_view(name).substr(end)).length)
-        end = next;
-      name = name.substr(0, end) + "...";
-    }
-    const std::string first = name;
+  /// A name that the groups have left over.
+  std::string unused(const std::string& first) {
+    std::string name = first;
     for (int n = 2; !given_.insert(name).second; ++n) name = first + " (" + std::to_string(n) + ")";
     return name;
   }
@@ -80,14 +83,13 @@ class MshWriter {
   /// The groups of the mesh, and one for cells of the result in none of these, one for what is no such cell.
   void name_groups(std::size_t d) {
     static constexpr const char* kRest[] = {"vertices", "edges", "faces", "regions"};
-    for (const std::string& name : mesh_.groups[d]) names_[d].push_back(distinct(name));
     std::array<Index, 2> rest{};
     for (const auto& entity : mesh_.entities[d]) {
       groups_[d].push_back(entity.groups);
       if (!entity.groups.empty()) continue;
       Index& group = rest[entity.feature];
       if (group == 0) {
-        names_[d].push_back(distinct(std::string(kRest[d]) + (entity.feature ? "" : " of facets")));
+        names_[d].push_back(unused(std::string(kRest[d]) + (entity.feature ? "" : " of facets")));
         group = Index(names_[d].size());
       }
       groups_[d].back().push_back(group);
@@ -274,7 +276,7 @@ class MshWriter {
   void add_properties() {
     const std::size_t n = count();
     for (const Mesh::Property& property : mesh_.properties) {
-      text_ += "$ElementData\n1\n\"" + distinct(shown_in_quotes(property.key)) + "\"\n1\n0\n3\n0\n1\n" +
+      text_ += "$ElementData\n1\n\"" + unused(gmsh_name(shown_in_quotes(property.key))) + "\"\n1\n0\n3\n0\n1\n" +
                std::to_string(n) + "\n";
       std::size_t number = 0;
       const auto add_all = [&](std::size_t dimension, const auto& simplices) {

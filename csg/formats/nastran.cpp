@@ -67,9 +67,12 @@ std::optional<double> size_of(const Mesh::Entity& entity, std::size_t dimension)
   return diameter ? std::optional(std::numbers::pi / 4 * *diameter * *diameter) : std::nullopt;
 }
 
+std::string in_comment(std::string_view name) { return cut(shown(name), 100); }
+
 class NastranWriter {
  public:
-  explicit NastranWriter(const Mesh& mesh) : mesh_(mesh), plan_(mesh) {
+  explicit NastranWriter(const Mesh& mesh)
+      : mesh_(mesh), plan_(mesh), names_(distinct_names(mesh, {in_comment, 100, " (", ")", true})) {
     require_room(mesh.points.size());
     require_room(mesh.tetrahedra.size() + plan_.shells().size() + mesh.quads.size() + 2 * plan_.bars().size());
   }
@@ -103,6 +106,7 @@ class NastranWriter {
   using Property = std::tuple<std::size_t, Index, std::string, std::optional<double>>;
   const Mesh& mesh_;
   const ElementPlan plan_;
+  const std::array<std::vector<std::string>, 4> names_;
   std::string elements_;
   std::size_t count_ = 0;
   std::map<std::string, std::size_t> materials_;
@@ -152,7 +156,7 @@ class NastranWriter {
   }
 
   std::string name_of(std::size_t dimension, Index group) const {
-    return group == 0 ? "in no group" : cut(shown(mesh_.groups[dimension][group - 1]), 100);
+    return group == 0 ? "in no group" : names_[dimension][group - 1];
   }
 
   void add_properties(std::string& text) const {

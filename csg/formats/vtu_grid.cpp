@@ -143,9 +143,7 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   append_tag("region_back", &CellTags::back);
   append_tag("regions_bounded", &CellTags::bounded);
   append_tag("material", &CellTags::material);
-  std::vector<std::int32_t> sources;
-  for (const CellTags& tags : tags_) sources.push_back(numbers.at(tags.leaf));
-  append_array(text, "source_leaf", "Int32", sources);
+  append_tag("source_leaf", &CellTags::leaf);
   append_tag("source_face", &CellTags::face);
   if (!names.empty()) {
     std::vector<std::int32_t> values;

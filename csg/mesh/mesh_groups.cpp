@@ -1,7 +1,9 @@
-// Names of groups. Two components may have one name (the parts of a block that a fault has split): then each has
-// its number behind it.
+// Names of groups. Several components may have one name (the parts of a block that a fault has split): each of
+// these pieces is a group, called by the name and its number, and all of them together are the group of the name.
 #include <algorithm>
+#include <array>
 #include <map>
+#include <set>
 
 #include "csg/mesh/mesh.h"
 #include "csg/text/escape.h"
@@ -11,43 +13,40 @@ namespace {
 
 using Index = Mesh::Index;
 
-/// The components with active regions, by name; distinct.
-std::map<Component, std::string> region_names(const ResultView& view, const FlatComplex& flat) {
-  std::map<Component, std::string> names;
-  std::map<std::string, int> uses;
+/// What the components with active regions are called.
+struct RegionName {
+  std::string piece;    ///< unlike the names of all other components
+  std::string name;     ///< of this one and others; empty: no other component has it
+  Component first = 0;  ///< the first component of that name
+};
+
+std::map<Component, RegionName> region_names(const ResultView& view, const FlatComplex& flat) {
+  std::map<Component, RegionName> names;
+  std::map<std::string, std::vector<Component>> uses;
   for (const auto& region : flat.regions) {
     if (region.component == 0 || names.count(region.component) != 0) continue;
     std::string name = shown_in_quotes(attributes_of(view, region.component).name.text());
-    if (name.empty()) name = "region";
-    ++uses[name];
-    names.emplace(region.component, name);
+    if (!name.empty()) uses[name].push_back(region.component);
+    names[region.component] = {{}, name, region.component};
   }
-  const std::map<std::string, int> first = uses;
-  for (auto& [component, name] : names) {
-    if (first.at(name) == 1 && name != "region") continue;
-    std::string numbered = name + " " + std::to_string(component);
-    while (uses.count(numbered) != 0) numbered += "'";
-    uses[numbered] = 1;
-    name = numbered;
+  std::set<std::string> given;
+  for (auto& [name, components] : uses) {
+    given.insert(name);
+    std::sort(components.begin(), components.end());
+  }
+  for (auto& [component, of] : names) {
+    const auto use = uses.find(of.name);
+    if (use != uses.end()) of.first = use->second[0];
+    if (use != uses.end() && use->second.size() == 1) {
+      of.piece = std::move(of.name);
+      of.name.clear();
+      continue;
+    }
+    of.piece = (of.name.empty() ? "region" : of.name) + " " + std::to_string(component);
+    while (!given.insert(of.piece).second) of.piece += "'";
   }
   return names;
 }
-
-/// Names in a fixed order: by rank, then by text; asked for first, numbered then.
-class GroupList {
- public:
-  void want(std::size_t rank, const std::string& name) { numbers_[{rank, name}] = 0; }
-  void number(std::vector<std::string>& names) {
-    for (auto& [key, n] : numbers_) {
-      names.push_back(key.second);
-      n = Index(names.size());
-    }
-  }
-  Index operator()(std::size_t rank, const std::string& name) const { return numbers_.at({rank, name}); }
-
- private:
-  std::map<std::pair<std::size_t, std::string>, Index> numbers_;
-};
 
 class Grouper {
  public:
@@ -56,10 +55,12 @@ class Grouper {
 
   MeshGroups run() {
     group_regions();
-    group(2, flat_.faces, [&](const auto& f) { return key_of_face(f); });
-    group(1, flat_.edges, [&](const auto& e) { return e.wire ? Key{1, "wire" + of_leaf(e.origin, 1)} : Key{}; });
+    group(2, flat_.faces, [&](const auto& f) { return keys_of_face(f); });
+    group(1, flat_.edges, [&](const auto& e) {
+      return e.wire ? Keys{{1, "wire" + of_leaf(e.origin, 1)}} : Keys{};
+    });
     group(0, flat_.vertices, [&](const auto& v) {
-      return v.free ? Key{1, "point" + of_leaf(v.origin, 0)} : Key{};
+      return v.free ? Keys{{1, "point" + of_leaf(v.origin, 0)}} : Keys{};
     });
     group_by_attributes(0, flat_.vertices), group_by_attributes(1, flat_.edges);
     group_by_attributes(2, flat_.faces), group_by_attributes(3, flat_.regions);
@@ -68,24 +69,27 @@ class Grouper {
   }
 
  private:
-  /// Rank and name of a group; rank 0: none.
-  using Key = std::pair<std::size_t, std::string>;
+  /// Rank and name of groups.
+  using Keys = std::vector<std::pair<std::size_t, std::string>>;
   const ResultView& view_;
   const FlatComplex& flat_;
-  const std::map<Component, std::string> regions_;
+  const std::map<Component, RegionName> regions_;
   MeshGroups groups_;
+  std::array<std::set<std::string>, 4> used_;
 
-  /// Regions by component.
+  /// Regions by component, then by the names of several components.
   void group_regions() {
-    std::map<Component, Index> number;
-    auto& names = groups_.names[3];
-    for (const auto& [component, name] : regions_) {
-      names.push_back(name);
-      number[component] = Index(names.size());
+    std::map<Component, Index> piece, named;  // by component, and by the first one of a name
+    for (const auto& [component, of] : regions_) piece[component] = add_group(3, of.piece);
+    for (const auto& [component, of] : regions_) {
+      if (!of.name.empty() && of.first == component) named[component] = add_group(3, of.name);
     }
     for (const auto& region : flat_.regions) {
-      auto& of = groups_.of[3].emplace_back();
-      if (region.component != 0) of.push_back(number[region.component]);
+      auto& groups = groups_.of[3].emplace_back();
+      if (region.component == 0) continue;
+      const RegionName& of = regions_.at(region.component);
+      groups.push_back(piece.at(region.component));
+      if (!of.name.empty()) groups.push_back(named.at(of.first));
     }
   }
 
@@ -113,16 +117,13 @@ class Grouper {
     for (const auto& cell : cells) {
       for_each(cell, [&](const auto& group) { numbers[group] = 0; });
     }
-    const auto number = [&](const std::string& name, Index& to) {
-      groups_.names[dimension].push_back(distinct(dimension, name));
-      to = Index(groups_.names[dimension].size());
-    };
     for (const auto& m : view_.materials) {
       const auto it = numbers.find({"", m.name});
-      if (it != numbers.end()) number("material " + shown_in_quotes(m.name), it->second);
+      if (it != numbers.end()) it->second = add_group(dimension, "material " + shown_in_quotes(m.name));
     }
     for (auto& [group, of] : numbers) {
-      if (!group.first.empty()) number(shown_in_quotes(group.first) + " " + shown_in_quotes(group.second), of);
+      if (group.first.empty()) continue;
+      of = add_group(dimension, shown_in_quotes(group.first) + " " + shown_in_quotes(group.second));
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
       for_each(cells[i], [&](const auto& group) {
@@ -131,42 +132,34 @@ class Grouper {
     }
   }
 
-  /// A name unlike the other ones of its dimension.
-  std::string distinct(std::size_t dimension, std::string name) const {
-    const std::vector<std::string>& names = groups_.names[dimension];
-    while (std::find(names.begin(), names.end(), name) != names.end()) name += "'";
-    return name;
+  /// The number of a new group; its name is made unlike the others of its dimension.
+  Index add_group(std::size_t dimension, std::string name) {
+    while (!used_[dimension].insert(name).second) name += "'";
+    groups_.names[dimension].push_back(std::move(name));
+    return Index(groups_.names[dimension].size());
   }
 
-  template <class Cells, class KeyOf>
-  void group(int dimension, const Cells& cells, const KeyOf& key_of) {
-    std::map<std::string, Index> given;  // names that people gave, in their order
-    std::vector<Key> keys;
-    GroupList list;
+  template <class Cells, class KeysOf>
+  void group(std::size_t dimension, const Cells& cells, const KeysOf& keys_of) {
+    std::map<std::string, Index> given;               // names that people gave
+    std::map<typename Keys::value_type, Index> made;  // and the others, by rank and text
+    std::vector<Keys> keys;
     for (const auto& cell : cells) {
-      keys.push_back(cell.component == 0 ? Key{} : key_of(cell));
+      keys.push_back(cell.component == 0 ? Keys{} : keys_of(cell));
       const Attributes* of = said(cell);
       if (of != nullptr && !of->name.empty()) {
         given[shown_in_quotes(of->name.text())] = 0;
-        if (!is_wall(cell)) keys.back() = Key{};  // of a wall with a name one may ask for both
+        if (!is_wall(cell)) keys.back().clear();  // of a wall with a name one may ask for both
       }
-      if (keys.back().first != 0) list.want(keys.back().first, keys.back().second);
+      for (const auto& key : keys.back()) made[key] = 0;
     }
-    std::vector<std::string>& names = groups_.names[std::size_t(dimension)];
-    std::vector<std::string> made;
-    list.number(made);
-    for (auto& [name, number] : given) {
-      const bool taken = std::find(made.begin(), made.end(), name) != made.end();
-      names.push_back(taken ? name + "'" : name);
-      number = Index(names.size());
-    }
-    const auto before = Index(names.size());
-    names.insert(names.end(), made.begin(), made.end());
+    for (auto& [name, number] : given) number = add_group(dimension, name);
+    for (auto& [key, number] : made) number = add_group(dimension, key.second);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      auto& of = groups_.of[std::size_t(dimension)].emplace_back();
+      auto& of = groups_.of[dimension].emplace_back();
       const Attributes* what = said(cells[i]);
       if (what != nullptr && !what->name.empty()) of.push_back(given.at(shown_in_quotes(what->name.text())));
-      if (keys[i].first != 0) of.push_back(before + list(keys[i].first, keys[i].second));
+      for (const auto& key : keys[i]) of.push_back(made.at(key));
     }
   }
 
@@ -182,16 +175,12 @@ class Grouper {
     for (const auto& face : flat_.faces) {
       for (const LeafId leaf : sources(face)) numbers[leaf] = 0;
     }
-    auto& names = groups_.names[2];
     for (auto& [leaf, number] : numbers) {
-      std::string name = "from " + shown_in_quotes((*view_.leaves)[leaf.index()].name);
-      // Two instances of a leaf, or a region that is called so.
-      const std::string first = name;
-      for (int n = 2; std::find(names.begin(), names.end(), name) != names.end(); ++n) {
-        name = first + " " + std::to_string(n);
-      }
-      names.push_back(name);
-      number = Index(names.size());
+      // Two instances of a leaf, or a sheet that is called so.
+      const std::string first = "from " + shown_in_quotes((*view_.leaves)[leaf.index()].name);
+      std::string name = first;
+      for (int n = 2; used_[2].count(name) != 0; ++n) name = first + " " + std::to_string(n);
+      number = add_group(2, name);
       ++groups_.sources;
     }
     for (std::size_t i = 0; i < flat_.faces.size(); ++i) {
@@ -210,19 +199,36 @@ class Grouper {
     return leaves;
   }
 
-  /// Boundaries by component, walls by their two components, dangling faces by leaf.
-  Key key_of_face(const FlatComplex::Face& face) const {
+  /// Boundaries by component, walls by their two components, and both once more by names of several components;
+  /// dangling faces by leaf.
+  Keys keys_of_face(const FlatComplex::Face& face) const {
+    std::vector<Component> beside;
+    for (const auto region : face.regions) {
+      if (flat_.active(region)) beside.push_back(flat_.regions[region].component);
+    }
     const std::size_t n = view_.value->component_count() + 1;
-    Component c[2];
-    for (int k = 0; k < 2; ++k) {
-      c[k] = flat_.active(face.regions[k]) ? flat_.regions[face.regions[k]].component : 0;
+    if (flat_.regions_bounded(face) == 0) return {{2 * n * n, "face" + of_leaf(face.origin, 2)}};
+    const bool pieces =
+        std::any_of(beside.begin(), beside.end(), [&](Component c) { return !regions_.at(c).name.empty(); });
+    Keys keys{key_of_sides(0, beside, [&](Component c) { return std::pair(c, regions_.at(c).piece); })};
+    if (pieces) {
+      keys.push_back(key_of_sides(n * n, beside, [&](Component c) {
+        const RegionName& of = regions_.at(c);
+        return std::pair(of.first, of.name.empty() ? of.piece : of.name);
+      }));
     }
-    if (c[0] > c[1]) std::swap(c[0], c[1]);
-    switch (flat_.regions_bounded(face)) {
-      case 1: return {c[1], "boundary of " + regions_.at(c[1])};
-      case 2: return {c[0] * n + c[1], "wall " + regions_.at(c[0]) + " | " + regions_.at(c[1])};
-      default: return {n * n, "face" + of_leaf(face.origin, 2)};
-    }
+    return keys;
+  }
+
+  template <class NameOf>
+  Keys::value_type key_of_sides(std::size_t before, const std::vector<Component>& beside,
+                                const NameOf& name_of) const {
+    std::vector<std::pair<Component, std::string>> sides;
+    for (const Component c : beside) sides.push_back(name_of(c));
+    std::sort(sides.begin(), sides.end());
+    if (sides.size() == 1) return {before + sides[0].first, "boundary of " + sides[0].second};
+    const std::size_t n = view_.value->component_count() + 1;
+    return {before + sides[0].first * n + sides[1].first, "wall " + sides[0].second + " | " + sides[1].second};
   }
 
   /// ` of NAME`: the first leaf with a cell of the dimension there, or else the first leaf.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/formats/mesh_file.h"
 #include "csg/formats/result_file.h"
 #include "csg/mesh/cell_groups.h"
 #include "csg/result/arrays.h"
@@ -67,6 +68,66 @@ TEST_CASE("groups by name, material and texts in every dimension", "[formats][at
     CHECK(points.at("tip").size() == 1);
     if (node == "model") CHECK(faces.at("wall block 1 | block 2") == faces.at("fault"));
   }
+}
+
+TEST_CASE("a group has all regions of a name, and each dimension its own", "[formats][attributes]") {
+  // A name that is given to two layers and the horizon between them.
+  const std::string nodes = R"(cnrg: 1
+materials: {clay: {}, sand: {}}
+nodes:
+  block:   {box: {min: [0, 0, 0], max: [4, 4, 4]}}
+  horizon: {polygon: [[-1, -1, 2], [5, -1, 2], [5, 5, 2], [-1, 5, 2]]}
+  low:     {below: horizon, within: block, material: clay}
+  high:    {above: horizon, within: block, material: sand}
+  layers:  {union: [low, high], dominance: left}
+  dig:     {box: {min: [1, 1, 1], max: [3, 3, 3]}}
+  round:   {intersection: [layers, dig], dominance: left, name: round 1, attributes: {excavated: stage 1}MORE}
+  rest:    {difference: [layers, dig]}
+  model:   {union: [round, rest], dominance: left}
+)";
+  const auto evaluated = [&](const std::string& more, const std::string& node) {
+    std::string text = nodes + "result: " + node + "\n";
+    text.replace(text.find("MORE"), 4, more);
+    return evaluate(parse_tree(text, "t.yaml"), {}).result();
+  };
+  Result result = evaluated("", "model");
+  const auto regions = groups(result, 3), faces = groups(result, 2);
+  CHECK(regions.at("round 1").size() == 2);
+  CHECK(regions.at("block").size() == 2);
+  CHECK(regions.at("round 1") == regions.at("excavated stage 1"));
+  CHECK(regions.count("round 1 3") + regions.count("round 1 4") == 2);
+  const ResultArrays arrays = result_arrays(result);
+  const std::vector<double> areas = Measures(result, arrays).areas();
+  CHECK(sum_at(areas, faces.at("round 1")) == 4);
+  CHECK(faces.at("wall round 1 | round 1") == faces.at("round 1"));
+  CHECK(sum_at(areas, faces.at("wall block | round 1")) == 24);
+  CHECK(sum_at(areas, faces.at("wall block | block")) == 12);
+  CHECK(sum_at(areas, faces.at("boundary of block")) == 96);
+
+  const ScratchFolder dir;
+  SnapReport report;
+  const TetrahedralMesh made = snapped_tetrahedra(result, {}, report);
+  const auto deck = [&](const std::string& file) {
+    write(dir / file, result, made.mesh);
+    return text_of(dir / file);
+  };
+  const std::string inp = deck("a.inp");
+  CHECK_THAT(inp, Catch::Contains("*ELSET, ELSET=round_1\n") && Catch::Contains("*ELSET, ELSET=round_1_3\n") &&
+                      Catch::Contains("NAME=round_1_faces\n") && !Catch::Contains("TYPE=S3") &&
+                      !Catch::Contains("ELSET=round_1_faces\n"));
+  CHECK_THAT(deck("a.msh"), Catch::Contains("2 1 \"round 1 (faces)\"\n") && Catch::Contains("3 6 \"round 1\"\n"));
+  CHECK_THAT(deck("a.bdf"), !Catch::Contains("CTRIA3") && Catch::Contains(": elements of round 1\n") &&
+                                Catch::Contains(": points of round 1 (faces)\n"));
+
+  // Of this wall more is said than of the regions beside it.
+  Result lined = evaluated(
+      "}\n  liner:   {select: {of: round, dimension: 2, from: horizon}, name: liner}\n"
+      "  lining:  {union: [liner, round], dominance: left",
+      "lining");
+  const TetrahedralMesh shell = snapped_tetrahedra(lined, {}, report);
+  write(dir / "b.inp", lined, shell.mesh);
+  CHECK_THAT(text_of(dir / "b.inp"),
+             Catch::Contains("*ELEMENT, TYPE=S3\n") && Catch::Contains("*ELSET, ELSET=liner\n"));
 }
 
 TEST_CASE("what is said of cells comes back from .json, and stays when a result is snapped",

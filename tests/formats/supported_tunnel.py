@@ -99,16 +99,17 @@ class Groups:
         self.measures = {}
         names = [f"{region['name']} {region['component']}" for region in regions]  # they share a name
         assert len({region["name"] for region in regions[1:]}) == 1 and not regions[0]["component"]
+        whole = regions[1]["name"]
         for region, name in zip(regions[1:], names[1:]):
-            self.add(3, [name, f"material {region['material']}"], volume_of(region, faces, points))
+            self.add(3, [name, whole, f"material {region['material']}"], volume_of(region, faces, points))
         for face in faces:
             groups = self.said_of(face, said)
             sides = sorted({side for side in face["regions"] if regions[side]["component"]},
                            key=lambda side: regions[side]["component"])
             if len(sides) == 2:
-                groups.append(f"wall {names[sides[0]]} | {names[sides[1]]}")
+                groups += [f"wall {names[sides[0]]} | {names[sides[1]]}", f"wall {whole} | {whole}"]
             elif face["regions"][0] != face["regions"][1]:
-                groups.append(f"boundary of {names[sides[0]]}")
+                groups += [f"boundary of {names[sides[0]]}", f"boundary of {whole}"]
             groups += [f"from {leaves[entry['leaf']]}" for entry in face["origin"] if entry.get("faces")]
             self.add(2, groups, area_of(face, points))
         for edge in result["edges"]:

@@ -29,6 +29,8 @@ print([f"{part.name}: {float(part.volume):.3f}" for part in mesh.regions])
 # boundary of ground 1: 5
 # boundary of ground 2: 6
 # wall ground 1 | ground 2: 1
+# boundary of ground: 11
+# wall ground | ground: 1
 # from fault: 1
 # from ground: 10
 # from cylinder: 1
