@@ -40,6 +40,14 @@ function(cnrg_required what packages)
   endif()
 endfunction()
 
+# Exact sums of fixed size; a `long` may have 32 bits.
+include(CheckCXXSourceCompiles)
+check_cxx_source_compiles("__int128 number; int main() { return int(number); }" CNRG_INT128)
+if(NOT CNRG_INT128)
+  set_property(GLOBAL APPEND_STRING PROPERTY CNRG_LACKS "\n  ${CMAKE_CXX_COMPILER} has no integers of 128 bits (__int128): \
+take GCC or Clang for a system of 64 bits")
+endif()
+
 set(CMAKE_POLICY_DEFAULT_CMP0167 NEW)  # CGAL's own search for Boost: CMake's module for it is gone since 3.30
 # By the names that CGAL has for them, too, which it looks for next.
 find_path(GMP_INCLUDE_DIR gmp.h HINTS ENV GMP_INC_DIR)

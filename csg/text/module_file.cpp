@@ -54,7 +54,7 @@ bool read_at(std::ifstream& file, std::uint64_t place, T* values, std::size_t co
 }
 
 /// `place + length` may be more than 64 bits hold.
-bool fits(std::uint64_t place, std::uint64_t length, std::uint64_t size) {
+bool lies_within(std::uint64_t place, std::uint64_t length, std::uint64_t size) {
   return place <= size && length <= size - place;
 }
 
@@ -77,12 +77,12 @@ std::string module_damage(const std::string& path) {
   const std::string cut = "it is cut short: " + std::to_string(size) + " bytes are left";
   if (header.e_shentsize != sizeof(Section) || header.e_shnum == 0 || header.e_shstrndx >= header.e_shnum)
     return "its header is damaged";
-  if (!fits(header.e_shoff, std::uint64_t(header.e_shnum) * sizeof(Section), size)) return cut;
+  if (!lies_within(header.e_shoff, std::uint64_t(header.e_shnum) * sizeof(Section), size)) return cut;
   std::vector<Section> sections(header.e_shnum);
   if (!read_at(file, header.e_shoff, sections.data(), sections.size())) return "it cannot be read";
   if (sections[header.e_shstrndx].sh_type != SHT_STRTAB) return "its table of sections is damaged";
   const bool whole = std::ranges::all_of(sections, [&](const Section& section) {
-    return section.sh_type == SHT_NOBITS || fits(section.sh_offset, section.sh_size, size);
+    return section.sh_type == SHT_NOBITS || lies_within(section.sh_offset, section.sh_size, size);
   });
   return whole ? "" : cut;
 }
