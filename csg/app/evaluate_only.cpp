@@ -19,6 +19,9 @@
 namespace cnrg::app {
 namespace {
 
+/// Leaves may be CAD models.
+constexpr const Plugin* kUsed[] = {&kCadPlugin};
+
 constexpr const char* kUsage =
     "Usage: cnrg-eval TREE [--node N]... [-o FILE.json] [--trace] [--threads N]\n"
     "Evaluates a tree: one row per node, and the exact file of the result or of one --node.\n\n"
@@ -78,7 +81,7 @@ Arguments arguments_of(std::span<char*> words) {
 int evaluate_as_told(std::span<char*> words) {
   for (const std::string_view word : words) {
     if (word == "--help" || word == "-h") std::cout << kUsage;
-    else if (word == "--version") std::cout << version_text("cnrg-eval") << '\n';
+    else if (word == "--version") std::cout << version_text("cnrg-eval", kUsed) << '\n';
     else continue;
     return kDone;
   }

@@ -196,7 +196,7 @@ std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e
 int run(int argc, char** argv) {
   CLI::App program{"Exact Booleans of non-manifold solids, surfaces, wires and points, by tree files.", "cnrg"};
   program.set_version_flag(
-      "--version", [] { return version_text("cnrg"); }, "Versions of cnrg and of the libraries in it");
+      "--version", [] { return version_text("cnrg", kPlugins); }, "Versions of cnrg and of the libraries in it");
   program.require_subcommand(1);
   program.footer(
       "Example:\n  cnrg eval model.yaml -o model.vtu\n\nExit status: 0 done, 2 bad input, 3 a file could not be "

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <span>
 #include <string>
+
+#include "csg/text/plugin.h"
 
 namespace cnrg::app {
 
-/// The text of `--version`: a line for each library that is in, and for each that could be and is not, with the
-/// reason.
-std::string version_text(const std::string& program);
+/// The text of `--version`: a line for each library that is in, and for each plug-in that the program could use;
+/// of one that it cannot open, the reason.
+std::string version_text(const std::string& program, std::span<const Plugin* const> plugins);
 
 }  // namespace cnrg::app

@@ -1,5 +1,5 @@
-// The system's own search (dlopen of a name without a folder) looks along the RUNPATH of who calls it, which is
-// the program or module that holds this file.
+// The system's own search looks along the RUNPATH of who calls it, which is the program or module that holds this
+// file.
 #include "csg/text/plugin.h"
 
 #if __has_include(<dlfcn.h>)
@@ -11,6 +11,7 @@
 #include <mutex>
 #include <utility>
 
+#include "csg/text/module_file.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -34,20 +35,23 @@ Opened open(const Plugin& plugin) {
                          " and build cnrg again with " + plugin.option + "=ON"};
   }
 #if __has_include(<dlfcn.h>)
+  const std::string again = ": install or build cnrg again, with it", path = module_path(file);
+  const auto closed = [&](const std::string& reason) {
+    return Opened{nullptr, "the plug-in for " + library + " cannot be opened (" + reason + ")" + again};
+  };
+  if (!path.empty())
+    if (const std::string damage = module_damage(path); !damage.empty()) return closed(path + ": " + damage);
+  const std::string& found = path.empty() ? file : path;
   // Its own symbols come first: another HDF5 in the process of a Python program is not to answer for ours.
-  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const module = dlopen(found.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (module == nullptr) {
     const char* const error = dlerror();
-    return {nullptr, "the plug-in for " + library + " cannot be opened (" +
-                         (error != nullptr ? error : "no reason given") +
-                         "): install or build cnrg again, with it"};
+    return closed(error != nullptr ? error : "no reason given");
   }
   using Stamp = const char*();
   void* const stamp = dlsym(module, "cnrg_plugin_stamp");
-  if (stamp == nullptr || std::strcmp(reinterpret_cast<Stamp*>(stamp)(), CNRG_PLUGIN_STAMP) != 0) {
-    return {nullptr, "the file " + file + " that was found is no plug-in for " + library +
-                         " of this build of cnrg: install or build cnrg again, with it"};
-  }
+  if (stamp == nullptr || std::strcmp(reinterpret_cast<Stamp*>(stamp)(), CNRG_PLUGIN_STAMP) != 0)
+    return {nullptr, "the file " + found + " is no plug-in for " + library + " of this build of cnrg" + again};
   return {module, {}};
 #else
   return {nullptr, "this system opens no modules"};
