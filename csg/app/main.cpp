@@ -368,16 +368,17 @@ int run(int argc, char** argv) {
           ->type_name("V")
           ->transform(number_check(0, HUGE_VAL, "a positive number"));
   CLI::Option* const quality =
-      sub->add_option("--quality", mesh.options.quality,
-                      "Largest ratio of circumradius to shortest edge, from 1.1: 2 is usual, below 1.4 may take "
-                      "very long; thin regions take as many tetrahedra as that needs, if that is no more than "
-                      "15 seconds or --seconds allow; else, and without it, they are as flat as they are")
+      sub->add_option(
+             "--quality", mesh.options.quality,
+             "Largest ratio of circumradius to shortest edge, from 1.1: 2 is usual, below 1.4 may take "
+             "very long; thin regions take as many tetrahedra as that needs, if the forecast is no more than "
+             "20 seconds or a third of --seconds; else, and without it, they are as flat as they are")
           ->type_name("Q")
           ->transform(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
   sub->add_option(
          "--seconds", mesh.options.seconds,
          "For all of the meshing, by the clock: a mesh that is there then is kept as it is, and said to be so; 0: "
-         "no bound. Without it TetGen has 150 for each way to ask it, shapes 150, --surface 600")
+         "no bound. Without it steps are counted, and the mesh is the same on every machine")
       ->type_name("S")
       ->check(whole_check(0, 1'000'000));
   CLI::Option* const keep_boundary = sub->add_flag(

@@ -73,8 +73,10 @@ std::string unfinished_text(const ImproveOptions& asked, Improved end) {
            "edges are to be long; it was refined no further, and what is missed may be " +
            missed + "good shapes";
   }
-  return "time was over before the mesh was improved to the end, and what is missed may be " + missed +
-         "good shapes; give more --seconds";
+  const bool late = end == Improved::time_over;
+  return std::string(late ? "time was" : "the steps of improving were") +
+         " over before the mesh was improved to the end, and what is missed may be " + missed +
+         "good shapes; give " + (late ? "more --seconds" : "it time by --seconds 0");
 }
 
 }  // namespace cnrg

@@ -3,7 +3,6 @@
 #include "csg/mesh/refine_surface.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <queue>
@@ -41,12 +40,7 @@ std::size_t sharpest(const std::array<Vector, 3>& p) {
 class Refiner {
  public:
   Refiner(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said, SurfaceNarrow narrow)
-      : mesh_(mesh),
-        options_(options),
-        said_(said),
-        has_narrow_(narrow == SurfaceNarrow::left),
-        lines_(mesh),
-        begin_(std::chrono::steady_clock::now()) {
+      : mesh_(mesh), options_(options), said_(said), has_narrow_(narrow == SurfaceNarrow::left), lines_(mesh) {
     double largest = 0;
     for (const Vector& p : mesh_.points())
       for (const double x : p) largest = std::max(largest, std::abs(x));
@@ -96,7 +90,6 @@ class Refiner {
   const SizeAt& said_;
   bool has_narrow_;  // that stays
   InputLines lines_;
-  const std::chrono::steady_clock::time_point begin_;
   double shortest_ = 0, cosine_ = 0, off_center_ = 0;
   /// What is flatter than this part of the sides of facets, as they are on the average, is narrow; what is narrow
   /// has that part of all points, or as many as all else, if that is more; so have gaps that are so many times
@@ -229,14 +222,6 @@ class Refiner {
   void check() const {
     options_.watch.check();
     if (options_.watch.progress) options_.watch.progress("mesh: surface", mesh_.points().size(), 0);
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
-    if (options_.seconds == 0 || passed.count() < options_.seconds) return;
-    const Vector& last = mesh_.points().back();
-    std::string text = "the surface mesh takes more than " + std::to_string(options_.seconds) +
-                       " seconds; it has " + std::to_string(mesh_.points().size()) +
-                       " points, and the last one is (";
-    append(text, last);
-    throw InputError(text + "); ask for larger sizes, give more --seconds, or a lower --max-points");
   }
 
   bool is_too_long(Index a, Index b) const { return is_longer(a, b, options_.size); }

@@ -3,11 +3,13 @@
 // TetGen is given a box around the complex and fills all of it, cavities too. So nothing has to be carved away
 // before the mesh is refined, which its version 1.5 often fails at, and faces, wires and points outside of all
 // regions are as good as others.
-#include <sys/resource.h>
+//
+// It tells nobody how far it is but where it refines, and now and then walks in circles. All its walks ask on
+// which side of a plane a point lies, by `orient3d`, which is a function of its own library: ours comes before it,
+// counts and asks it. So work is bounded by a number that is the same on every machine.
+#include <dlfcn.h>
 
 #include <algorithm>
-#include <csignal>
-#include <ctime>
 #include <new>
 
 #define TETLIBRARY
@@ -105,42 +107,30 @@ void write_result(const MemoryFile& file, const tetgenio& out) {
 
 /// TetGen's callback has no argument of ours. Only the child, which has one thread, sets these.
 const TooLarge* asked_of_all = nullptr;
-const SharedCount* looks = nullptr;
 
-/// How often it may look; 0: no bound.
-std::size_t looks_allowed = 0;
+/// Thrown through TetGen, which lets numbers of its own out in the same way.
+struct OutOfSteps {};
 
-/// The child's own bound of processor time, raised with each step that it takes: a walk through a facet may turn
-/// in a circle, where it looks at nothing any more.
-class TimeOfStep {
- public:
-  void begin(int seconds) {
-    if (seconds <= 0 || getrlimit(RLIMIT_CPU, &all_) != 0) return;
-    step_ = rlim_t(seconds);
-    raise_bound();
+/// What is left of the work.
+struct Budget {
+  std::size_t looks = 0;        ///< how often it may look at tetrahedra; 0: no bound
+  std::size_t most = SIZE_MAX;  ///< steps
+  std::size_t idle = SIZE_MAX;  ///< of these until the next look
+  std::size_t steps = 0, since_look = 0;
+
+  void step() {
+    if (++steps > most || ++since_look > idle) throw OutOfSteps();
   }
-  void next() {
-    constexpr unsigned kLooks = 256;  // to ask the system costs as much as to look
-    if (step_ > 0 && ++looks_ % kLooks == 0) raise_bound();
+  void look() {
+    looked->add();
+    since_look = 0;
+    if (looks > 0 && looked->value() > looks) throw OutOfSteps();
   }
-
- private:
-  rlimit all_{};
-  rlim_t step_ = 0;  // 0: no bound
-  unsigned looks_ = 0;
-
-  void raise_bound() {
-    timespec used;
-    if (clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used) != 0) return;
-    const rlimit bound{std::min(all_.rlim_cur, rlim_t(used.tv_sec) + 1 + step_), all_.rlim_max};
-    setrlimit(RLIMIT_CPU, &bound);
-  }
-} time_of_step;
+  const SharedCount* looked = nullptr;
+} budget;
 
 bool has_to_be_split(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL) {
-  time_of_step.next();
-  looks->add();
-  if (looks_allowed > 0 && looks->value() > looks_allowed) std::raise(SIGXCPU);
+  budget.look();
   if (!*asked_of_all) return false;
   const auto at = [](const REAL* p) { return std::array<double, 3>{p[0], p[1], p[2]}; };
   return (*asked_of_all)({at(a), at(b), at(c), at(d)});
@@ -153,12 +143,14 @@ CNRG_PLUGIN_EXPORT int cnrg_tetgen_mesh(const cnrg::Plc& plc, const cnrg::Tetgen
                                         const cnrg::MemoryFile& result) {
   using namespace cnrg;
   try {
-    time_of_step.begin(work.step);
     tetgenio in, out;
     fill(plc, work.frame, in);
     asked_of_all = work.too_large;
-    looks = work.looked;
-    looks_allowed = work.most_looks;
+    const auto bound = [](std::size_t n) { return n == 0 ? SIZE_MAX : n; };
+    budget = {.looks = work.most_looks,
+              .most = bound(work.bounds.steps),
+              .idle = bound(work.bounds.idle),
+              .looked = work.looked};
     in.tetunsuitable = &has_to_be_split;
     std::string switches = work.switches;
     tetrahedralize(switches.data(), &in, &out);
@@ -166,7 +158,26 @@ CNRG_PLUGIN_EXPORT int cnrg_tetgen_mesh(const cnrg::Plc& plc, const cnrg::Tetgen
     return 0;
   } catch (const int number) {
     return number;
+  } catch (const OutOfSteps&) {
+    return kTetgenOutOfSteps;
   }
+}
+
+#ifdef CNRG_TETGEN_STATIC  // the linker gives the name to ours
+#define CNRG_ORIENT3D __wrap__Z8orient3dPdS_S_S_
+extern "C" double __real__Z8orient3dPdS_S_S_(double*, double*, double*, double*);
+#else  // the loader finds ours first
+#define CNRG_ORIENT3D _Z8orient3dPdS_S_S_
+#endif
+CNRG_PLUGIN_EXPORT double CNRG_ORIENT3D(double* a, double* b, double* c, double* d) {
+#ifdef CNRG_TETGEN_STATIC
+  constexpr auto kAsked = __real__Z8orient3dPdS_S_S_;
+#else
+  using Orient3d = double (*)(double*, double*, double*, double*);
+  static const auto kAsked = reinterpret_cast<Orient3d>(dlsym(RTLD_NEXT, "_Z8orient3dPdS_S_S_"));
+#endif
+  cnrg::budget.step();
+  return kAsked(a, b, c, d);
 }
 
 CNRG_PLUGIN_EXPORT const char* cnrg_tetgen_version() { return "TetGen " CNRG_TETGEN_VERSION; }

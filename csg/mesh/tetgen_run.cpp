@@ -19,6 +19,12 @@ using Index = PlcMesh::Index;
 /// How often it may look; 0: no bound.
 std::atomic<std::size_t> most_looks = 0;
 
+[[noreturn]] void fail_late(const std::string& how, const std::string& more) {
+  throw TetgenLate("TetGen " + how + "; " + more +
+                   "or a larger --quality or --max-volume, remove slivers, join what nearly touches by --join, or "
+                   "leave out --keep-boundary");
+}
+
 /// What follows a `;` is for --keep-boundary: without it there is another way to a mesh, and nobody reads this.
 void require_done(const ChildEnd& end) {
   using Kind = ChildEnd::Kind;
@@ -29,11 +35,8 @@ void require_done(const ChildEnd& end) {
   const std::string words = end.said.empty() ? "" : ": `" + end.said + "`";
   if (end.kind == Kind::done && end.number == 0) return;
   if (end.kind == Kind::memory || (end.kind == Kind::done && end.number == kNoMemory)) throw std::bad_alloc();
-  if (end.kind == Kind::time) {
-    throw TetgenLate(
-        "TetGen did not end in its time; give it more by --seconds, or a larger --quality or --max-volume, "
-        "remove slivers, join what nearly touches by --join, or leave out --keep-boundary");
-  }
+  if (end.kind == Kind::done && end.number == kTetgenOutOfSteps)
+    fail_late("did not come to an end", "give it time by --seconds 0, ");
   if (end.kind == Kind::signal) {
     throw InputError("TetGen was stopped by a fault of its own (signal " + std::to_string(end.number) + ")" +
                      words + kCoarser + ", or other --quality and --max-volume");
@@ -93,29 +96,21 @@ PlcMesh read_result(const MemoryFile& file) {
 TetgenLooksAtMost::TetgenLooksAtMost(std::size_t looks) { most_looks = looks; }
 TetgenLooksAtMost::~TetgenLooksAtMost() { most_looks = 0; }
 
-PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame frame, const TetgenTime& time,
+PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame frame, const TetgenBounds& bounds,
                    const TooLarge& too_large, const std::stop_token& stop, const LookedAt& looked_at) {
   const auto mesh = CNRG_PLUGIN_FUNCTION(kTetgenPlugin, cnrg_tetgen_mesh);
   const MemoryFile result("TetGen");
   const SharedCount looked;
-  const ChildLimits limits{.seconds = std::size_t(std::max(time.seconds, 0))};
-#ifdef CNRG_FORK
-  const int step = time.step;
-  const std::size_t most = most_looks;
-#else  // both would end the caller
-  const int step = 0;
-  const std::size_t most = 0;
-#endif
-  const TetgenWork asked{letters(switches), frame, step, most, &too_large, &looked};
+  const TetgenWork asked{letters(switches), frame, bounds, most_looks, &too_large, &looked};
   const auto work = [&] { return mesh(plc, asked, result); };
-  const Deadline deadline(Watch{{}, stop}, time.clock);
+  const Deadline deadline(Watch{{}, stop}, bounds.clock);
   std::function<void()> meanwhile;
   if (looked_at) meanwhile = [&] { looked_at(looked.value()); };
   try {
-    require_done(run_in_child("TetGen", limits, work, deadline.watch().stop, meanwhile));
+    require_done(run_in_child("TetGen", {}, work, deadline.watch().stop, meanwhile));
   } catch (const Stopped&) {
     if (stop.stop_requested()) throw;
-    require_done({.kind = ChildEnd::Kind::time});
+    fail_late("did not end in its part of --seconds", "give more --seconds, ");
   }
   return read_result(result);
 }

@@ -22,11 +22,12 @@ enum class TetgenFrame { even, uneven };
 /// True for a tetrahedron that has to be split, by its corners.
 using TooLarge = std::function<bool(const std::array<std::array<double, 3>, 4>&)>;
 
-/// What TetGen may take: there are models on which it never ends.
-struct TetgenTime {
-  int seconds = 0;   ///< of processor time; 0: no bound
-  int step = 0;      ///< the same until it begins to refine, and between two looks at tetrahedra after that
-  double clock = 0;  ///< seconds by the clock; 0 or infinite: no bound
+/// What TetGen may take: there are models on which it never ends. A step is a question on which side of a plane a
+/// point lies.
+struct TetgenBounds {
+  std::size_t steps = 0;  ///< 0: no bound
+  std::size_t idle = 0;   ///< of these until it begins to refine, and between two looks at tetrahedra; 0: no bound
+  double clock = 0;       ///< seconds by the clock; 0 or infinite: no bound
 };
 
 /// What it is asked for.
@@ -36,8 +37,7 @@ struct TetgenSwitches {
   bool volumes = false;        ///< those of the complex are bounds
 };
 
-/// While there is one, TetGen's time is over when it has looked at so many tetrahedra: how it ends does not depend
-/// on the machine then.
+/// While there is one, TetGen ends when it has looked at so many tetrahedra.
 class TetgenLooksAtMost {
  public:
   explicit TetgenLooksAtMost(std::size_t looks);
@@ -46,7 +46,7 @@ class TetgenLooksAtMost {
   TetgenLooksAtMost& operator=(const TetgenLooksAtMost&) = delete;
 };
 
-/// TetGen did not end in its time.
+/// TetGen did not end within its bounds.
 class TetgenLate : public InputError {
  public:
   using InputError::InputError;
@@ -56,17 +56,19 @@ class TetgenLate : public InputError {
 using LookedAt = std::function<void(std::size_t)>;
 
 /// Fills the box, all of it, with tetrahedra. `too_large`, if there is one, is asked of each tetrahedron while the
-/// mesh is refined. Throws InputError with what TetGen said and what helps, TetgenLate where its time is over,
+/// mesh is refined. Throws InputError with what TetGen said and what helps, TetgenLate where a bound ends it,
 /// std::bad_alloc when it runs out of memory, Stopped.
-PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame frame, const TetgenTime& time,
+PlcMesh run_tetgen(const Plc& plc, const TetgenSwitches& switches, TetgenFrame frame, const TetgenBounds& bounds,
                    const TooLarge& too_large = {}, const std::stop_token& stop = {},
                    const LookedAt& looked_at = {});
+
+inline constexpr int kTetgenOutOfSteps = 100;
 
 /// What the child does.
 struct TetgenWork {
   std::string switches;  ///< as TetGen's manual has them
   TetgenFrame frame = TetgenFrame::even;
-  int step = 0;                ///< of TetgenTime
+  TetgenBounds bounds{};       ///< without the clock
   std::size_t most_looks = 0;  ///< 0: no bound
   const TooLarge* too_large = nullptr;
   const SharedCount* looked = nullptr;
@@ -74,7 +76,7 @@ struct TetgenWork {
 
 }  // namespace cnrg
 
-// Of the plug-in `tetgen`, to be called in a child: 0, or the number that TetGen throws.
+// Of the plug-in `tetgen`, to be called in a child: 0, the number that TetGen throws, or kTetgenOutOfSteps.
 extern "C" {
 int cnrg_tetgen_mesh(const cnrg::Plc& plc, const cnrg::TetgenWork& work, const cnrg::MemoryFile& result);
 const char* cnrg_tetgen_version();

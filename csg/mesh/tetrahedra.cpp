@@ -111,6 +111,12 @@ class TetrahedraMaker {
 
   /// So many times as many tetrahedra as are expected, or as are few, are made at most.
   static constexpr std::size_t kMostOfExpected = 8, kFewTetrahedra = 60'000;
+  /// Steps of TetGen, in all where there is another way to a mesh; to fill, and more for each point; for each
+  /// tetrahedron that is expected.
+  static constexpr std::size_t kTetgenSteps = 500'000'000, kTetgenFills = 20'000'000, kTetgenFillsPoint = 2'000,
+                               kTetgenMakes = 10;
+  /// Of the improver.
+  static constexpr std::size_t kStepsOfShapes = 200'000'000;
   /// Points that are added at most to keep bounds that are asked for.
   static constexpr std::size_t kPointsForBounds = 3'000'000;
 
@@ -132,7 +138,7 @@ class TetrahedraMaker {
   std::array<std::optional<MeshForecast>, 3> forecasts_;  // by makers
   double expected_ = 0;
   double for_shapes_ = 0;      // as many would be made if points that nobody asks for were not rationed
-  double in_seconds_ = 0;      // that what is expected takes, at most
+  double expected_most_ = 0;   // or, where that is not told closely, the most
   bool not_foretold_ = false;  // since that takes too long
   bool late_ = false;          // TetGen has not come to an end of refining
   bool surface_first_ = options_.surface_first;
@@ -221,10 +227,10 @@ class TetrahedraMaker {
                             : *options_.seconds > 0 ? *options_.seconds / 3.0
                                                     : HUGE_VAL;
     if (told.seconds > patience) return true;
-    return options_.quality == 0 && !impossible_text(told, double(memory_of_machine())).empty();
+    return options_.quality == 0 && !impossible_text(told, 0).empty();
   }
   static std::string to_have_all(const MeshForecast& told) {
-    if (!impossible_text(told, double(memory_of_machine())).empty()) return "";
+    if (!impossible_text(told, 0).empty()) return "";
     return ", since that takes " + time_text(told.seconds) + "; --seconds 0 makes them";
   }
   void keep_flat() {
@@ -260,7 +266,7 @@ class TetrahedraMaker {
     if (std::isinf(mesh.most)) return;
     expected_ = mesh.tetrahedra;
     for_shapes_ = mesh.for_shapes;
-    in_seconds_ = mesh.seconds;
+    expected_most_ = is_close(mesh) ? mesh.tetrahedra : mesh.most;
     const bool told = !trial_.fault.empty() && !bounded();  // with TetGen, and it is the same
     if (options_.foretold && !told) options_.foretold(mesh);
   }
@@ -283,27 +289,24 @@ class TetrahedraMaker {
             options_.max_volume > 0};
   }
 
-  /// For one way to ask it. There are models on which it never ends. To fill it takes a second for some ten
-  /// thousand points, and to wait long for that, or longer for a step of refinement, is of no use where there is
-  /// another way to a mesh.
-  TetgenTime time_of_tetgen() const {
-    const int part = options_.seconds ? 0 : TetrahedraOptions::kPartSeconds;
+  /// For one way to ask it. There are models on which it never ends. To wait long for it to fill, or longer for a
+  /// step of refinement, is of no use where there is another way to a mesh.
+  TetgenBounds bounds_of_tetgen() const {
     const double clock = deadline_.seconds_left() / 3;  // so nearly a third is left after all ways to ask it
-    const int enough = 5 + int(plc_.points.size() / 4000);
-    if (keeps_boundary() && !bounded()) return {part, 0, clock};
-    if (thin_ || fills_ || !bounded()) return {part == 0 ? enough : std::min(part, enough), 0, clock};
-    constexpr double kLeast = 10, kSlow = 10;
-    const double patience = kLeast + kSlow * in_seconds_;
-    return {part == 0 ? 0 : int(std::min(double(part), patience)), enough + int(2 * in_seconds_), clock};
+    const std::size_t most = options_.seconds ? 0 : kTetgenSteps;
+    const std::size_t enough = kTetgenFills + kTetgenFillsPoint * plc_.points.size();
+    if (keeps_boundary() && !bounded()) return {most, 0, clock};
+    if (thin_ || fills_ || !bounded()) return {enough, 0, clock};
+    const auto expected = std::size_t(double(kTetgenMakes) * expected_most_);
+    return {most == 0 ? 0 : std::min(most, kTetgenFills + 10 * expected), enough + 2 * expected, clock};
   }
 
   /// In words, with its bound of time where it cannot say how far it is.
-  std::string stage_of_tetgen(const TetgenTime& time) const {
+  std::string stage_of_tetgen(const TetgenBounds& bounds) const {
     std::string text = "mesh: TetGen";
     if (bounded() && !fills_ && expected_ > 0) return text;
-    if (std::isfinite(time.clock) && time.clock > 0)
-      text += ", at most " + std::to_string(std::llround(std::ceil(time.clock))) + " s";
-    else if (time.seconds > 0) text += ", at most " + std::to_string(time.seconds) + " s of processor";
+    if (std::isfinite(bounds.clock) && bounds.clock > 0)
+      text += ", at most " + std::to_string(std::llround(std::ceil(bounds.clock))) + " s";
     return text;
   }
 
@@ -334,7 +337,6 @@ class TetrahedraMaker {
   /// The triangles of surfaces as facets.
   Plc surface_complex(const RoundedResult& rounded) {
     SurfaceOptions asked;
-    if (options_.seconds) asked.seconds = 0;  // the watch knows
     asked.watch = watch_;
     const SurfaceNarrow narrow = rationed_ ? SurfaceNarrow::left : SurfaceNarrow::rationed;
     if (sizes_.empty()) return refined_plc(flat_, rounded.points(), asked, {}, narrow);
@@ -378,10 +380,10 @@ class TetrahedraMaker {
         plc_ = surface_first_ ? surface_ : plc_of(view_, flat_, rounded, attempt.facets);
         plc_.max_volume = thin_ || fills_ ? 0 : options_.max_volume;
         set_seeds(plc_, rounded);
-        const TetgenTime time = time_of_tetgen();
-        const std::string stage = stage_of_tetgen(time);
+        const TetgenBounds bounds = bounds_of_tetgen();
+        const std::string stage = stage_of_tetgen(bounds);
         watch_.begin(stage);
-        out_ = run_tetgen(plc_, switches(), attempt.frame, time, asked_of_each(), watch_.stop, looked_at(stage));
+        out_ = run_tetgen(plc_, switches(), attempt.frame, bounds, asked_of_each(), watch_.stop, looked_at(stage));
         take(watch_);
         return {};
       } catch (const TetgenLate& e) {
@@ -412,9 +414,8 @@ class TetrahedraMaker {
     const std::size_t few = points_for_shapes(out_.points.size());
     asked.points = bounded() && (!thin_ || options_.quality > 0) ? kPointsForBounds : few;
     if (rationed_) asked.narrow_points = few;
-    asked.seconds = deadline_.bounded() ? std::max(1e-3, deadline_.seconds_left())
-                    : options_.seconds  ? 0
-                                        : TetrahedraOptions::kPartSeconds;
+    if (deadline_.bounded()) asked.seconds = std::max(1e-3, deadline_.seconds_left());
+    else if (!options_.seconds) asked.steps = kStepsOfShapes;
     asked.afterwards = deadline_.bounded() ? afterwards_ : 0;
     // Beside triangles that stay and are too long halves would become ever more, and none of them short enough.
     if (sized() && !keeps_boundary()) asked.longest = said_lengths(rounded);

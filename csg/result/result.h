@@ -123,10 +123,10 @@ struct TetrahedraOptions {
   bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
   bool constrained = false;    ///< not by TetGen: constrained tetrahedra; not with `keep_boundary`
   /// By the clock, for all of the work, 0: no bound. A mesh that is there when they are over is kept as it is, and
-  /// the notice says so; where there is none it is an InputError. Not given: kPartSeconds for each way in which
-  /// TetGen is asked, and for improving shapes, and no bound for what else makes a mesh.
+  /// the notice says so; where there is none it is an InputError. Not given: steps are counted of each way in
+  /// which TetGen is asked, and of improving shapes, and what else makes a mesh has no bound; the mesh is the same
+  /// on every machine.
   std::optional<int> seconds{};
-  static constexpr int kPartSeconds = 150;
   int order = 1;        ///< of the elements; 2: with a node in the middle of each edge
   double size = 0;      ///< how long edges are to be where nothing asks for shorter ones; 0: no bound
   double growth = 0.3;  ///< how much longer they may be per unit of distance from where they are to be short
@@ -155,7 +155,7 @@ struct SurfaceOptions {
   /// `size` is given.
   double overall = 0, growth = 0.3;
   std::size_t max_points = 1'000'000;  ///< no points are added beyond these
-  int seconds = 600;                   ///< of time; 0: no bound
+  int seconds = 0;                     ///< by the clock, for all of the work; 0: no bound
   int order = 1;       ///< of the elements; 2: with a node in the middle of each side, not with quads
   bool quads = false;  ///< triangles are merged by pairs where these are good
   Watch watch{};

@@ -73,10 +73,7 @@ void obey(const ChildLimits& limits, std::size_t had, pid_t parent) {
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   lower(RLIMIT_CORE, 0, 0);
-  if (limits.seconds > 0) {
-    lower(RLIMIT_CPU, limits.seconds, limits.seconds + 1);
-    alarm(static_cast<unsigned>(10 * limits.seconds));
-  }
+  if (limits.seconds > 0) lower(RLIMIT_CPU, limits.seconds, limits.seconds + 1);
   if (limits.bytes > 0) {
     lower(RLIMIT_DATA, had + limits.bytes, RLIM_INFINITY);
     lower(RLIMIT_FSIZE, limits.bytes, RLIM_INFINITY);
@@ -128,7 +125,7 @@ ChildEnd end_of(int status) {
   using Kind = ChildEnd::Kind;
   if (WIFSIGNALED(status)) {
     const int number = WTERMSIG(status);
-    return {.kind = number == SIGXCPU || number == SIGALRM ? Kind::time : Kind::signal, .number = number};
+    return {.kind = number == SIGXCPU ? Kind::time : Kind::signal, .number = number};
   }
   const int number = WEXITSTATUS(status);
   if (number == kNoMemory) return {.kind = Kind::memory};

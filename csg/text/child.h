@@ -88,7 +88,7 @@ class MemoryFile {
 
 /// What a child may use; 0: no bound of ours. Bounds that the process has already are never raised.
 struct ChildLimits {
-  std::size_t seconds = 0;  ///< of processor time, and ten times as many by the clock
+  std::size_t seconds = 0;  ///< of processor time, which other programs take nothing of
   std::size_t bytes = 0;    ///< of memory, besides what the caller has
 };
 

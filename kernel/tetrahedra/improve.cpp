@@ -110,7 +110,10 @@ class Improver {
     to_fewer();
     if (!too_many_ && halve_large()) to_fewer();
     until(1);
-    return cut_ ? Improved::time_over : too_many_ ? Improved::too_many : Improved::done;
+    return late_       ? Improved::time_over
+           : cut_      ? Improved::steps_over
+           : too_many_ ? Improved::too_many
+                       : Improved::done;
   }
 
   ConformingTetrahedra result() const { return mesh_.mesh(); }
@@ -128,11 +131,12 @@ class Improver {
   std::vector<std::uint64_t> tried_;  // by tetrahedron: when no new vertex made it better
   double gain_of_bad_ = kNotable;     // in the next sweep
   std::string stage_;                 // of a walk through all tetrahedra: how many of them it takes nobody knows
-  std::size_t steps_ = 0;
+  std::size_t steps_ = 0, asked_ = 0;
   bool wide_only_ = false;  // what is narrow stays as it is
-  double part_ = 1;         // of the seconds, for what is done now
+  double part_ = 1;         // of the steps and seconds, for what is done now
   bool over_ = false;       // they are
   bool cut_ = false;        // they were, of something
+  bool late_ = false;       // the seconds were
   bool too_many_ = false;   // refinement has ended for the number of tetrahedra
 
   /// Asked while refining.
@@ -142,7 +146,7 @@ class Improver {
   }
 
   /// What comes first may take all of the time for itself, and leave a mesh in which nearly all is bad. So what
-  /// follows ends after that part of the seconds.
+  /// follows ends after that part of the steps and seconds.
   void until(double part) {
     cut_ = cut_ || over_;
     over_ = false;
@@ -157,20 +161,25 @@ class Improver {
     return std::to_string(round + 1) + " of " + std::to_string(most) + " at most";
   }
 
-  /// Asked between moves, by a walk at tetrahedron `at`: is the time over? Throws Stopped.
+  /// Asked between moves, by a walk at tetrahedron `at`: are the steps or the time over? Throws Stopped.
   bool over(Index at = 0) {
-    if (over_ || ++steps_ % 256 != 0) return over_;
+    if (over_) return true;
+    ++steps_;
+    if (options_.steps > 0) over_ = double(steps_) > part_ * double(options_.steps);
+    if (++asked_ % 256 != 0) return over_;
     watch_.check();
     if (watch_.progress && at > 0) watch_.progress(stage_, at, mesh_.size());
     if (options_.seconds > 0) {
       const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin_;
-      over_ = since.count() > part_ * (options_.seconds - options_.afterwards * double(mesh_.size()));
+      late_ = since.count() > part_ * (options_.seconds - options_.afterwards * double(mesh_.size()));
+      over_ = over_ || late_;
     }
     return over_;
   }
 
   /// One move that makes a tetrahedron better, or what comes in its place.
   bool mend(Index t) {
+    steps_ += ImproveOptions::kStepsOfMove;
     const auto corners = mesh_.at(t).corners;
     const double gain = mesh_.at(t).shape < cube(options_.shape) ? gain_of_bad_ : kNotable;
     for (const auto& [i, j] : Stars::kEdges)
@@ -465,6 +474,7 @@ class Improver {
     for (Index t = 0; t < all && !over(t) && left > 0; ++t) {
       if (!mesh_.alive(t) || !has_bad_shape(t) || !mesh_.changed_since(t, tried_[t])) continue;
       tried_[t] = mesh_.changes();
+      steps_ += ImproveOptions::kStepsOfMove;
       const bool done = insertion_.insert(t, kNotable) != Stars::kNoTetrahedron || (on_lines && split_line(t));
       halvings_.resize(mesh_.point_count(), 0);
       if (!done) continue;

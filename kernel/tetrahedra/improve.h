@@ -4,7 +4,8 @@
 // and long ones that lead from small features to large ones. To refine them by their circumcenters is proven to
 // end with bounded shapes only where the input has no small angles, and stumbles over these. Here local moves
 // (moves.h) make what is bad better one by one, and where none does the longest edge is halved. Each step leaves a
-// valid mesh, so the work may end whenever its time is over.
+// valid mesh, so the work may end after any of them: a count of steps is the same on every machine, a clock only
+// for who asks for it.
 #pragma once
 
 #include <cstdint>
@@ -38,12 +39,16 @@ struct ImproveOptions {
   /// are far longer than they are thick, need no more tetrahedra for these, and halves make ever more. 0: no
   /// bound.
   std::size_t most = 0;
-  double seconds = 0;     ///< after so many nothing is begun; 0: no bound
+  /// After so many nothing is begun: tetrahedra that are looked at, and kStepsOfMove for each that moves are tried
+  /// on; 0: no bound.
+  std::size_t steps = 0;
+  static constexpr std::size_t kStepsOfMove = 20;
+  double seconds = 0;     ///< by the clock, the same; 0: no bound
   double afterwards = 0;  ///< so many of these seconds are left for each tetrahedron
 };
 
 /// How it ended: whatever comes first leaves the rest undone.
-enum class Improved : std::uint8_t { done, time_over, too_many };
+enum class Improved : std::uint8_t { done, time_over, steps_over, too_many };
 
 /// Improves a mesh. Points that are no more used are left out behind the fixed ones. Throws Stopped.
 Improved improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch);

@@ -144,7 +144,7 @@ TEST_CASE("where TetGen does not end of refining, it fills", "[mesh][thin]") {
   int told = 0;  // also what others make
   options.foretold = [&](const MeshForecast&) { ++told; };
   const TetrahedralMesh filled = tetrahedra(block, options);
-  CHECK_THAT(filled.notice, Catch::StartsWith("TetGen did not end in its time") &&
+  CHECK_THAT(filled.notice, Catch::StartsWith("TetGen did not come to an end") &&
                                 Catch::Contains("; it has filled the regions, and the tetrahedra are improved"));
   if (!options.keep_boundary) CHECK(told == 2);
   if (options.surface_first || options.keep_boundary)
@@ -168,6 +168,33 @@ TEST_CASE("a plate without a double inside is refused where faces are kept, with
                     Catch::Contains("one region is too thin for that") &&
                         Catch::EndsWith("leave out --surface-first, give other sizes, or join what nearly touches "
                                         "by --join"));
+}
+
+TEST_CASE("TetGen ends after so many steps, whatever the machine", "[mesh]") {
+  Plc plc;
+  plc.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 3, 1}, {1, 2, 3}, {3, 1, 2}, {3, 3, 3}};
+  const auto run = [&](const TetgenBounds& bounds) {
+    return run_tetgen(plc, {}, TetgenFrame::even, bounds).tetrahedra;
+  };
+  const auto all = run({});
+  // The least number with which it ends, by halves; it is the same in every run.
+  std::size_t few = 0, enough = 1 << 20;
+  while (enough - few > 1) {
+    const std::size_t middle = (few + enough) / 2;
+    try {
+      const auto made = run({.steps = middle});
+      CHECK(made == all);
+      enough = middle;
+    } catch (const TetgenLate&) {
+      few = middle;
+    }
+  }
+  CHECK(few > 10);
+  CHECK(run({.steps = enough}) == all);
+  CHECK(run({.idle = enough}) == all);  // it does not refine
+  for (const TetgenBounds& bounds : {TetgenBounds{.steps = few}, TetgenBounds{.idle = few}})
+    CHECK_THROWS_WITH(run(bounds),
+                      Catch::StartsWith("TetGen did not come to an end; ") && Catch::Contains("--seconds 0"));
 }
 
 TEST_CASE("TetGen's own refusals say to join what nearly touches", "[mesh][errors]") {

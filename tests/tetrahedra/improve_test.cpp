@@ -518,6 +518,30 @@ TEST_CASE("a volume that is bounded, and time that is over", "[tetrahedra]") {
   CHECK_THROWS_AS(improve(cut, options, Watch{{}, stop.get_token()}), Stopped);
 }
 
+TEST_CASE("steps that are over leave the same valid mesh, however long they take", "[tetrahedra]") {
+  const Mesh box = cube();
+  ImproveOptions options;
+  options.fixed = 8;
+  options.volume = 1e-5;
+  options.points = 100'000;
+  std::vector<std::size_t> sizes;
+  for (const std::size_t steps : {20'000, 40'000}) {
+    options.steps = steps;
+    Mesh quick = box, slow = box;
+    CHECK(improve(quick, options, {}) == Improved::steps_over);
+    const Watch slowly{[](std::string_view, std::size_t, std::size_t) {
+      for (const std::clock_t end = std::clock() + CLOCKS_PER_SEC / 1000; std::clock() < end;) {
+      }
+    }};
+    CHECK(improve(slow, options, slowly) == Improved::steps_over);
+    CHECK(slow.points == quick.points);
+    CHECK(slow.tetrahedra == quick.tetrahedra);
+    require_same(box, quick);
+    sizes.push_back(quick.tetrahedra.size());
+  }
+  CHECK(sizes[0] < sizes[1]);
+}
+
 TEST_CASE("shape and radius-edge ratio of a regular tetrahedron and a flat one", "[tetrahedra]") {
   const Vector a{1, 1, 1}, b{1, -1, -1}, c{-1, 1, -1}, d{-1, -1, 1};
   CHECK(shape_of(a, b, c, d) == Approx(1));

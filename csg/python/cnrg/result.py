@@ -322,7 +322,7 @@ class Result:
         max_volume: no tetrahedron is larger (cubic units), 0: no bound. quality: the largest ratio of circumradius to
         shortest edge, 1.1 to 100, 0: no bound. keep_boundary: no new points on faces and edges. seconds: for
         all of the meshing, by the clock, 0: no bound; a mesh that is there then is kept as it is, and a warning
-        (cnrg.Notice) says so. None: 150 for each way in which TetGen is asked, 150 for shapes. curved: elements of
+        (cnrg.Notice) says so. None: steps are counted, and the mesh is the same on every machine. curved: elements of
         second order on the true surfaces. order: of the elements, 1, or 2 with a node in the middle of each straight
         edge; curved ones are of order 2.
         size: how long edges are to be where neither a node's `size` nor short edges and small facets of the model ask
@@ -359,7 +359,7 @@ class Result:
             warnings.warn_explicit(notice, Notice, *site_of_caller())
         return Tetrahedra(mesh, self)
 
-    def mesh_surface(self, *, size: Number = 0, growth: Number = 0.3, max_points: int = 1_000_000, seconds: int = 600,
+    def mesh_surface(self, *, size: Number = 0, growth: Number = 0.3, max_points: int = 1_000_000, seconds: int = 0,
                      order: int = 1, quads: bool = False, progress: Progress = None) -> SurfaceMesh:
         """Triangles on all faces and segments on all edges and wires, without volumes (ruppert1995, ungor2004): what
         meets shares points, and no angle is below 25 degrees where the result allows that.
