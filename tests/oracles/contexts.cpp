@@ -24,11 +24,10 @@ using Outputs = std::map<std::string, std::string>;
 
 // Known not to hold yet; whoever makes one of these hold deletes its line.
 const std::vector<KnownDisagreement>& known() {
-  // Surfaces that leaves share, or that touch, have facets as all of them ask for.
+  // Facets of patches are as other leaves cut them; those of surfaces that leaves share, or that touch, as all of
+  // them ask for.
   const std::vector<std::string> curved{"sphere",  "cylinder", "cone:",   "torus", "revolve",
                                         "extrude", "bezier",   "bspline", "coons:"};
-  const std::set<Setting> others{Setting::others,  Setting::shares, Setting::twins, Setting::copies,
-                                 Setting::wrapped, Setting::chain,  Setting::mixed};
   // The frame of unbounded leaves, and so numbers of unbounded regions, are those of the tree.
   const std::vector<std::string> unbounded{"halfspace", "plane:", "complement"};
   static const std::vector<KnownDisagreement> list{
@@ -47,15 +46,14 @@ const std::vector<KnownDisagreement>& known() {
       {"file .inp", {}, {}},
       {"file .glb", {}, {}},
       {"json /grades", {"blend"}, {}},  // boundaries in cells of the refinement
-      // Where a removed facet bends the edge that it leaves is not known any more.
-      {"", {"heightfield"}, {Setting::apart, Setting::mixed}},
+      {"", {"heightfield"}, {}},
       // Regions of a group are numbered where the instance stands, so a turned one selects another region.
       {"row", {"select"}, {Setting::copies, Setting::mixed}},
       // What is below is asked where the instance stands, too.
       {"row", {"below", "above"}, {Setting::copies, Setting::mixed}},
       {"refused", {"below", "above"}, {Setting::copies, Setting::mixed}},
       {"notices", {}, {Setting::copies, Setting::mixed}},  // cells are called by the numbers of each instance
-      {"", curved, others},
+      {"", curved, {}},
       {"", unbounded, {}},
   };
   return list;
