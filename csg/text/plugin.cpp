@@ -39,8 +39,8 @@ Opened open(const Plugin& plugin) {
   const auto closed = [&](const std::string& reason) {
     return Opened{nullptr, "the plug-in for " + library + " cannot be opened (" + reason + ")" + again};
   };
-  if (!path.empty())
-    if (const std::string damage = module_damage(path); !damage.empty()) return closed(path + ": " + damage);
+  const std::string damage = path.empty() ? path : module_damage(path);
+  if (!damage.empty()) return closed(path + ": " + damage);
   const std::string& found = path.empty() ? file : path;
   // Its own symbols come first: another HDF5 in the process of a Python program is not to answer for ours.
   void* const module = dlopen(found.c_str(), RTLD_NOW | RTLD_LOCAL);
