@@ -17,7 +17,7 @@ int main() {
     const auto done = boolean_operation(*complex, BooleanOp::unite, dominance, groups[0], groups[1]);
     const Result result(complex, done.group);
     for (Component i = 1; i <= done.group.regions.size(); ++i) {
-      std::cout << "  region " << result.attributes(i).name << ", volume " << *result.volume(i) << "\n";
+      std::cout << "  region " << result.attributes(i).name.text() << ", volume " << *result.volume(i) << "\n";
     }
     for (const auto& [row, count] : done.removals)
       std::cout << "  " << table_rows()[row].id << " removed " << count << "\n";

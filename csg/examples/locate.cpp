@@ -26,7 +26,7 @@ result: model
     const Component component = model.component(place);
     std::cout << p[0] << " " << p[1] << " " << p[2] << ": dimension " << place.dimension << ", "
               << cell_name(place.dimension, place.index) << ", "
-              << (component == 0 ? "inactive" : model.attributes(component).name) << "\n";
+              << (component == 0 ? "inactive" : model.attributes(component).name.text()) << "\n";
   }
 }
 

@@ -486,7 +486,7 @@ std::vector<RandomDag> smaller(const RandomDag& dag) {
     change(node.within.has_value(), [](DagNode& n) { n.within.reset(); });
     change(node.dominant.has_value(), [](DagNode& n) { n.dominant.reset(); });
     change(node.number.has_value(), [](DagNode& n) { n.number.reset(); });
-    change(!node.said.name.empty(), [](DagNode& n) { n.said.name.clear(); });
+    change(!node.said.name.empty(), [](DagNode& n) { n.said.name = {}; });
     change(!node.said.material.empty(), [](DagNode& n) { n.said.material = {}; });
     for (const auto& [key, value] : node.said.properties)
       change(true, [k = key](DagNode& n) { n.said.properties.erase(k); });
