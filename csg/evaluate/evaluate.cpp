@@ -92,9 +92,9 @@ void tell_alone(ScopeContext context, Drawings& drawings, ScopeResult& made) {
     const InstanceId id = waiting.back();
     waiting.pop_back();
     const PlacedLeaves placed = drawings.alone(id);
-    ScopeResult alone = evaluate_scopes({context.tree, context.unfolding, context.leaves, placed, context.options,
-                                         context.grades},
-                                        std::span(&id, 1), {}, false);
+    ScopeResult alone =
+        evaluate_scopes({context.tree, context.unfolding, context.leaves, placed, context.options, context.grades},
+                        std::span(&id, 1), {}, false);
     add(made.refine, alone.refine);
     made.refine_seconds += alone.refine_seconds;
     for (const InstanceId below : instances_below(context.unfolding.instances, id)) {

@@ -239,7 +239,7 @@ class Scopes {
     const Node& node = tree_.nodes[instance.node];
     try {
       return operate(*scope.complex, node, x_.grades.on(instance, node.material), operands_of(scope, id),
-                     x_.options.validate, x_.grades.placement(instance), order_below(id));
+                     x_.options.validate, {instance.transform, x_.grades.placement(instance), order_below(id)});
     } catch (const InputError& e) {
       throw TreeError(tree_.file, node.operator_at, e.what());
     }

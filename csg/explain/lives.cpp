@@ -195,6 +195,10 @@ void add_name(std::vector<std::string>& names, const std::string& name) {
 
 bool is_closed_complement(const NodeValue& value) { return !value.is_group() && value.stands_for.has_value(); }
 
+NodePlace place_of(const Evaluation& evaluation, InstanceId id) {
+  return {evaluation.instances[id].transform, {}, evaluation.leaves->order_below(evaluation.instances, id)};
+}
+
 }  // namespace
 
 CellState state_in(const Complex& complex, const Group& group, const Location& cell) {
@@ -348,8 +352,7 @@ std::vector<Operand> Lives::operands_of(InstanceId id) const {
 void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<CellSide>& pieces,
                          std::vector<LifeStep>& steps) {
   const std::vector<Operand> operands = operands_of(id);
-  const LeafOrder order = evaluation_.leaves->order_below(evaluation_.instances, id);
-  for_each_step(complex_, node, operands, order, [&](const BooleanStep& s) {
+  for_each_step(complex_, node, operands, place_of(evaluation_, id), [&](const BooleanStep& s) {
     const bool first = s.operand == 1;
     const bool is_side = node.op == Operator::below || node.op == Operator::above;
     const std::string left = is_side ? operands[1].name
@@ -443,9 +446,8 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Cel
   Node without = node;
   without.regularize = false;
   const std::vector<Operand> operands = operands_of(id);
-  made_.push_back(std::make_unique<NodeValue>(operate(complex_, without, without.material, operands, false, {},
-                                                      evaluation_.leaves->order_below(evaluation_.instances, id))
-                                                  .value));
+  made_.push_back(std::make_unique<NodeValue>(
+      operate(complex_, without, without.material, operands, false, place_of(evaluation_, id)).value));
   const NodeValue& before = *made_.back();
   std::vector<LifeStep> after(pieces.size());
   add_topology(Topological::regularize, false, before, pieces, named, after);
