@@ -159,14 +159,8 @@ void Merging::decide_edges(const std::vector<EdgeId>& features) {
   for (EdgeId e : features) edge_fate_[e] = Fate::kept;
   for (EdgeId e : domain_.edges) {
     if (edge_fate_.get(e) != Fate::in_face) continue;
-    FaceUse pair[2];
-    std::size_t n = 0;
-    for (Use u = first_use(e); u != end_use(e); ++u) {
-      if (remains(u)) pair[n++] = use(u);
-    }
-    const auto& [f, hf] = pair[0];
-    const auto& [g, hg] = pair[1];
-    if (faces_.unite(f, g, hf == hg)) inner_edges_.push_back(e);
+    const auto [f, g] = merged_over(e);
+    if (faces_.unite(f.face, g.face, f.half_edge == g.half_edge)) inner_edges_.push_back(e);
     else edge_fate_[e] = Fate::kept;
   }
   faces_.settle();
@@ -188,6 +182,15 @@ Merging::Fate Merging::decide(EdgeId e) const {
   const FaceId f = use(pair[0]).face, g = use(pair[1]).face;
   if (s != state(f) || s != state(g) || mark(f) != mark(g)) return Fate::kept;
   return one_surface(f, g) ? Fate::in_face : Fate::kept;
+}
+
+std::pair<FaceUse, FaceUse> Merging::merged_over(EdgeId e) const {
+  FaceUse pair[2];
+  std::size_t n = 0;
+  for (Use u = first_use(e); u != end_use(e); ++u) {
+    if (remains(u)) pair[n++] = use(u);
+  }
+  return {pair[0], pair[1]};
 }
 
 void Merging::uses_along(FaceId f, LoopId l, std::vector<Use>& out) const {
