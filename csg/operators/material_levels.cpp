@@ -208,7 +208,8 @@ class ByMaterials {
 
   void count_removals() {
     const Group result = whole(out_.group);
-    PairRefinement pair(complex_, left_, right_);
+    PairRefinement pair(complex_);
+    pair.refine(left_, right_);
     std::map<std::size_t, std::size_t> count;
     const auto see = [&](const auto& of_left, const auto& of_right) {
       auto all = of_left;

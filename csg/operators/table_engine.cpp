@@ -14,7 +14,7 @@
 //
 //   take_in            marks next, and asks for the entities of held that a row may remove
 //   decide             faces, edges, vertices: row, condition
-//   count_removed      in cells of the refinement of the two operands (pair_refinement.h)
+//   RemovedEntities    counts what went, in cells of the refinement of the two operands (pair_refinement.h)
 //   HeldRegions        does the operator on regions, which end at the faces that stay
 //   commit             makes next's entities held ones; what was removed goes
 //
@@ -28,7 +28,7 @@
 
 #include "csg/operators/bounds.h"
 #include "csg/operators/held_regions.h"
-#include "csg/operators/pair_refinement.h"
+#include "csg/operators/removed_entities.h"
 #include "csg/operators/tally.h"
 
 namespace cnrg {
@@ -52,7 +52,8 @@ class TableEngine::State {
         faces_(complex.face_count()),
         edges_(complex.edge_count()),
         vertices_(complex.points.size()),
-        regions_(complex, op, faces_, order) {
+        regions_(complex, op, faces_, order),
+        removed_(complex, faces_, edges_, vertices_, sets_) {
     for (const Group* part : first) load(*part);
     regions_.load(first);
     if (tallies) tally_.emplace(complex, faces_, edges_, vertices_, sets_, regions_, first);
@@ -66,7 +67,7 @@ class TableEngine::State {
     decide(faces_, 2, next, &Group::faces);
     decide(edges_, 1, next, &Group::edges);
     decide(vertices_, 0, next, &Group::vertices);
-    count_removed(next, step);
+    removed_.count(next, step.removed);
     regions_.update(roles_, next, step.conflicts);
     CellSet changed;
     if (tally_) changed = what_changes(next);
@@ -91,8 +92,8 @@ class TableEngine::State {
     write(faces_, sets, out.faces, out.origins.faces);
     write(edges_, sets, out.edges, out.origins.edges);
     write(vertices_, sets, out.vertices, out.origins.vertices);
-    write_features(edges_, kHeldFeature, out.edges, out.features.edges);
-    write_features(vertices_, kHeldFeature, out.vertices, out.features.vertices);
+    write_features(edges_, out.edges, out.features.edges);
+    write_features(vertices_, out.vertices, out.features.vertices);
     regions_.write(out);
     return out;
   }
@@ -185,7 +186,7 @@ class TableEngine::State {
       const Condition condition = table_rows()[row].condition;
       if (condition == Condition::never || bounds_kept(cell) || !holds(condition, cell)) return;
       marks.flags[cell] |= kRemoved;
-      removed_of(cell).emplace_back(cell, row);
+      removed_.add(cell, row);
     };
     for (const Group* part : next) {
       for (const IdT cell : part->*entities) decide_one(cell);
@@ -287,78 +288,6 @@ class TableEngine::State {
   const EntityMarks<VertexId>& marks(VertexId) const { return vertices_; }
 
   // --- the end of a step
-
-  template <class IdT>
-  using Removed = std::vector<std::pair<IdT, std::size_t>>;  // each with its row
-  Removed<FaceId>& removed_of(FaceId) { return removed_faces_; }
-  Removed<EdgeId>& removed_of(EdgeId) { return removed_edges_; }
-  Removed<VertexId>& removed_of(VertexId) { return removed_vertices_; }
-
-  void count_removed(Operands next, FoldStep& step) {
-    if (removed_faces_.empty() && removed_edges_.empty() && removed_vertices_.empty()) return;
-    const Group held = removed_held(), other = removed_next(next);
-    PairRefinement pair(complex_, held, other);
-    const auto count = [&](auto& removed) {
-      for (const auto& [cell, row] : removed) {
-        if (pair.is_first(cell)) ++step.removed[row];
-      }
-      removed.clear();
-    };
-    count(removed_faces_), count(removed_edges_), count(removed_vertices_);
-  }
-
-  template <class IdT>
-  using Listed = std::vector<std::pair<IdT, LeafSetId>>;  // entities with their origins
-
-  // The entities of held that this step removes.
-  Group removed_held() {
-    Group out;
-    FromUnions sets(sets_, out.origins.sets);
-    const auto list = [&]<class IdT>(const Removed<IdT>& removed, const EntityMarks<IdT>& marks) {
-      Listed<IdT> listed;
-      for (const auto& [cell, row] : removed) {
-        if (marks.has(cell, kHeld)) listed.emplace_back(cell, sets(marks.origin.get(cell)));
-      }
-      return listed;
-    };
-    write(out, kHeldFeature, list(removed_faces_, faces_), list(removed_edges_, edges_),
-          list(removed_vertices_, vertices_));
-    return out;
-  }
-
-  // Those of next.
-  Group removed_next(Operands next) {
-    Group out;
-    Listed<FaceId> faces;
-    Listed<EdgeId> edges;
-    Listed<VertexId> vertices;
-    for (const Group* part : next) {
-      LeafSetMap sets(part->origins.sets, out.origins.sets);
-      const auto list = [&](const auto& marks, const auto& cells, const auto& origins, auto& listed) {
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-          if (marks.has(cells[i], kRemoved)) listed.emplace_back(cells[i], sets(origins[i]));
-        }
-      };
-      list(faces_, part->faces, part->origins.faces, faces);
-      list(edges_, part->edges, part->origins.edges, edges);
-      list(vertices_, part->vertices, part->origins.vertices, vertices);
-    }
-    write(out, kNextFeature, std::move(faces), std::move(edges), std::move(vertices));
-    return out;
-  }
-
-  void write(Group& out, std::uint8_t feature, Listed<FaceId> faces, Listed<EdgeId> edges,
-             Listed<VertexId> vertices) const {
-    const auto put = [](auto& listed, auto& cells, auto& origins) {
-      std::sort(listed.begin(), listed.end());
-      for (const auto& [cell, origin] : listed) cells.push_back(cell), origins.push_back(origin);
-    };
-    put(faces, out.faces, out.origins.faces);
-    put(edges, out.edges, out.origins.edges);
-    put(vertices, out.vertices, out.origins.vertices);
-    write_features(edges_, feature, out.edges, out.features.edges);
-    write_features(vertices_, feature, out.vertices, out.features.vertices);
-  }
 
   // Entities that held loses or that are of next and stay, and the 3-cells that this step was about.
   CellSet what_changes(Operands next) {
@@ -468,10 +397,9 @@ class TableEngine::State {
   }
 
   template <class IdT>
-  static void write_features(const EntityMarks<IdT>& marks, std::uint8_t feature, const std::vector<IdT>& list,
-                             std::vector<IdT>& out) {
+  static void write_features(const EntityMarks<IdT>& marks, const std::vector<IdT>& list, std::vector<IdT>& out) {
     for (const IdT cell : list) {
-      if (marks.has(cell, feature)) out.push_back(cell);
+      if (marks.has(cell, kHeldFeature)) out.push_back(cell);
     }
   }
 
@@ -486,9 +414,7 @@ class TableEngine::State {
   // The step.
   Roles roles_{};
   Who a_ = Who::held, b_ = Who::next;  // A and B of the rows
-  Removed<FaceId> removed_faces_;
-  Removed<EdgeId> removed_edges_;
-  Removed<VertexId> removed_vertices_;
+  RemovedEntities removed_;
   std::vector<RegionId> around_;
   AtOdds at_odds_;
 

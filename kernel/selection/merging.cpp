@@ -42,6 +42,11 @@ void OrientedSets::settle() {
   for (FaceId f : joined_) shortened(f);
 }
 
+void OrientedSets::reset() {
+  for (const FaceId f : joined_) links_[f] = {};
+  joined_.clear();
+}
+
 bool OrientedSets::unite(FaceId a, FaceId b, bool flip) {
   const auto [root_a, flip_a] = shortened(a);
   const auto [root_b, flip_b] = shortened(b);

@@ -10,7 +10,6 @@
 
 #include "csg/formats/formats.h"
 #include "csg/mesh/cell_groups.h"
-#include "csg/operators/component_lists.h"
 #include "csg/result/result_data.h"
 #include "csg/result/result_json.h"
 #include "csg/result/rounding.h"
@@ -266,11 +265,15 @@ void compare_read_back(const ContextCase& drawn, const std::string& alone, const
 
 /// The number of a value that decides who dominates.
 Rational dominance_of(const NodeValue& value) {
-  return value.is_group() ? value.parts().dominance : largest_dominance(value.components());
+  if (value.is_group()) return value.parts().dominance;
+  Rational out = 0;
+  for (const ComponentAttributes& of : value.components().attributes) out = std::max(out, of.dominance);
+  return out;
 }
 
-/// A Boolean whose operands were written and are read back as leaves: they alone are refined then, so that its rows
-/// count cells of the refinement of the two.
+/// A Boolean whose operands were written and are read back as leaves: they alone are refined then, so that its
+/// rows count cells of the refinement of the two. Components remember features of the groups that they were, and
+/// their file does not.
 void compare_operands(const ContextCase& drawn, Disagreements& out) {
   ContextCase named = drawn, read = drawn;
   for (DrawnNode& node : named.subtree) node.in_place = false;
@@ -278,24 +281,30 @@ void compare_operands(const ContextCase& drawn, Disagreements& out) {
   if (of.op != "union" && of.op != "intersection" && of.op != "difference") return;
   const std::string text = text_alone(named), dir = folder();
   const Tree tree = parse_tree(text, "t.yaml");
-  EvaluateOptions options;
-  for (const std::string& operand : of.operands) options.nodes.push_back(tree.find(operand));
-  const Evaluation evaluation = evaluate(tree, options);
   read.subtree.clear();
   const std::set<std::string> operands(of.operands.begin(), of.operands.end());
   for (const std::string& operand : operands) {
+    EvaluateOptions options;
+    options.nodes = {tree.find(operand)};
+    const Evaluation evaluation = evaluate(tree, options);
     std::ofstream(dir + '/' + operand + ".json") << result_json(evaluation.result(operand).data().view());
-    const NodeValue& value = *evaluation.value(tree.find(operand)).value;
+    const NodeValue& value =
+        *(evaluation.kept.empty() ? evaluation.others.front() : evaluation).kept.front().value;
+    if (!value.is_group() &&
+        !(value.components().features.edges.empty() && value.components().features.vertices.empty()))
+      return;
     read.subtree.push_back(
         {operand, "cnrg", operand + ".json", {}, {"dominance: " + to_string(dominance_of(value))}, false});
   }
   read.subtree.push_back(of);
   ContextCase node = drawn;
   node.subtree = {of};
-  const Told alone = told_of(node, text, "t.yaml", {}), back = told_of(node, text_alone(read), dir + "/t.yaml", {});
+  const Told alone = told_of(node, text, "t.yaml", {}),
+             back = told_of(node, text_alone(read), dir + "/t.yaml", {});
   std::filesystem::remove_all(dir);
   for (const auto& [aspect, words] : alone.outputs) {
-    if (!aspect.starts_with("row ") || !back.outputs.contains(aspect) || back.outputs.at(aspect) == words) continue;
+    if (!aspect.starts_with("row ") || !back.outputs.contains(aspect) || back.outputs.at(aspect) == words)
+      continue;
     out.emplace("operands " + aspect, first_difference(words, back.outputs.at(aspect)));
   }
 }
