@@ -200,17 +200,21 @@ std::string check_boolean_facts(const BooleanFacts& f) {
 /// that is inside of a larger cell are of one. `pieces` are all cells of the complex, by dimension in their order.
 std::map<const TableRow*, std::size_t> told_to_remove(const Complex& complex, const std::vector<CellSide>& pieces,
                                                       const std::vector<const BooleanFacts*>& facts) {
-  const auto of_edge = [&](EdgeId e) { return complex.points.size() + e.index(); };
-  const auto of_face = [&](FaceId f) { return complex.points.size() + complex.edge_count() + f.index(); };
+  std::map<EdgeId, std::size_t> of_edge;
+  std::map<FaceId, std::size_t> of_face;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (pieces[p].cell.dimension == 1) of_edge[pieces[p].cell.edge] = p;
+    if (pieces[p].cell.dimension == 2) of_face[pieces[p].cell.face] = p;
+  }
   UnionFind cells(pieces.size());
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const Location& at = pieces[p].cell;
     if (at.dimension > 1 || !facts[p]->verdict.entity || facts[p]->dimension != at.dimension + 1) continue;
     std::vector<std::size_t> beside;
     if (at.dimension == 1)
-      for (const FaceUse& use : complex.edge_uses[at.edge]) beside.push_back(of_face(use.face));
+      for (const FaceUse& use : complex.edge_uses[at.edge]) beside.push_back(of_face.at(use.face));
     else
-      for (const EdgeId e : complex.vertex_edges[at.vertex]) beside.push_back(of_edge(e));
+      for (const EdgeId e : complex.vertex_edges[at.vertex]) beside.push_back(of_edge.at(e));
     std::erase_if(beside, [&](std::size_t q) {
       return !facts[q]->verdict.entity || facts[q]->dimension != pieces[q].cell.dimension;
     });

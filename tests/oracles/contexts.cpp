@@ -271,6 +271,12 @@ Rational dominance_of(const NodeValue& value) {
   return out;
 }
 
+const NodeValue& value_of(const Evaluation& evaluation, const std::string& node) {
+  for (const KeptValue& kept : evaluation.kept)
+    if (kept.name == node) return *kept.value;
+  return value_of(evaluation.others.at(0), node);
+}
+
 /// A Boolean whose operands were written and are read back as leaves: they alone are refined then, so that its
 /// rows count cells of the refinement of the two. Components remember features of the groups that they were, and
 /// their file does not.
@@ -288,8 +294,7 @@ void compare_operands(const ContextCase& drawn, Disagreements& out) {
     options.nodes = {tree.find(operand)};
     const Evaluation evaluation = evaluate(tree, options);
     std::ofstream(dir + '/' + operand + ".json") << result_json(evaluation.result(operand).data().view());
-    const NodeValue& value =
-        *(evaluation.kept.empty() ? evaluation.others.front() : evaluation).kept.front().value;
+    const NodeValue& value = value_of(evaluation, operand);
     if (!value.is_group() &&
         !(value.components().features.edges.empty() && value.components().features.vertices.empty()))
       return;
