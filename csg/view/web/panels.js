@@ -124,7 +124,7 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
   if (told) parts.push(storyText(told));
   else parts.push(h('p', {class: 'soft'}, 'All stories of all nodes would be too many for a page, and this node’s are left out. This tells the one:'));
   parts.push(command(['cnrg', 'explain', model.page.tree, '--node', model.node.name, '--cell', nameOf(cell)], copied));
-  if (told && model.page.several) parts.push(h('p', {class: 'soft'}, 'The page refines all of its nodes together, the command this node and the result: it may count fewer cells of the refinement.'));
+  if (told && model.page.several) parts.push(h('p', {class: 'soft'}, 'The page refines all of its nodes together, the command this node alone: it may count fewer cells of the refinement.'));
   holder.replaceChildren(...parts.filter(Boolean));
   redraw?.(axes());
   return redraw;
