@@ -187,7 +187,7 @@ export function showNode(holder, model, {pick, choose, legend}) {
   if (node.removed.length) {
     parts.push(h('h3', {}, 'Removed, by row of the tables'), h('table', {}, h('tbody', {}, ...node.removed.map(([id, words, count]) =>
       h('tr', {}, h('th', {scope: 'row'}, h('mark', {}, id)), h('td', {}, words), h('td', {class: 'number'}, String(count)))))),
-      h('p', {class: 'soft'}, 'Cells of the refinement; “removed cells” shows them as ghosts.'));
+      h('p', {class: 'soft'}, 'Cells to which the operands cut each other; “removed cells” shows them as ghosts.'));
   }
   if (node.euler) parts.push(h('h3', {}, 'Euler–Poincaré'), euler(node.euler));
   if (node.betti) {
