@@ -43,11 +43,15 @@ class LeavesBelow {
  public:
   LeavesBelow(const PreparedLeaves& leaves, const Unfolding& unfolding) : leaves_(leaves), unfolding_(unfolding) {}
   /// Those that the operator of `node` wants to know of its operand `id`.
-  std::shared_ptr<const std::vector<LeafId>> wanted_by(const Node& node, InstanceId id, bool first_operand) {
-    const auto nodes = leaves_wanted(node, first_operand);
-    if (!nodes) return nullptr;
-    if (nodes->empty()) return of(id);
-    return std::make_shared<const std::vector<LeafId>>(leaves_.below(unfolding_, id, *nodes));
+  std::vector<std::shared_ptr<const std::vector<LeafId>>> wanted_by(const Node& node, InstanceId id,
+                                                                    bool first_operand) {
+    std::vector<std::shared_ptr<const std::vector<LeafId>>> lists;
+    for (const std::span<const NodeId> nodes : leaves_wanted(node, first_operand)) {
+      lists.push_back(nodes.empty()
+                          ? of(id)
+                          : std::make_shared<const std::vector<LeafId>>(leaves_.below(unfolding_, id, nodes)));
+    }
+    return lists;
   }
 
  private:
