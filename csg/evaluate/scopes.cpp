@@ -236,7 +236,7 @@ class Scopes {
     const Node& node = tree_.nodes[instance.node];
     std::vector<Operand> operands;
     if (const auto first = scope.first.find(id); first != scope.first.end())
-      operands.push_back({&first->second, node.name, &first->second, nullptr});
+      operands.push_back({&first->second, node.name, &first->second, {}});
     for (const InstanceId operand : operands_here(id)) {
       NodeValue* const value = &scope.values[operand];
       operands.push_back({value, tree_.nodes[instances_[operand].node].name,
@@ -397,9 +397,9 @@ class Scopes {
       const std::vector<InstanceId> distinct = unique(roots);
       Scope scope = evaluate(distinct, std::move(first), false);
       std::vector<Operand> operands;
-      if (k > 2) operands.push_back({&scope.first.at(id), node.name, &scope.first.at(id), nullptr});
+      if (k > 2) operands.push_back({&scope.first.at(id), node.name, &scope.first.at(id), {}});
       for (const InstanceId operand : roots)
-        operands.push_back({&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, nullptr});
+        operands.push_back({&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, {}});
       StepOutcome outcome = [&] {
         try {
           return first_steps(*scope.complex, node, operands, order_below(id));
