@@ -253,6 +253,32 @@ TEST_CASE("what can be listed of sides, groups of a mesh and rows of the list", 
         std::map<std::string, std::size_t>{{"behind east", 1}, {"behind west", 1}, {"front of east", 1}, {"front of west", 1}});
 }
 
+TEST_CASE("the front of each kind of surface goes along with it", "[sides]") {
+  const char* const surfaces[] = {
+      "{polygon: [[-1, -1, 1], [7, -1, 1], [7, 7, 1], [-1, 7, 1]]",
+      "{plane: {point: [0, 0, 1], normal: [0, 0, 1]}",
+      "{heightfield: {origin: [-1, -1], spacing: [4, 4], heights: [[1, 1, 1], [1, 1, 1], [1, 1, 1]]}",
+      "{bezier: {patch: [[[-1, -1, 1], [7, -1, 1]], [[-1, 7, 1], [7, 7, 1]]]}",
+      "{extrude: {curve: [[-1, -1, 1], [7, -1, 1]], vector: [0, 9, 0]}",
+      "{mesh: {points: [[-1, -1, 1], [7, -1, 1], [0, 9, 1]], faces: [[0, 1, 2]], fill: none}"};
+  const std::pair<const char*, bool> moves[] = {{"", true},
+                                                {", mirror: {normal: [1, 0, 0], point: [3, 0, 0]}", true},
+                                                {", mirror: {normal: [0, 0, 1], point: [0, 0, 1]}", false},
+                                                {", rotate: {axis: [1, 0, 0], degrees: 180, center: [0, 3, 1]}", false}};
+  for (const char* const surface : surfaces) {
+    for (const auto& [move, upward] : moves) {
+      const std::string text = "cnrg: 1\nnodes:\n  f: " + (surface + std::string(move)) +
+                               "}\n  g: {box: {min: [0, 1, 0], max: [2, 3, 3]}}\n"
+                               "  s: {union: [f, g], dominance: left}\nresult: s\n";
+      INFO(text);
+      const Sides sides = sides_of(evaluated(text).result());
+      REQUIRE(sides.size() == 3);
+      CHECK(sides[0] == std::set<std::string>{upward ? "behind f*" : "front of f*"});  // z < 1
+      CHECK(sides[1] == std::set<std::string>{upward ? "front of f*" : "behind f*"});
+    }
+  }
+}
+
 TEST_CASE("solids and walls within a leaf have no sides", "[sides]") {
   // Two cells of one mesh, all called rock, and a box in a corner.
   const char* const text = R"(cnrg: 1
