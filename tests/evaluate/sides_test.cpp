@@ -74,7 +74,11 @@ Cut random_cut(scenes::Random& random) {
   switch (random.below(3)) {
     case 0: cut.node = "{polygon: " + list; break;
     case 1: cut.node = "{mesh: {points: " + list + ", faces: [[0, 1, 2], [2, 3, 0]], fill: none}"; break;
-    default: cut.node = "{simplify: {polygon: " + list + "}";
+    default: {
+      RationalPoint way = Rational(80) * v;
+      if (mirrored) way[0] = -way[0];
+      cut.node = "{extrude: {curve: [" + corners[0] + ", " + corners[1] + "], vector: " + point_text(way) + "}";
+    }
   }
   if (mirrored) {
     cut.node += ", mirror: {normal: [1, 0, 0]}";
@@ -200,6 +204,7 @@ nodes:
   ground: {box: {min: [0, 0, 0], max: [6, 6, 6]}}
   split:  {union: [both, crack, ground], dominance: left}
   open:   {interior: split}
+  halved: {subtract: [ground, both]}
   first:  {select: {of: split, dimension: 3, region: ground, behind: west}}
   middle: {select: {of: split, dimension: 3, front of: west, behind: [east]}}
   wall:   {select: {of: split, dimension: 2, front of: west, between: [ground, ground]}}
@@ -219,7 +224,7 @@ Rational volume_of(const Evaluation& e, const std::string& node) {
 
 TEST_CASE("pieces between two faults are told by their sides", "[sides]") {
   const std::vector<std::string> nodes{"split", "first",   "middle", "wall", "last",
-                                       "neither", "turned", "again",  "open"};
+                                       "neither", "turned", "again",  "open", "halved"};
   const Evaluation e = evaluated(kSlab, nodes);
   CHECK(sides_of(e.result("split")) ==
         Sides{{"behind west*"}, {"front of west*", "behind east*"}, {"front of east*"}, {}});
@@ -229,18 +234,21 @@ TEST_CASE("pieces between two faults are told by their sides", "[sides]") {
   CHECK(volume_of(e, "neither") == 0);
   CHECK(volume_of(e, "again") == 72);
   CHECK(e.result("wall").cells().faces.size() == 2);
-  // A node that is moved as a whole has its pieces where they were; open sets have no walls.
+  // A node that is moved as a whole has its pieces where they were.
   std::set<std::string> turned;
   for (const auto& sides : sides_of(e.result("turned")))
     for (const std::string& side : sides) turned.insert(side);
   CHECK(turned == std::set<std::string>{"behind west*", "front of west*", "behind east*", "front of east*"});
-  for (const auto& sides : sides_of(e.result("open"))) CHECK(sides.empty());
+  // Of an open set walls between pieces are left, but not what was taken away.
+  CHECK(sides_of(e.result("open"))[1] == std::set<std::string>{"front of west*", "behind east*"});
+  for (const auto& sides : sides_of(e.result("halved"))) CHECK(sides.empty());
 }
 
 TEST_CASE("what can be listed of sides, groups of a mesh and rows of the list", "[sides]") {
   const Result split = evaluated(kSlab).result();
   std::map<std::string, std::vector<std::int32_t>> groups;
-  for (const CellGroup& group : cell_groups(split)[3]) groups[group.name] = group.cells;
+  const auto all = cell_groups(split);
+  for (const CellGroup& group : all[3]) groups[group.name] = group.cells;
   CHECK(groups.size() == 4 + 4);
   CHECK(groups.at("ground front of west") == groups.at("ground 2"));
   CHECK(groups.at("ground behind east") == groups.at("ground 2"));
@@ -260,7 +268,7 @@ TEST_CASE("the front of each kind of surface goes along with it", "[sides]") {
       "{heightfield: {origin: [-1, -1], spacing: [4, 4], heights: [[1, 1, 1], [1, 1, 1], [1, 1, 1]]}",
       "{bezier: {patch: [[[-1, -1, 1], [7, -1, 1]], [[-1, 7, 1], [7, 7, 1]]]}",
       "{extrude: {curve: [[-1, -1, 1], [7, -1, 1]], vector: [0, 9, 0]}",
-      "{mesh: {points: [[-1, -1, 1], [7, -1, 1], [0, 9, 1]], faces: [[0, 1, 2]], fill: none}"};
+      "{mesh: {points: [[-20, -20, 1], [20, -20, 1], [0, 30, 1]], faces: [[0, 1, 2]], fill: none}"};
   const std::pair<const char*, bool> moves[] = {{"", true},
                                                 {", mirror: {normal: [1, 0, 0], point: [3, 0, 0]}", true},
                                                 {", mirror: {normal: [0, 0, 1], point: [0, 0, 1]}", false},
