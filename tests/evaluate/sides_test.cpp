@@ -20,7 +20,7 @@ using namespace cnrg;
 
 namespace {
 
-Evaluation evaluated(const std::string& text, const std::vector<std::string>& nodes = {},
+Evaluation run_tree(const std::string& text, const std::vector<std::string>& nodes = {},
                      Refining refining = Refining::chosen) {
   const Tree tree = parse_tree(text, "t.yaml");
   EvaluateOptions options;
@@ -31,9 +31,9 @@ Evaluation evaluated(const std::string& text, const std::vector<std::string>& no
 }
 
 /// `front of f` by component; `*` behind those that tell it from others of its name.
-using Sides = std::vector<std::set<std::string>>;
-Sides sides_of(const Result& result) {
-  Sides out;
+using SideWords = std::vector<std::set<std::string>>;
+SideWords sides_of(const Result& result) {
+  SideWords out;
   for (const auto& of : named_sides(result.data().view())) {
     auto& words = out.emplace_back();
     for (const NamedSide& side : of) words.insert(side.key() + (" " + side.surface) + (side.tells ? "*" : ""));
@@ -109,9 +109,9 @@ bool has_a_facet(const std::vector<RationalPoint>& corners) {
 }
 
 /// Of convex pieces: a plane is touched where three corners lie on it, and the center is on one side.
-Sides expected_sides(const Result& result, const std::vector<Cut>& cuts) {
+SideWords expected_sides(const Result& result, const std::vector<Cut>& cuts) {
   const FlatComplex flat = flatten(result.data().view());
-  Sides out(result.component_count());
+  SideWords out(result.component_count());
   std::map<std::string, std::size_t> counts;
   std::size_t pieces = 0;
   for (const auto& region : flat.regions) {
@@ -165,14 +165,14 @@ TEST_CASE("a piece is where its center is of the planes that it touches", "[side
     }
     const std::string text = block_cut_by(cuts, more);
     INFO("seed " << seed << "\n" << text);
-    const Result split = evaluated(text).result();
-    const Sides expected = expected_sides(split, cuts);
+    const Result split = run_tree(text).result();
+    const SideWords expected = expected_sides(split, cuts);
     REQUIRE(sides_of(split) == expected);
     pieces += expected.size();
 
     // The same refined apart, on doubles, and as picked.
     const std::string ball = "  far: {box: {min: [5, 5, 5], max: [9, 9, 9]}}\n  all: {sum: [split, far]}\n";
-    CHECK(sides_of(evaluated(block_cut_by(cuts, ball), {"all", "split"}, Refining::apart).result("split")) == expected);
+    CHECK(sides_of(run_tree(block_cut_by(cuts, ball), {"all", "split"}, Refining::apart).result("split")) == expected);
     SnapReport report;
     const Result snapped = snap(split, &report);
     if (report.lost_regions.empty() && report.parted_regions.empty()) CHECK(sides_of(snapped) == expected);
@@ -184,7 +184,7 @@ TEST_CASE("a piece is where its center is of the planes that it touches", "[side
         for (Component i = 1; i <= expected.size(); ++i)
           if (expected[i - 1].contains(word) || expected[i - 1].contains(word + "*")) volume += *split.volume(i);
         const std::string node = std::string(key, 5) + std::to_string(k);
-        const Result picked = evaluated(text, {node}).result(node);
+        const Result picked = run_tree(text, {node}).result(node);
         Rational found = 0;
         for (Component i = 1; i <= picked.component_count(); ++i) found += picked.volume(i).value_or(0);
         CHECK(found == volume);
@@ -215,7 +215,7 @@ nodes:
 result: split
 )";
 
-Rational volume_of(const Evaluation& e, const std::string& node) {
+Rational sum_of(const Evaluation& e, const std::string& node) {
   const Result result = e.result(node);
   Rational sum = 0;
   for (Component i = 1; i <= result.component_count(); ++i) sum += result.volume(i).value_or(0);
@@ -225,14 +225,14 @@ Rational volume_of(const Evaluation& e, const std::string& node) {
 TEST_CASE("pieces between two faults are told by their sides", "[sides]") {
   const std::vector<std::string> nodes{"split", "first",   "middle", "wall", "last",
                                        "neither", "turned", "again",  "open", "halved"};
-  const Evaluation e = evaluated(kSlab, nodes);
+  const Evaluation e = run_tree(kSlab, nodes);
   CHECK(sides_of(e.result("split")) ==
-        Sides{{"behind west*"}, {"front of west*", "behind east*"}, {"front of east*"}, {}});
-  CHECK(volume_of(e, "first") == 72);
-  CHECK(volume_of(e, "middle") == 72);
-  CHECK(volume_of(e, "last") == 72);  // the middle has a front and a back of the two
-  CHECK(volume_of(e, "neither") == 0);
-  CHECK(volume_of(e, "again") == 72);
+        SideWords{{"behind west*"}, {"front of west*", "behind east*"}, {"front of east*"}, {}});
+  CHECK(sum_of(e, "first") == 72);
+  CHECK(sum_of(e, "middle") == 72);
+  CHECK(sum_of(e, "last") == 72);  // the middle has a front and a back of the two
+  CHECK(sum_of(e, "neither") == 0);
+  CHECK(sum_of(e, "again") == 72);
   CHECK(e.result("wall").cells().faces.size() == 2);
   // A node that is moved as a whole has its pieces where they were.
   std::set<std::string> turned;
@@ -245,7 +245,7 @@ TEST_CASE("pieces between two faults are told by their sides", "[sides]") {
 }
 
 TEST_CASE("what can be listed of sides, groups of a mesh and rows of the list", "[sides]") {
-  const Result split = evaluated(kSlab).result();
+  const Result split = run_tree(kSlab).result();
   std::map<std::string, std::vector<std::int32_t>> groups;
   const auto all = cell_groups(split);
   for (const CellGroup& group : all[3]) groups[group.name] = group.cells;
@@ -279,7 +279,7 @@ TEST_CASE("the front of each kind of surface goes along with it", "[sides]") {
                                "}\n  g: {box: {min: [0, 1, 0], max: [2, 3, 3]}}\n"
                                "  s: {union: [f, g], dominance: left}\nresult: s\n";
       INFO(text);
-      const Sides sides = sides_of(evaluated(text).result());
+      const SideWords sides = sides_of(run_tree(text).result());
       REQUIRE(sides.size() == 3);
       CHECK(sides[0] == std::set<std::string>{upward ? "behind f*" : "front of f*"});  // z < 1
       CHECK(sides[1] == std::set<std::string>{upward ? "front of f*" : "behind f*"});
@@ -301,7 +301,7 @@ result: cut
 )";
   for (const Refining refining : {Refining::together, Refining::apart}) {
     for (const char* node : {"all", "cut"}) {
-      const Result result = evaluated(text, {"cut", "all"}, refining).result(node);
+      const Result result = run_tree(text, {"cut", "all"}, refining).result(node);
       CHECK(result.component_count() == 3 + 1);
       for (const auto& sides : sides_of(result)) CHECK(sides.empty());
       for (const auto& sides : sides_of(snap(result))) CHECK(sides.empty());
@@ -316,15 +316,15 @@ TEST_CASE("a surface that is no leaf below, and a solid, are refused with a reme
     std::string text = tree;
     return text.replace(text.find(line), line.size(), "  again:  {select: {of: ground, " + criterion + "}}");
   };
-  CHECK_THROWS_WITH(evaluated(with("front of: west"), {"again"}),
+  CHECK_THROWS_WITH(run_tree(with("front of: west"), {"again"}),
                     Catch::StartsWith("t.yaml:17:43: error: nothing of `ground` is from `west`; name a leaf"));
-  CHECK_THROWS_WITH(evaluated(with("behind: wset"), {"again"}),
+  CHECK_THROWS_WITH(run_tree(with("behind: wset"), {"again"}),
                     Catch::StartsWith("t.yaml:17:41: error: there is no node called `wset`; did you mean `west`?"));
-  CHECK_THROWS_WITH(evaluated(with("behind: []"), {"again"}), Catch::Contains("is an empty list"));
-  CHECK_THROWS_WITH(evaluated(with("behind: ground"), {"again"}),
+  CHECK_THROWS_WITH(run_tree(with("behind: []"), {"again"}), Catch::Contains("is an empty list"));
+  CHECK_THROWS_WITH(run_tree(with("behind: ground"), {"again"}),
                     Catch::StartsWith("t.yaml:17:12: error: `again`: `ground` is a solid") &&
                         Catch::Contains("`inside: ground`"));
-  const Evaluation none = evaluated(with("name: rock").replace(0, 0, ""), {"again", "neither"});
+  const Evaluation none = run_tree(with("name: rock").replace(0, 0, ""), {"again", "neither"});
   REQUIRE(none.diagnostics.size() == 2);
 }
 
