@@ -215,7 +215,7 @@ nodes:
 result: split
 )";
 
-Rational sum_of(const Evaluation& e, const std::string& node) {
+Rational picked_volume(const Evaluation& e, const std::string& node) {
   const Result result = e.result(node);
   Rational sum = 0;
   for (Component i = 1; i <= result.component_count(); ++i) sum += result.volume(i).value_or(0);
@@ -228,11 +228,11 @@ TEST_CASE("pieces between two faults are told by their sides", "[sides]") {
   const Evaluation e = run_tree(kSlab, nodes);
   CHECK(sides_of(e.result("split")) ==
         SideWords{{"behind west*"}, {"front of west*", "behind east*"}, {"front of east*"}, {}});
-  CHECK(sum_of(e, "first") == 72);
-  CHECK(sum_of(e, "middle") == 72);
-  CHECK(sum_of(e, "last") == 72);  // the middle has a front and a back of the two
-  CHECK(sum_of(e, "neither") == 0);
-  CHECK(sum_of(e, "again") == 72);
+  CHECK(picked_volume(e, "first") == 72);
+  CHECK(picked_volume(e, "middle") == 72);
+  CHECK(picked_volume(e, "last") == 72);  // the middle has a front and a back of the two
+  CHECK(picked_volume(e, "neither") == 0);
+  CHECK(picked_volume(e, "again") == 72);
   CHECK(e.result("wall").cells().faces.size() == 2);
   // A node that is moved as a whole has its pieces where they were.
   std::set<std::string> turned;
