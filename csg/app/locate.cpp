@@ -25,6 +25,7 @@
 #include "csg/leaves/surface_parameters.h"
 #include "csg/materials/sampler.h"
 #include "csg/operators/node_value.h"
+#include "csg/operators/sides.h"
 #include "csg/text/escape.h"
 #include "csg/text/input_file.h"
 #include "csg/text/number.h"
@@ -79,6 +80,15 @@ std::string cell_words(const SimplifiedComplex& simplified, const SimplifiedComp
   const std::string name =
       shown(said != nullptr && !said->name.empty() ? said->name.text() : value.attributes(component).name.text());
   return name.empty() ? text : text + " " + name;
+}
+
+/// The fields of sides that tell a piece from others of its name.
+std::string describe_sides(const std::vector<NamedSide>& sides) {
+  std::string text;
+  for (const NamedSide& side : sides) {
+    if (side.tells) text += std::string("\t") + side.key() + ": " + shown(side.surface);
+  }
+  return text;
 }
 
 /// The fields of properties: of a region or a component those that are said of it, of a sheet, a wire or a point
@@ -157,6 +167,7 @@ class PlacesOfNodes {
     const Attributes* said = said_of(*evaluation_->complex, *value.value, cell);
     std::string text = cell_words(*value.simplified, place, *value.value, said);
     const bool of_component = said == nullptr && component != 0;
+    if (of_component) text += describe_sides(sides_[component - 1]);
     text += describe_properties(of_component ? &value.value->attributes(component) : said);
     if (arguments_.parameters) text += describe_parameters(*evaluation_, value, cell, p);
     if (arguments_.material) text += materials_->describe(component, said, p);
@@ -173,7 +184,10 @@ class PlacesOfNodes {
     materials_.reset(), locator_.reset();  // they refer to the evaluation
     evaluation_.emplace(again ? evaluate(tree_, options) : evaluate_in_view(tree_, options, false));
     locator_.emplace(*evaluation_->complex);
-    materials_.emplace(*evaluation_->value(node_).value);
+    const NodeValue& value = *evaluation_->value(node_).value;
+    materials_.emplace(value);
+    sides_ = named_sides(*evaluation_->complex, value,
+                         [&](LeafId leaf) { return evaluation_->leaf_names[leaf.index()]; });
   }
 
   void evaluate_beyond(const RationalPoint& p, int line) {
@@ -192,6 +206,7 @@ class PlacesOfNodes {
   std::optional<Evaluation> evaluation_;
   std::optional<Locator> locator_;
   std::optional<Materials> materials_;
+  std::vector<std::vector<NamedSide>> sides_;
   std::vector<RationalPoint> reach_;
   unsigned grown_ = 0;
 };

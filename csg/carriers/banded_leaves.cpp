@@ -21,9 +21,10 @@ bool lie_on_each_other(const MeridianPiece& p, const MeridianPiece& q) {
                                        std::min(std::max(p.from.t, p.to.t), std::max(q.from.t, q.to.t));
 }
 
-std::string name_of(const BandedLeaves::Side& side) {
-  return "leaf " + std::to_string(side.instance) +
-         (side.band == nullptr ? "" : ", face " + std::to_string(side.band->face));
+LeafWords name_of(const BandedLeaves::Side& side) {
+  LeafPlace place{side.instance};
+  if (side.band != nullptr) place.faces.push_back(side.band->face);
+  return place;
 }
 
 constexpr const char* kRemedy = "; where they overlap a little, give `weld`";
@@ -79,7 +80,7 @@ std::set<Index> BandedLeaves::draw(std::vector<LeafInstance>& instances) const {
       continue;
     }
     if (drawn.finer) too_coarse.insert(i);
-    notices_.push_back("leaf " + std::to_string(i) +
+    notices_.push_back(LeafWords(LeafPlace{i}) +
                        " touches others, or its own parts each other, on a curved surface, but is not drawn on "
                        "common lines: " +
                        drawn.obstacle + kRemedy);

@@ -10,6 +10,7 @@
 #include "csg/carriers/axes.h"
 #include "csg/carriers/bands.h"
 #include "csg/carriers/sectors.h"
+#include "kernel/base/leaf_words.h"
 
 namespace cnrg {
 
@@ -24,7 +25,7 @@ class BandedLeaves {
   };
 
   /// `notices`: of leaves that stay as they are.
-  explicit BandedLeaves(std::vector<std::string>& notices) : notices_(notices) {}
+  explicit BandedLeaves(std::vector<LeafWords>& notices) : notices_(notices) {}
 
   void add(std::uint32_t instance, std::shared_ptr<const BandedForm> form);
   const std::vector<Band>& bands(std::uint32_t instance) const { return forms_.at(instance)->bands; }
@@ -41,7 +42,7 @@ class BandedLeaves {
  private:
   void tell(const Side& side, const Side& other);
 
-  std::vector<std::string>& notices_;
+  std::vector<LeafWords>& notices_;
   std::map<std::uint32_t, std::shared_ptr<const BandedForm>> forms_;
   std::set<std::uint32_t> anew_, told_;
   std::map<std::uint32_t, std::vector<BandGrid>> grids_;

@@ -27,7 +27,7 @@ bool in_range_of_doubles(const RationalPoint& axis, const Transform& transform) 
 }  // namespace
 
 std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near,
-                                            std::vector<std::string>* apart, const std::vector<Index>& anew) {
+                                            std::vector<LeafWords>* apart, const std::vector<Index>& anew) {
   instances = with_common_nets(instances);
   const std::map<Index, LeafInstance> stretched = replace_axial(instances);
   std::vector<RevolvedInstance> revolved;
@@ -62,7 +62,7 @@ std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
   }
   const std::vector<std::array<Index, 2>> about_one_axis = near_axes(instances, pairs);
   if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
-  std::vector<std::string> told;
+  std::vector<LeafWords> told;
   share_axes(instances, round_spaces(instances, revolved, pairs, about_one_axis, anew), told);
   restore_axial(stretched, instances);
   if (apart != nullptr) *apart = std::move(told);

@@ -13,17 +13,18 @@
 
 #include "csg/carriers/near_surfaces.h"
 #include "csg/leaves/leaf.h"
+#include "kernel/base/leaf_words.h"
 
 namespace cnrg {
 
 /// The same instances in the same order, those that share something with others tessellated anew (their
 /// parameters, too). What they are not is said by `LeafInstance`: the transform of one may have changed.
 /// `near`, if given, gets the surfaces that are nearly one; `apart` the leaves that share something and yet stay
-/// as they are, `leaf 2, face 3 ...`, and why. `anew`: leaves of revolution that are to be drawn in any case, for
+/// as they are, and why. `anew`: leaves of revolution that are to be drawn in any case, for
 /// they are not drawn on the surfaces that they say they have.
 std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
                                             std::vector<NearSurfaces>* near = nullptr,
-                                            std::vector<std::string>* apart = nullptr,
+                                            std::vector<LeafWords>* apart = nullptr,
                                             const std::vector<std::uint32_t>& anew = {});
 
 }  // namespace cnrg

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "kernel/base/error.h"
+#include "kernel/base/leaf_words.h"
 
 namespace cnrg {
 
@@ -45,8 +45,8 @@ void Cuts::spread() {
       Rational image = link.scale * t + link.shift;
       if (sgn(image) <= 0 || image >= 1 || !to.cuts.insert(image).second) continue;
       if (to.cuts.size() > kMostCuts) {
-        throw InputError(
-            "leaf " + std::to_string(to.owner) +
+        throw LeafError(
+            LeafWords(LeafPlace{static_cast<std::uint32_t>(to.owner)}) +
             ": curves that it shares with other leaves cut each other into more than " +
             std::to_string(kMostCuts) +
             " pieces: a side of a patch of theirs is a part of another side of it; cut that patch there");

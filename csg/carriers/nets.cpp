@@ -15,7 +15,7 @@
 #include "csg/carriers/cuts.h"
 #include "csg/carriers/net_carriers.h"
 #include "csg/carriers/placed_nets.h"
-#include "kernel/base/error.h"
+#include "kernel/base/leaf_words.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {
@@ -253,7 +253,7 @@ class CommonNetsOfLeaves {
     try {
       return leaf.tessellated(cuts_, finest_, steps_);
     } catch (const InputError& e) {
-      throw InputError("leaf " + std::to_string(leaf.owner) + ": " + e.what());
+      throw LeafError(LeafWords(LeafPlace{static_cast<std::uint32_t>(leaf.owner)}) + ": " + e.what());
     }
   }
 

@@ -41,7 +41,7 @@ class Space {
  public:
   /// `finer`: by how much banded leaves are drawn finer than they ask for.
   Space(std::vector<LeafInstance>& instances, const RoundSpace& of, const std::map<Index, int>& finer,
-        std::vector<std::string>& notices)
+        std::vector<LeafWords>& notices)
       : instances_(instances), of_(of), finer_(finer), banded_(notices) {
     for (const Index i : of.instances) add(i);
   }
@@ -511,7 +511,7 @@ class Space {
 
 /// Replaces what `share_axes` does, with banded leaves as much finer as `finer` says; gives those that need more.
 std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInstance>& instances,
-                         const std::vector<RoundSpace>& spaces, std::vector<std::string>& notices) {
+                         const std::vector<RoundSpace>& spaces, std::vector<LeafWords>& notices) {
   std::set<Index> too_coarse;
   for (const RoundSpace& of : spaces) {
     Space space(instances, of, finer, notices);
@@ -523,12 +523,12 @@ std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInst
 }  // namespace
 
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<RoundSpace>& spaces,
-                std::vector<std::string>& notices) {
+                std::vector<LeafWords>& notices) {
   constexpr int kFinest = 8;
   const std::vector<LeafInstance> given = instances;
   std::map<Index, int> finer;
   for (;;) {
-    std::vector<std::string> told;
+    std::vector<LeafWords> told;
     bool again = false;
     for (const Index i : share_at(finer, instances, spaces, told)) {
       int& factor = finer.try_emplace(i, 1).first->second;

@@ -5,6 +5,7 @@
 
 #include "csg/carriers/round_spaces.h"
 #include "csg/leaves/leaf.h"
+#include "kernel/base/leaf_words.h"
 
 namespace cnrg {
 
@@ -15,6 +16,6 @@ std::vector<std::array<std::uint32_t, 2>> near_axes(const std::vector<LeafInstan
 /// Replaces the instances of these spaces. `notices`: of banded leaves that stay as they are, `leaf 2, face 3
 /// ...`.
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<RoundSpace>& spaces,
-                std::vector<std::string>& notices);
+                std::vector<LeafWords>& notices);
 
 }  // namespace cnrg

@@ -81,6 +81,7 @@ class Joiner {
   /// Nodes by their new numbers, materials with their mark.
   std::shared_ptr<const Selector> joined(Selector selector, std::size_t first, std::size_t side) const {
     for (NodeId& node : selector.from) node = NodeId(first + node.index());
+    for (Selector::Side& one : selector.sides) one.of = NodeId(first + one.of.index());
     if (side == 1) {
       for (std::string& name : selector.criteria.materials) name.insert(0, mark_);
       accept(selector.criteria.between, [&](const std::string& name) { return std::array{name, mark_ + name}; });

@@ -332,7 +332,8 @@ class CarriedGroup::Maker {
     Index& known = source_[s];
     if (known != kNone) return known;
     known = static_cast<Index>(out_.sources_.size());
-    out_.sources_.push_back({complex_.sources[s], places_.faces[s]});
+    const Soup::Face& face = complex_.sources[s];
+    out_.sources_.push_back({face, places_.faces[s], complex_.leaf_regions[face.leaf]});
     return known;
   }
 

@@ -48,6 +48,7 @@ class CarriedGroup {
   struct Source {
     Soup::Face face;
     Index place;
+    std::uint32_t regions;  ///< of its leaf
   };
   struct Wire {
     Soup::Wire wire;

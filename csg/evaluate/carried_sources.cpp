@@ -57,8 +57,10 @@ class CarriedGroups::SourcesMaker {
     kept_wires_ = take_own(complex_.wires, of_soup.wires, carried, known_wires, out_.wires, places_.wires);
     for (const CarriedGroup& group : groups_) {
       auto& sources = source_of_.emplace_back();
-      for (const auto& [face, place] : group.sources_)
+      for (const auto& [face, place, regions] : group.sources_) {
         sources.push_back(take(face, place, known, out_.sources, places_.faces));
+        out_.leaf_regions[face.leaf] = regions;
+      }
       auto& wires = wire_of_.emplace_back();
       for (const auto& [wire, place] : group.wires_)
         wires.push_back(take(wire, place, known_wires, out_.wires, places_.wires));

@@ -20,12 +20,12 @@ namespace {
 /// What comes of drawing some leaves together.
 struct Drawing {
   PlacedLeaves placed;
-  std::vector<NearSurfaces> near;    // that are nearly one, and not welded
-  std::vector<std::string> refused;  // leaves that share something and yet stay as they are
-  std::vector<std::string> welded;
+  std::vector<NearSurfaces> near;  // that are nearly one, and not welded
+  std::vector<LeafWords> refused;  // leaves that share something and yet stay as they are
+  std::vector<LeafWords> welded;
 };
 
-/// InputError names leaves by their places in `instances`.
+/// LeafError names leaves by their places in `instances`.
 Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>& weld) {
   Drawing out;
   WeldedSurfaces round;
@@ -91,7 +91,7 @@ Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedL
     : tree_(tree), unfolding_(unfolding), leaves_(leaves) {
   Drawing drawing;
   leaves.locate_errors([&] { drawing = draw(leaves.instances(), tree.weld); });
-  for (const std::string& notice : drawing.welded)
+  for (const LeafWords& notice : drawing.welded)
     diagnostics.push_back({tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
   append(diagnostics, leaves.near_notices(drawing.near));
   append(diagnostics, leaves.located_notices(drawing.refused));

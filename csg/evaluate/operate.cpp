@@ -171,11 +171,26 @@ StepOutcome side_of(const Complex& complex, const Node& node, std::span<const Op
   return {std::move(cut.group), std::move(cut.removals), std::move(cut.conflicts)};
 }
 
+void require_surface(const Complex& complex, const Node& node, const Selector::Side& side,
+                     const std::vector<LeafId>& leaves) {
+  const auto is_solid = [&](LeafId leaf) { return complex.leaf_regions[leaf] != 0; };
+  if (!std::all_of(leaves.begin(), leaves.end(), is_solid)) return;
+  throw InputError("`" + node.name + "`: `" + side.name +
+                   "` is a solid and parts nothing by a front and a back; " +
+                   "name a surface, or pick what is in it by `inside: " + side.name + "`");
+}
+
 /// What is picked out of the first operand; the others are sets of points in which, or at which, it lies.
 StepOutcome selected(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate,
                      const Transform& transform) {
   Criteria criteria = node.selector->criteria;
-  if (operands[0].below) criteria.leaves = *operands[0].below;
+  const std::vector<Selector::Side>& sides = node.selector->sides;
+  const std::size_t others = operands[0].below.size() - sides.size();
+  if (others != 0) criteria.leaves = *operands[0].below[0];
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    criteria.sides.push_back({*operands[0].below[others + i], sides[i].front});
+    require_surface(complex, node, sides[i], criteria.sides.back().surfaces);
+  }
   const std::span<const Operand> places = operands.subspan(1);
   const auto points = [&](std::span<const Operand> of) {
     std::optional<CellSet> set;
@@ -304,8 +319,8 @@ StepOutcome topology_of(const Complex& complex, const Node& node, const Operand&
     if (op == Topological::regularize) return {regularized(complex, operand.parts()), {}, {}};
   }
   const Components x = components_of(complex, operand, transform);
-  ComponentsResult result = node.each ? topological_operation_of_each(complex, op, x, *of.below)
-                                      : topological_operation(complex, op, x, *of.below);
+  ComponentsResult result = node.each ? topological_operation_of_each(complex, op, x, *of.below[0])
+                                      : topological_operation(complex, op, x, *of.below[0]);
   if (validate) require_identity(node, check_topological(complex, op, node.each, x, result.value));
   return of_components(std::move(result));
 }
@@ -367,10 +382,13 @@ Verdict verdict(const Complex& complex, const BooleanStep& step, VertexId v) {
   return verdict_in(complex, step, v);
 }
 
-std::optional<std::span<const NodeId>> leaves_wanted(const Node& node, bool first_operand) {
-  if (is_topological(node.op)) return std::span<const NodeId>();
-  if (node.op != Operator::select || !first_operand || node.selector->from.empty()) return std::nullopt;
-  return node.selector->from;
+std::vector<std::span<const NodeId>> leaves_wanted(const Node& node, bool first_operand) {
+  if (is_topological(node.op)) return {std::span<const NodeId>()};
+  std::vector<std::span<const NodeId>> lists;
+  if (node.op != Operator::select || !first_operand) return lists;
+  if (!node.selector->from.empty()) lists.push_back(node.selector->from);
+  for (const Selector::Side& side : node.selector->sides) lists.emplace_back(&side.of, 1);
+  return lists;
 }
 
 Topological topological(Operator op) {

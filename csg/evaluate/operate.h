@@ -29,12 +29,13 @@ struct Operand {
   const NodeValue* value = nullptr;
   std::string name;            ///< of its node, for messages
   NodeValue* spent = nullptr;  ///< the same value where nobody needs it any more: it may be moved from
-  std::shared_ptr<const std::vector<LeafId>> below;  ///< leaves below it, ascending: those of `leaves_wanted`
+  /// Leaves below it, ascending: a list for each of `leaves_wanted`.
+  std::vector<std::shared_ptr<const std::vector<LeafId>>> below{};
 };
 
-/// Which leaves below an operand its operator wants to know: those at or below these nodes, of an empty list all;
-/// nothing if it wants none.
-std::optional<std::span<const NodeId>> leaves_wanted(const Node& node, bool first_operand);
+/// Which leaves below an operand its operator wants to know, in several lists: those at or below these nodes, of no
+/// nodes all.
+std::vector<std::span<const NodeId>> leaves_wanted(const Node& node, bool first_operand);
 
 /// How a node stands among the nodes that use it.
 struct NodePlace {

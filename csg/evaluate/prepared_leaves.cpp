@@ -1,12 +1,11 @@
-// Leaves are prepared node by node, whatever the number of their instances. Messages are translated by their form:
-// who throws names a place as `leaf i, face j` or as `file:line:`, and a name and a position are put there.
+// Leaves are prepared node by node, whatever the number of their instances. Errors carry their place, to which the
+// tree has a name and a position.
 #include "csg/evaluate/prepared_leaves.h"
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <exception>
-#include <optional>
-#include <regex>
 #include <string>
 #include <utility>
 
@@ -16,70 +15,36 @@
 namespace cnrg {
 namespace {
 
-/// The decimal number in `text`, or nothing when it is too long to be an index.
-std::optional<std::size_t> index_in(const std::string& text) {
-  if (text.size() > 9) return std::nullopt;
-  return static_cast<std::size_t>(std::stoull(text));
-}
-
-/// What the reader of `file` said, apart: `file:line:column: error: rest`, `file:line: error: rest` or
-/// `file: rest`, where the fault has no line; of `file: byte N: error: rest` the byte is in the rest.
-struct FileFault {
-  Position at;
-  std::string rest;
-};
-std::optional<FileFault> split(const std::string& message, const std::string& file) {
-  if (file.empty() || !message.starts_with(file + ":")) return std::nullopt;
-  static const std::regex kForm(R"(^(?:(\d+):)?(?:(\d+):)? ?(?:error: )?([\s\S]*)$)");
-  const std::string tail = message.substr(file.size() + 1);
-  std::smatch match;
-  if (!std::regex_match(tail, match, kForm)) return std::nullopt;
-  FileFault fault{{}, match[3]};
-  static const std::regex kByte(R"(^(byte \d+): error: )");
-  fault.rest = std::regex_replace(fault.rest, kByte, "$1: ");
-  if (const auto line = match[1].matched ? index_in(match[1]) : std::nullopt)
-    fault.at.line = static_cast<int>(*line);
-  if (const auto column = match[2].matched ? index_in(match[2]) : std::nullopt)
-    fault.at.column = static_cast<int>(*column);
-  return fault;
-}
-
 /// Where the tree file has a face of a leaf: the face of a group, else the leaf itself.
-Position position_of(const Node& node, std::optional<std::size_t> face) {
+Position position_of(const Node& node, std::size_t face) {
   const auto* group = node.shape ? std::get_if<GroupShape>(&*node.shape) : nullptr;
-  if (!group || !face || *face >= group->faces.size() || group->faces[*face].line == 0) return node.operator_at;
-  return {group->faces[*face].line, group->faces[*face].column};
+  if (!group || face >= group->faces.size() || group->faces[face].line == 0) return node.operator_at;
+  return {group->faces[face].line, group->faces[face].column};
 }
 
-/// A leaf or some of its faces in words for people; `faces` is such as `, face 3, face 4`, or empty.
+/// A leaf, faces or solids of one, in words for people.
 struct Mention {
   Position at;  ///< of the first face
   std::string words;
 };
-Mention mention_of(const Node& node, const std::string& faces) {
-  static const std::regex kNumber(R"(\d+)");
-  std::optional<Position> first;
+Mention mention_of(const Node& node, const std::vector<Attributes>& regions, const LeafPlace& place) {
   std::string words;
-  for (std::sregex_iterator it(faces.begin(), faces.end(), kNumber), end; it != end; ++it) {
-    const Position at = position_of(node, index_in(it->str()));
-    words += (first ? ", face " : "face ") + it->str() + " (line " + std::to_string(at.line) + ")";
-    if (!first) first = at;
+  for (const std::uint32_t solid : place.solids) {
+    words += (words.empty() ? "solid " : ", solid ") + std::to_string(solid);
+    if (solid > 0 && solid <= regions.size() && !regions[solid - 1].name.empty())
+      words += " `" + regions[solid - 1].name.text() + "`";
   }
-  if (first) return {*first, words + " of `" + node.name + "`"};
-  return {node.operator_at, "`" + node.name + "` (line " + std::to_string(node.operator_at.line) + ")"};
-}
-
-/// From `, solid 1, solid 3` makes `solid 1 `bolt`, solid 3 of `; from an empty text an empty one.
-std::string solids_in(const std::string& solids, const std::vector<Attributes>& regions) {
-  static const std::regex kNumber(R"(\d+)");
-  std::string words;
-  for (std::sregex_iterator it(solids.begin(), solids.end(), kNumber), end; it != end; ++it) {
-    words += (words.empty() ? "solid " : ", solid ") + it->str();
-    const auto number = index_in(it->str());
-    if (number && *number > 0 && *number <= regions.size() && !regions[*number - 1].name.empty())
-      words += " `" + regions[*number - 1].name.text() + "`";
+  if (!words.empty()) words += " of ";
+  if (place.faces.empty()) {
+    return {node.operator_at, words + "`" + node.name + "` (line " + std::to_string(node.operator_at.line) + ")"};
   }
-  return words.empty() ? words : words + " of ";
+  const char* before = "face ";
+  for (const std::uint32_t face : place.faces) {
+    const int line = position_of(node, face).line;
+    words += before + std::to_string(face) + " (line " + std::to_string(line) + ")";
+    before = ", face ";
+  }
+  return {position_of(node, place.faces.front()), words + " of `" + node.name + "`"};
 }
 
 }  // namespace
@@ -145,19 +110,14 @@ void PreparedLeaves::prepare_node(NodeId id) {
   const Node& node = tree_->nodes[id];
   try {
     prepared_[id] = prepare(*node.shape);
+  } catch (const LeafFileError& e) {
+    throw TreeError(e.file(), {e.line(), e.column()},
+                    e.fault() + " (read for the node `" + node.name + "`, " +
+                        to_string(tree_->file, node.operator_at) + ")");
+  } catch (const LeafFaceError& e) {
+    throw TreeError(tree_->file, position_of(node, e.face()), e.what());
   } catch (const InputError& e) {
-    const std::string* const reads = file_of(*node.shape);
-    const std::string file = reads == nullptr ? std::string() : *reads;
-    if (const std::optional<FileFault> fault = split(e.what(), file)) {
-      throw TreeError(file, fault->at,
-                      fault->rest + " (read for the node `" + node.name + "`, " +
-                          to_string(tree_->file, node.operator_at) + ")");
-    }
-    static const std::regex kFace(R"(\bface (\d+))");
-    std::cmatch match;
-    std::optional<std::size_t> face;
-    if (std::regex_search(e.what(), match, kFace)) face = index_in(match[1]);
-    throw TreeError(tree_->file, position_of(node, face), e.what());
+    throw TreeError(tree_->file, node.operator_at, e.what());
   } catch (const FileError& e) {
     throw FileError(to_string(tree_->file, node.operator_at) + ": error: " + e.what());
   }
@@ -194,36 +154,29 @@ void PreparedLeaves::locate_errors(const std::function<void()>& work) const {
     work();
   } catch (const TreeError&) {
     throw;
-  } catch (const InputError& e) {
+  } catch (const LeafError& e) {
     Position first = tree_->nodes_at;
-    const std::string message = in_words(e.what(), &first);
+    const std::string message = in_words(e.words(), &first);
     throw TreeError(tree_->file, first, message);
+  } catch (const InputError& e) {
+    throw TreeError(tree_->file, tree_->nodes_at, e.what());
   }
 }
 
-std::string PreparedLeaves::in_words(const std::string& message, Position* first) const {
-  static const std::regex kPlace(R"(\bleaf (\d+)((?:, face \d+)*)((?:, solid \d+)*))");
-  bool any = false;
-  std::string translated;
-  auto last = message.cbegin();
-  for (std::sregex_iterator it(message.begin(), message.end(), kPlace), end; it != end; ++it) {
-    const std::smatch& match = *it;
-    const auto leaf = index_in(match[1]);
-    if (!leaf || *leaf >= numbers_.count()) continue;
-    Mention mention = mention_of(node_of(LeafId(*leaf)), match[2]);
-    mention.words.insert(0, solids_in(match[3], instances_[*leaf].leaf->regions()));
-    if (first != nullptr && !any) *first = mention.at;
-    any = true;
-    translated.append(last, match[0].first).append(mention.words);
-    last = match[0].second;
-  }
-  translated.append(last, message.cend());
-  return translated;
+std::string PreparedLeaves::in_words(const LeafWords& message, Position* first) const {
+  const auto mention = [&](const LeafPlace& place) {
+    return mention_of(node_of(LeafId(place.leaf)), instances_[place.leaf].leaf->regions(), place);
+  };
+  const auto is_here = [&](const LeafPlace& place) { return place.leaf < numbers_.count(); };  // not the frame
+  const std::vector<LeafPlace> places = message.places();
+  const auto known = std::find_if(places.begin(), places.end(), is_here);
+  if (first != nullptr && known != places.end()) *first = mention(*known).at;
+  return message.text([&](const LeafPlace& place) { return is_here(place) ? mention(place).words : place.text(); });
 }
 
-std::vector<Diagnostic> PreparedLeaves::located_notices(const std::vector<std::string>& messages) const {
+std::vector<Diagnostic> PreparedLeaves::located_notices(const std::vector<LeafWords>& messages) const {
   std::vector<Diagnostic> result;
-  for (const std::string& message : messages) {
+  for (const LeafWords& message : messages) {
     Position at;
     const std::string words = in_words(message, &at);
     result.push_back({tree_->file, at, Diagnostic::Level::notice, words});

@@ -18,6 +18,7 @@
 #include "csg/operators/group.h"
 #include "csg/tree/tree.h"
 #include "csg/tree/unfold.h"
+#include "kernel/base/leaf_words.h"
 
 namespace cnrg {
 
@@ -51,18 +52,17 @@ class PreparedLeaves {
   std::vector<Attributes> attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
                                      Grades& grades) const;
 
-  /// Runs `work`; an InputError that it throws comes out as TreeError with the place of the leaf or face that its
-  /// message names as `leaf i, face j`, and with the names of nodes in the place of these numbers.
+  /// Runs `work`; an InputError that it throws comes out as TreeError, a LeafError with the place of the first leaf
+  /// or face that it names, and with the names of nodes.
   void locate_errors(const std::function<void()>& work) const;
-  /// A message with the names of nodes in the place of `leaf i, face j`; `first` becomes the place of the first
-  /// one.
-  std::string in_words(const std::string& message, Position* first = nullptr) const;
+  /// With the names of nodes; `first` becomes the place of the first leaf or face.
+  std::string in_words(const LeafWords& message, Position* first = nullptr) const;
 
   /// Surfaces that are nearly one, as notices: the first few, and how many there are.
   std::vector<Diagnostic> near_notices(const std::vector<NearSurfaces>& near) const;
 
-  /// Messages that name leaves as `leaf i, face j`, as notices.
-  std::vector<Diagnostic> located_notices(const std::vector<std::string>& messages) const;
+  /// Messages about leaves, as notices.
+  std::vector<Diagnostic> located_notices(const std::vector<LeafWords>& messages) const;
 
   /// What the shapes have to say, one diagnostic per notice.
   std::vector<Diagnostic> notices() const;

@@ -34,11 +34,15 @@ class LeavesBelow {
  public:
   LeavesBelow(const PreparedLeaves& leaves, const Unfolding& unfolding) : leaves_(leaves), unfolding_(unfolding) {}
   /// Those that the operator of `node` wants to know of its operand `id`.
-  std::shared_ptr<const std::vector<LeafId>> wanted_by(const Node& node, InstanceId id, bool first_operand) {
-    const auto nodes = leaves_wanted(node, first_operand);
-    if (!nodes) return nullptr;
-    if (nodes->empty()) return of(id);
-    return std::make_shared<const std::vector<LeafId>>(leaves_.below(unfolding_, id, *nodes));
+  std::vector<std::shared_ptr<const std::vector<LeafId>>> wanted_by(const Node& node, InstanceId id,
+                                                                    bool first_operand) {
+    std::vector<std::shared_ptr<const std::vector<LeafId>>> lists;
+    for (const std::span<const NodeId> nodes : leaves_wanted(node, first_operand)) {
+      lists.push_back(nodes.empty()
+                          ? of(id)
+                          : std::make_shared<const std::vector<LeafId>>(leaves_.below(unfolding_, id, nodes)));
+    }
+    return lists;
   }
 
  private:
@@ -223,7 +227,7 @@ class Scopes {
     const Node& node = tree_.nodes[instance.node];
     std::vector<Operand> operands;
     if (const auto first = scope.first.find(id); first != scope.first.end())
-      operands.push_back({&first->second, node.name, &first->second, nullptr});
+      operands.push_back({&first->second, node.name, &first->second, {}});
     for (const InstanceId operand : operands_here(id)) {
       NodeValue* const value = &scope.values[operand];
       operands.push_back({value, tree_.nodes[instances_[operand].node].name,
@@ -384,9 +388,9 @@ class Scopes {
       const std::vector<InstanceId> distinct = unique(roots);
       Scope scope = evaluate(distinct, std::move(first), false);
       std::vector<Operand> operands;
-      if (k > 2) operands.push_back({&scope.first.at(id), node.name, &scope.first.at(id), nullptr});
+      if (k > 2) operands.push_back({&scope.first.at(id), node.name, &scope.first.at(id), {}});
       for (const InstanceId operand : roots)
-        operands.push_back({&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, nullptr});
+        operands.push_back({&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, {}});
       StepOutcome outcome = [&] {
         try {
           return first_steps(*scope.complex, node, operands, order_below(id));

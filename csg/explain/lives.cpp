@@ -368,9 +368,9 @@ std::vector<Operand> Lives::operands_of(InstanceId id) const {
     Operand& added = out.emplace_back();
     added.value = evaluation_.values[operand].get();
     added.name = name_of(operand);
-    if (const auto wanted = leaves_wanted(node, out.size() == 1)) {
-      added.below = std::make_shared<const std::vector<LeafId>>(
-          evaluation_.leaves->below(evaluation_.instances, operand, *wanted));
+    for (const std::span<const NodeId> wanted : leaves_wanted(node, out.size() == 1)) {
+      added.below.push_back(std::make_shared<const std::vector<LeafId>>(
+          evaluation_.leaves->below(evaluation_.instances, operand, wanted)));
     }
   }
   return out;

@@ -100,9 +100,9 @@ void write_model(const MemoryFile& file, const CadModel& model) {
     write_each(file, *texts, [&](const std::string& text) { file.write_list(text); });
 }
 
-void write_error(const MemoryFile& file, Answer kind, const std::exception& error) {
+void write_error(const MemoryFile& file, Answer kind, const std::string& words) {
   file.write_value(kind);
-  file.write_list(std::string(error.what()));
+  file.write_list(words);
 }
 
 int read_in_child(decltype(&cnrg_cad_read) read, const CadShape& shape, const std::string& content,
@@ -113,11 +113,12 @@ int read_in_child(decltype(&cnrg_cad_read) read, const CadShape& shape, const st
     file.write_value(Answer::model);
     write_model(file, model);
   } catch (const LeafFileError& error) {
-    write_error(file, Answer::leaf_file_error, error);
+    write_error(file, Answer::leaf_file_error, error.fault());
+    file.write_value(error.line());
   } catch (const InputError& error) {
-    write_error(file, Answer::input_error, error);
+    write_error(file, Answer::input_error, error.what());
   } catch (const InvariantError& error) {
-    write_error(file, Answer::broken_invariant, error);
+    write_error(file, Answer::broken_invariant, error.what());
   }
   return 0;
 }
@@ -286,7 +287,7 @@ CadModel read_cad(const CadShape& shape) {
   std::string words;
   file.read_list(words);
   switch (answer) {
-    case Answer::leaf_file_error: throw LeafFileError(words);
+    case Answer::leaf_file_error: throw LeafFileError(shape.file, file.read_value<int>(), 0, words);
     case Answer::broken_invariant: throw InvariantError(words);
     default: throw InputError(words);
   }

@@ -178,14 +178,14 @@ bool is_complete(const std::string& brep) {
 CadFile read_step(const CadShape& shape, const std::string& content) {
   const std::size_t start = content.find_first_not_of(" \t\r\n");
   if (start == std::string::npos || content.compare(start, 12, "ISO-10303-21") != 0) {
-    throw LeafFileError(shape.file +
-                        ":1: error: this is no STEP file: it does not begin with ISO-10303-21; give one");
+    throw LeafFileError(shape.file, 1, 0,
+                        "this is no STEP file: it does not begin with ISO-10303-21; give one");
   }
   STEPControl_Reader reader;
   std::istringstream stream(content);
   if (reader.ReadStream(shape.file.c_str(), stream) != IFSelect_RetDone) {
-    throw LeafFileError(shape.file +
-                        ": error: OpenCASCADE cannot read this STEP file: it may be cut short; write it "
+    throw LeafFileError(shape.file, 0, 0,
+                        "OpenCASCADE cannot read this STEP file: it may be cut short; write it "
                         "again");
   }
   require(Interface_Static::SetCVal("xstep.cascade.unit", unit_of(shape, reader).c_str()),
@@ -208,16 +208,16 @@ CadFile read_step(const CadShape& shape, const std::string& content) {
 
 CadFile read_brep(const CadShape& shape, const std::string& content) {
   if (content.substr(0, 200).find("CASCADE Topology V") == std::string::npos) {
-    throw LeafFileError(shape.file +
-                        ":1: error: this is no BREP file as OpenCASCADE writes it in text: `CASCADE "
+    throw LeafFileError(shape.file, 1, 0,
+                        "this is no BREP file as OpenCASCADE writes it in text: `CASCADE "
                         "Topology` is missing at its beginning; give one");
   }
   CadFile file;
   std::istringstream stream(content);
   if (is_complete(content)) BRepTools::Read(file.shape, stream, BRep_Builder());
   if (file.shape.IsNull()) {
-    throw LeafFileError(shape.file +
-                        ": error: OpenCASCADE cannot read this BREP file: it may be cut short; write it "
+    throw LeafFileError(shape.file, 0, 0,
+                        "OpenCASCADE cannot read this BREP file: it may be cut short; write it "
                         "again");
   }
   if (is_empty(file.shape))

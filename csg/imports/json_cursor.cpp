@@ -21,9 +21,9 @@ bool is_count(std::string_view text) {
 
 void Cursor::fail(const std::string& what) const {
   const std::string path = json().path(*value_);
-  throw LeafFileError(file_->name + ":" +
-                      position_in(json().text(), value_->begin - (value_->kind() == Kind::text ? 1 : 0)) +
-                      ": error: " + (path.empty() ? "" : path + ": ") + what);
+  const auto [line, column] =
+      position_in(json().text(), value_->begin - (value_->kind() == Kind::text ? 1 : 0));
+  throw LeafFileError(file_->name, line, column, (path.empty() ? "" : path + ": ") + what);
 }
 
 const Cursor& Cursor::object() const {

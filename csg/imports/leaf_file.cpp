@@ -10,7 +10,7 @@ namespace cnrg {
 std::string read_leaf_file(const std::string& path, const std::string& inside, const std::string& remedy) {
   std::string content = read_file(path, inside);
   if (without_mark(content).find_first_not_of(" \t\r\n") == std::string_view::npos)
-    throw LeafFileError(path + ":1:1: error: the file is empty: " + remedy);
+    throw LeafFileError(path, 1, 1, "the file is empty: " + remedy);
   return content;
 }
 

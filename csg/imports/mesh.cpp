@@ -248,7 +248,7 @@ class MeshLeaf {
 
   void note_changes() {
     if (shape_.weld) {
-      const std::string words = weld_.made.notice(*shape_.weld);
+      const std::string words = weld_.made.notice(*shape_.weld).text();
       if (!words.empty()) notices_.push_back(name_ + ": " + words);
     }
     note(repeated_ - std::min(repeated_, collapsed_), " face repeats", " faces repeat",

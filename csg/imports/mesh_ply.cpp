@@ -61,7 +61,7 @@ class PlyReader {
  private:
   [[noreturn]] void fail(const std::string& text) const {
     if (encoding_ == Encoding::text) cursor_.fail(text);
-    throw LeafFileError(path_ + ": byte " + std::to_string(at_) + ": error: " + text);
+    throw LeafFileError(path_, 0, 0, "byte " + std::to_string(at_) + ": " + text);
   }
 
   Type type(std::string_view name) {

@@ -28,7 +28,7 @@ void add_triangle(MeshData& mesh) {
 
 MeshData read_binary(const std::string& path, const std::string& data) {
   const auto fail = [&](std::size_t byte, const std::string& text) {
-    throw LeafFileError(path + ": byte " + std::to_string(byte) + ": error: " + text);
+    throw LeafFileError(path, 0, 0, "byte " + std::to_string(byte) + ": " + text);
   };
   if (data.size() < kHeader)
     fail(data.size(), "the file ends within the header of a binary STL: it is truncated, or no STL");

@@ -51,11 +51,11 @@ class VtkReader {
 
  private:
   [[noreturn]] void fail(const std::string& text) const {
-    if (binary_) throw LeafFileError(path_ + ": byte " + std::to_string(cursor_.offset()) + ": error: " + text);
+    if (binary_) throw LeafFileError(path_, 0, 0, "byte " + std::to_string(cursor_.offset()) + ": " + text);
     cursor_.fail(text);
   }
   [[noreturn]] void fail_at(int line, std::size_t byte, const std::string& text) const {
-    if (binary_) throw LeafFileError(path_ + ": byte " + std::to_string(byte) + ": error: " + text);
+    if (binary_) throw LeafFileError(path_, 0, 0, "byte " + std::to_string(byte) + ": " + text);
     cursor_.fail_at(line, text);
   }
 

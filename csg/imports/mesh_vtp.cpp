@@ -44,7 +44,7 @@ struct XmlElement {
 };
 
 [[noreturn]] void fail_at(const std::string& path, int line, const std::string& text) {
-  throw LeafFileError(path + ":" + std::to_string(line) + ": error: " + text);
+  throw LeafFileError(path, line, 0, text);
 }
 
 // The line of the parser's current event, and the byte behind the event: since expat 2.9 by functions of their own

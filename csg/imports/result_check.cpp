@@ -380,13 +380,11 @@ void check_content(const Cursor& root, const Content& content) {
   std::shared_ptr<const Complex> complex;
   try {
     complex = build_complex(soup);
-  } catch (const InputError& e) {
-    // A face that is not planar: the message begins with `leaf 0, face i: `.
-    const std::string text = e.what(), head = "leaf 0, face ";
-    if (!text.starts_with(head)) throw;
-    const std::size_t end = text.find(':');
-    const std::size_t face = std::stoull(text.substr(head.size(), end - head.size()));
-    root.member("faces").at(face).refuse(text.substr(end + 2, text.find(';') - end - 2));
+  } catch (const LeafError& e) {
+    // A face that is not planar.
+    const std::uint32_t face = e.words().places().at(0).faces.at(0);
+    const std::string text = e.words().text([](const LeafPlace&) { return std::string(); });
+    root.member("faces").at(face).refuse(text.substr(2, text.find(';') - 2));
   }
   Check(PlacedCells(root, content, *complex)).run();
 }

@@ -94,8 +94,8 @@ result::JsonFile parsed(const std::string& text, const std::string& file) {
   try {
     return {file, JsonDocument(text)};
   } catch (const JsonError& error) {
-    throw LeafFileError(file + ":" + position_in(text, error.at()) + ": error: " + error.what() + "; " +
-                        result::kWriteAgain);
+    const auto [line, column] = position_in(text, error.at());
+    throw LeafFileError(file, line, column, error.what() + std::string("; ") + result::kWriteAgain);
   }
 }
 

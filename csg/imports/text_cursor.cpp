@@ -140,7 +140,7 @@ void TextCursor::fail_at_end(const std::string& text) const {
 }
 
 void TextCursor::fail_at(int line, const std::string& text) const {
-  throw LeafFileError(path_ + ":" + std::to_string(line) + ": error: " + text);
+  throw LeafFileError(path_, line, 0, text);
 }
 
 std::string in_quotes(std::string_view token) { return "'" + excerpt(token) + "'"; }

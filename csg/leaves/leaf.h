@@ -31,11 +31,35 @@ class CurvedForm {
   virtual ~CurvedForm() = default;
 };
 
-/// A fault inside a file that a leaf reads. The message already has its position, `file:line: error: ...` (for
-/// binary data `file: byte N: error: ...`): who knows the tree's position may add where the file is used.
+/// A fault inside a file that a leaf reads: who knows the tree's position may add where the file is used.
 class LeafFileError : public InputError {
  public:
-  using InputError::InputError;
+  /// The message is `file:line:column: error: fault`; without a line, or a column, where these are 0.
+  LeafFileError(const std::string& file, int line, int column, const std::string& fault)
+      : InputError(file + (line > 0 ? ":" + std::to_string(line) : "") +
+                   (column > 0 ? ":" + std::to_string(column) : "") + ": error: " + fault),
+        file_(file),
+        fault_(fault),
+        line_(line),
+        column_(column) {}
+  const std::string& file() const { return file_; }
+  const std::string& fault() const { return fault_; }
+  int line() const { return line_; }
+  int column() const { return column_; }
+
+ private:
+  std::string file_, fault_;
+  int line_, column_;
+};
+
+/// A fault in one of the faces that a leaf lists.
+class LeafFaceError : public InputError {
+ public:
+  LeafFaceError(std::size_t face, const std::string& fault) : InputError(fault), face_(face) {}
+  std::size_t face() const { return face_; }
+
+ private:
+  std::size_t face_;
 };
 
 /// Makes the parameters of a leaf (parameters.h), also when the leaf itself is gone. Empty for a leaf without

@@ -1,11 +1,13 @@
 // Names of groups. Several components may have one name (the parts of a block that a fault has split): each of
 // these pieces is a group, called by the name and its number, and all of them together are the group of the name.
+// Those on one side of a surface that parts them are a group, too.
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 
 #include "csg/mesh/mesh.h"
+#include "csg/result/cell_tags.h"
 #include "csg/text/escape.h"
 
 namespace cnrg {
@@ -77,12 +79,24 @@ class Grouper {
   MeshGroups groups_;
   std::array<std::set<std::string>, 4> used_;
 
-  /// Regions by component, then by the names of several components.
+  /// Regions by component, then by the names of several components, then by the sides that part these.
   void group_regions() {
     std::map<Component, Index> piece, named;  // by component, and by the first one of a name
+    std::map<Component, std::vector<Index>> on_sides;
     for (const auto& [component, of] : regions_) piece[component] = add_group(3, of.piece);
     for (const auto& [component, of] : regions_) {
       if (!of.name.empty() && of.first == component) named[component] = add_group(3, of.name);
+    }
+    std::map<std::pair<std::string, std::string>, Index> side_groups;  // by name of pieces, and side
+    const std::vector<std::vector<NamedSide>> sides = named_sides(view_);
+    for (const auto& [component, of] : regions_) {
+      for (const NamedSide& side : sides[component - 1]) {
+        if (!side.tells) continue;
+        const std::pair key(of.name.empty() ? "region" : of.name, side.key() + (' ' + shown_in_quotes(side.surface)));
+        const auto [group, fresh] = side_groups.try_emplace(key, 0);
+        if (fresh) group->second = add_group(3, key.first + ' ' + key.second);
+        on_sides[component].push_back(group->second);
+      }
     }
     for (const auto& region : flat_.regions) {
       auto& groups = groups_.of[3].emplace_back();
@@ -90,6 +104,8 @@ class Grouper {
       const RegionName& of = regions_.at(region.component);
       groups.push_back(piece.at(region.component));
       if (!of.name.empty()) groups.push_back(named.at(of.first));
+      if (const auto on = on_sides.find(region.component); on != on_sides.end())
+        groups.insert(groups.end(), on->second.begin(), on->second.end());
     }
   }
 

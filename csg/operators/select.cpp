@@ -7,6 +7,7 @@
 
 #include "csg/operators/cell_sources.h"
 #include "csg/operators/component_lists.h"
+#include "csg/operators/sides.h"
 #include "csg/operators/subgroup.h"
 #include "kernel/base/sorted.h"
 
@@ -38,6 +39,7 @@ class Picker {
       : complex_(complex), value_(value), criteria_(criteria) {
     // The cells whose closure meets the set.
     if (criteria.touching) touching_ = star(complex, *criteria.touching);
+    if (!criteria.sides.empty()) sides_ = touched_sides(complex, value);
   }
 
   /// A cell that came from `origin` and of which `said` is said, if anything; its component, or 0 for an entity of
@@ -102,21 +104,29 @@ class Picker {
 
   template <class IdT>
   bool is_among_regions(IdT cell, Component own) const {
-    const bool any_region = criteria_.regions.empty() && criteria_.region_numbers.empty();
+    const bool any_region = is_any_region();
     if (any_region && criteria_.between.empty()) return true;
     const std::vector<Component> around = components_around(cell);
     const auto wanted = [&](Component component) { return is_wanted(component); };
     return (any_region || is_wanted(own) || std::any_of(around.begin(), around.end(), wanted)) &&
            is_between(around);
   }
-  /// By name or number; 0 is no region.
+  bool is_any_region() const {
+    return criteria_.regions.empty() && criteria_.region_numbers.empty() && criteria_.sides.empty();
+  }
+  /// By name or number, and by where it is; 0 is no region.
   bool is_wanted(Component component) const {
-    if (criteria_.regions.empty() && criteria_.region_numbers.empty()) return true;
+    if (is_any_region()) return true;
+    if (component == 0) return false;
     const auto is = [&](const auto& list, const auto& value) {
       return std::find(list.begin(), list.end(), value) != list.end();
     };
-    return component != 0 && (is(criteria_.region_numbers, component) ||
-                              is(criteria_.regions, attributes(value_, component).name.text()));
+    const bool called = (criteria_.regions.empty() && criteria_.region_numbers.empty()) ||
+                        is(criteria_.region_numbers, component) ||
+                        is(criteria_.regions, attributes(value_, component).name.text());
+    return called && std::all_of(criteria_.sides.begin(), criteria_.sides.end(), [&](const Criteria::Side& side) {
+             return component <= sides_.size() && lies_on(sides_[component - 1], side.surfaces, side.front);
+           });
   }
 
   /// Those that the 3-cells around a cell are of, ascending and unique; 0 is none.
@@ -158,6 +168,7 @@ class Picker {
   const Value& value_;
   const Criteria& criteria_;
   CellSet touching_;
+  TouchedSides sides_;
 };
 
 /// Which cells of the simplified value are picked: the criteria hold for one of the cells that it unites, all of

@@ -40,6 +40,13 @@ struct Criteria {
   /// component.
   std::vector<std::string> regions{};
   std::vector<Component> region_numbers{};
+  /// A side of these surfaces (sides.h), which ascend.
+  struct Side {
+    std::vector<LeafId> surfaces;
+    bool front = true;
+  };
+  /// That region or component is on each of these.
+  std::vector<Side> sides{};
   std::vector<LeafId> leaves{};  ///< ascending; the cell came from one of these leaves
   /// It lies in one of these faces of `leaves`, borders included: numbers as the leaf has them, from 0.
   std::vector<std::uint32_t> source_faces{};

@@ -126,7 +126,8 @@ py::object properties_of(const Node& node) {
   return map;
 }
 
-/// The criteria by their keys in a tree, each a list; nodes by number; how many operands are those of `inside`.
+/// The criteria by their keys in a tree, each a list; nodes below by number, by key, too; how many operands are those
+/// of `inside`.
 py::object picked_by(const Selector& selector) {
   const Criteria& c = selector.criteria;
   py::dict criteria;
@@ -152,9 +153,11 @@ py::object picked_by(const Selector& selector) {
     for (const auto& [first, second] : c.between) between.append(py::make_tuple(first, second));
     criteria["between"] = between;
   }
-  std::vector<std::size_t> from;
-  for (const NodeId node : selector.from) from.push_back(node.index());
-  return py::make_tuple(criteria, from, selector.inside);
+  std::map<std::string, std::vector<std::size_t>> below;
+  for (const NodeId node : selector.from) below["from"].push_back(node.index());
+  for (const Selector::Side& side : selector.sides)
+    below[side.front ? "front of" : "behind"].push_back(side.of.index());
+  return py::make_tuple(criteria, below, selector.inside);
 }
 
 /// A node of a tree file as data: what the reader decided of it, and the values of its keys as they are written.

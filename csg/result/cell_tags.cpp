@@ -14,6 +14,13 @@ std::int32_t CellTagger::region_number(FlatComplex::Index region) const {
   return flat_.active(region) ? std::int32_t(flat_.regions[region].component) : 0;
 }
 
+std::vector<std::vector<NamedSide>> named_sides(const ResultView& view) {
+  return named_sides(*view.complex, *view.value, [&](LeafId leaf) {
+    const bool named = view.leaves != nullptr && leaf.index() < view.leaves->size();
+    return named ? (*view.leaves)[leaf.index()].name : std::string();
+  });
+}
+
 Component material_component(const ResultView& view, const CellTags& tags) {
   const bool entity = (view.value->is_group() || view.of_group) && tags.dimension < 3;
   return Component(entity ? tags.region : tags.component);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/operators/sides.h"
 #include "csg/result/flat.h"
 
 namespace cnrg {
@@ -18,6 +19,9 @@ struct CellTags {
   /// of a sheet, a wire or a point what is said of it. nullptr: nothing. Lives as long as the value.
   const Attributes* said = nullptr;
 };
+
+/// By component, where it is, by the names of leaves.
+std::vector<std::vector<NamedSide>> named_sides(const ResultView& view);
 
 /// The component whose material a cell has: of an entity of a group that of its region; 0: none.
 Component material_component(const ResultView& view, const CellTags& tags);

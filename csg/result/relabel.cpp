@@ -428,32 +428,37 @@ class Labeller {
     return bent;
   }
 
-  /// Faces of the new complex lie on the leaf faces that the result's faces lie on. One more leaf has the
-  /// faces of the result as its patches: facets of one face stay together.
+  /// Faces of the new complex lie on the leaf faces that the result's faces lie on, and their fronts are where those
+  /// are. One more leaf has the faces of the result as its patches: facets of one face stay together.
   void take_covers() {
     const LeafId result(exact_.leaf_count);
+    sources_.leaf_regions = exact_.leaf_regions;
     IdVector<SourceId, Soup::Face> sources;
-    std::vector<std::vector<SourceId>> of_face;
-    std::vector<Soup::Face> on;
-    const auto order = [](const Soup::Face& a, const Soup::Face& b) {
-      return std::tie(a.leaf, a.leaf_face, a.patch) < std::tie(b.leaf, b.leaf_face, b.patch);
+    std::vector<std::vector<std::pair<SourceId, bool>>> of_face;  // on the front of the face of the result, or not
+    std::vector<std::pair<Soup::Face, bool>> on;
+    const auto order = [](const auto& a, const auto& b) {
+      return std::tie(a.first.leaf, a.first.leaf_face, a.first.patch, a.second) <
+             std::tie(b.first.leaf, b.first.leaf_face, b.first.patch, b.second);
     };
     const std::vector<char> bent = find_bent();
     for (Index i = 0; i < flat_.faces.size(); ++i) {
       on.clear();
+      // With the same on both sides a face tells no side, and then it does not matter which one is its front.
+      const bool flipped = flat_.faces[i].regions[0] != simplified_.faces[i].regions[0];
       for (const HalfFace cell : simplified_.faces[i].cells) {
         for (const Cover& cover : exact_.cover(cell.face())) {
           const Soup::Face& source = exact_.sources[cover.source];
-          if (source.leaf != exact_.frame)
-            on.push_back({source.leaf, source.leaf_face, source.patch, 0, 0, source.surface});
+          if (source.leaf == exact_.frame) continue;
+          on.push_back({{source.leaf, source.leaf_face, source.patch, 0, 0, source.surface},
+                        (cover.same == (cell.side() == 0)) != flipped});
         }
       }
       std::sort(on.begin(), on.end(), order);
       on.erase(std::unique(on.begin(), on.end(), [&](const auto& a, const auto& b) { return !order(a, b); }),
                on.end());
-      on.push_back({result, i, i, 0, 0, bent[i] ? exact_.surface_count + 1 + i : 0});
+      on.push_back({{result, i, i, 0, 0, bent[i] ? exact_.surface_count + 1 + i : 0}, true});
       auto& numbers = of_face.emplace_back();
-      for (const Soup::Face& face : on) numbers.push_back(sources.push_back(face));
+      for (const auto& [face, same] : on) numbers.emplace_back(sources.push_back(face), same);
     }
     std::map<std::vector<Cover>, SourceSetId> known;
     Csr<SourceSetId, Cover> covers;
@@ -465,7 +470,7 @@ class Labeller {
         for (const LeafCell& cell : flat_.faces[code >> 1].origin.cells) {
           if (cell.dimension == 2 && !has_cover(of_face[code >> 1], sources, cell)) held.emplace_back(f, cell);
         }
-        for (const SourceId source : of_face[code >> 1]) list.push_back({source, (code & 1) == 0});
+        for (const auto& [source, same] : of_face[code >> 1]) list.push_back({source, same == ((code & 1) == 0)});
       }
       sort_unique(list);
       const auto [it, fresh] = known.try_emplace(std::move(list));
@@ -477,10 +482,11 @@ class Labeller {
     sources_.covers = std::move(covers);
     sources_.sources = std::move(sources);
   }
-  static bool has_cover(const std::vector<SourceId>& list, const IdVector<SourceId, Soup::Face>& sources,
-                        const LeafCell& cell) {
-    return std::any_of(list.begin(), list.end(), [&](SourceId s) {
-      return sources[s].leaf == cell.leaf && sources[s].leaf_face == cell.number;
+  static bool has_cover(const std::vector<std::pair<SourceId, bool>>& list,
+                        const IdVector<SourceId, Soup::Face>& sources, const LeafCell& cell) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& entry) {
+      const Soup::Face& source = sources[entry.first];
+      return source.leaf == cell.leaf && source.leaf_face == cell.number;
     });
   }
 

@@ -27,7 +27,13 @@ class GroupReader {
     }
     leaf_ = soup_.add_leaf(fill_);
     for (const RationalPoint& p : shape_.vertices) soup_.add_point(p);
-    for (std::size_t f = 0; f < shape_.faces.size(); ++f) add_face(f);
+    for (std::size_t f = 0; f < shape_.faces.size(); ++f) {
+      try {
+        add_face(f);
+      } catch (const InputError& error) {
+        throw LeafFaceError(f, error.what());
+      }
+    }
     add_wires();
     for (std::size_t i = 0; i < shape_.points.size(); ++i) {
       soup_.add_isolated(leaf_, vertex(shape_.points[i], "points: entry " + std::to_string(i)));

@@ -280,11 +280,11 @@ std::string JsonDocument::path(const Value& wanted) const {
   return out;
 }
 
-std::string position_in(const std::string& text, std::size_t byte) {
+std::pair<int, int> position_in(const std::string& text, std::size_t byte) {
   byte = std::min(byte, text.size());
   const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(byte), '\n');
   const std::size_t newline = byte == 0 ? std::string::npos : text.rfind('\n', byte - 1);
-  return std::to_string(line) + ":" + std::to_string(newline == std::string::npos ? byte + 1 : byte - newline);
+  return {static_cast<int>(line), static_cast<int>(newline == std::string::npos ? byte + 1 : byte - newline)};
 }
 
 }  // namespace cnrg

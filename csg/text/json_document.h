@@ -26,8 +26,8 @@ class JsonError : public InputError {
   std::size_t at_;
 };
 
-/// The line and column of a byte, `line:column` from 1.
-std::string position_in(const std::string& text, std::size_t byte);
+/// The line and column of a byte, from 1.
+std::pair<int, int> position_in(const std::string& text, std::size_t byte);
 
 class JsonDocument {
  public:

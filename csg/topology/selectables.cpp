@@ -19,9 +19,9 @@ namespace {
 
 using Index = FlatComplex::Index;
 
-constexpr std::array<const char*, 7> kKeys{"dimension",  "region", "name",   "material",
-                                           "attributes", "from",   "between"};
-enum Key : std::uint8_t { dimension, region, name, material, attributes, from, between };
+constexpr std::array<const char*, 9> kKeys{"dimension", "region",     "front of", "behind", "name",
+                                           "material",  "attributes", "from",     "between"};
+enum Key : std::uint8_t { dimension, region, front_of, behind, name, material, attributes, from, between };
 
 /// As a tree has it: in quotes where the text alone would be something else, such as a number.
 std::string typed(const std::string& text) {
@@ -52,7 +52,8 @@ class Lister {
       : view_(view),
         flat_(flatten(view)),
         tagger_(view, flat_),
-        of_group_(view.value->is_group() || view.of_group) {
+        of_group_(view.value->is_group() || view.of_group),
+        sides_(named_sides(view)) {
     find_surroundings();
   }
 
@@ -121,7 +122,11 @@ class Lister {
       if (flat_.active(r)) components.insert(flat_.regions[r].component);
     }
     if (!of_group_ && tags.component != 0) components.insert(Component(tags.component));
-    for (const Component c : components) holds.insert(region_of(c));
+    for (const Component c : components) {
+      holds.insert(region_of(c));
+      for (const NamedSide& side : sides_[c - 1])
+        holds.insert({side.front ? front_of : behind, 0, typed(side.surface)});
+    }
     if (tags.said != nullptr) {
       if (!tags.said->name.empty()) holds.insert({name, 0, typed(tags.said->name.text())});
       if (!tags.said->material.empty()) holds.insert({material, 0, typed(tags.said->material.name())});
@@ -178,6 +183,7 @@ class Lister {
   const FlatComplex flat_;
   const CellTagger tagger_;
   const bool of_group_;
+  const std::vector<std::vector<NamedSide>> sides_;
   std::vector<Regions> around_faces_, around_edges_, around_vertices_;
   std::map<Criterion, std::array<std::size_t, 4>> cells_;
   std::map<std::string, std::set<std::uint32_t>> source_faces_;

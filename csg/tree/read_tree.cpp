@@ -354,8 +354,8 @@ class TreeReader {
                                              : "a map {of: NODE, ...} with what is picked, such as {of: model, "
                                                "dimension: 2}");
     }
-    std::vector<std::string_view> keys{"dimension", "name",        "material", "attributes", "region",
-                                       "from",      "source face", "between",  "inside",     "touching"};
+    std::vector<std::string_view> keys{"dimension", "name", "material",    "attributes", "region", "front of",
+                                       "behind",    "from", "source face", "between",    "inside", "touching"};
     if (!of.valid()) keys.push_back("of");
     const Fields f(value, "select", keys);
     if (std::none_of(keys.begin(), keys.end(), [&](auto key) { return key != "of" && f.has(key); })) {
@@ -374,6 +374,14 @@ class TreeReader {
     if (const Value* from = f.find("from")) {
       selector->from_at = from->at();
       for (const Value& v : one_or_more(*from, f.name("from"))) selector->from.push_back(named(v, f.name("from")));
+    }
+    for (const char* const key : {"front of", "behind"}) {
+      const Value* const sides = f.find(key);
+      if (sides == nullptr) continue;
+      for (const Value& v : one_or_more(*sides, f.name(key))) {
+        const NodeId node = named(v, f.name(key));
+        selector->sides.push_back({node, tree_.nodes[node].name, key == std::string_view("front of"), v.at()});
+      }
     }
     if (const Value::Entry* face = f.entry("source face"); face != nullptr && selector->from.size() != 1) {
       document_.fail(face->key_at,
@@ -472,7 +480,7 @@ class TreeReader {
     std::vector<char> below;
     for (const NodeId id : IdRange<NodeId>(tree_.nodes.size())) {
       const Node& node = tree_.nodes[id];
-      if (node.op != Operator::select || node.selector->from.empty()) continue;
+      if (node.op != Operator::select || (node.selector->from.empty() && node.selector->sides.empty())) continue;
       const NodeId of = dag_.operands(id).front();
       if (last != of) below = dag_.reachable({of});
       last = of;
@@ -482,12 +490,17 @@ class TreeReader {
                                                      tree_.nodes[from].name + "` is a `" +
                                                      tree_.nodes[from].operator_name + "`; name the leaf");
         }
-        if (below[from.index()]) continue;
-        document_.fail(node.selector->from_at, "nothing of `" + tree_.nodes[of].name + "` is from `" +
-                                                   tree_.nodes[from].name +
-                                                   "`; name a leaf or another node that it is made of");
+        if (!below[from.index()]) fail_as_not_below(of, from, node.selector->from_at);
+      }
+      for (const Selector::Side& side : node.selector->sides) {
+        if (!below[side.of.index()]) fail_as_not_below(of, side.of, side.at);
       }
     }
+  }
+
+  [[noreturn]] void fail_as_not_below(NodeId of, NodeId from, Position at) const {
+    document_.fail(at, "nothing of `" + tree_.nodes[of].name + "` is from `" + tree_.nodes[from].name +
+                           "`; name a leaf or another node that it is made of");
   }
 
   void check_distances() {

@@ -14,7 +14,15 @@ struct Selector {
   Criteria criteria;
   /// `from`: leaves, or nodes for all leaves below them; all of them below the first operand.
   std::vector<NodeId> from;
-  Position from_at;        ///< of the key
+  Position from_at;  ///< of the key
+  /// `front of` and `behind`: of the surfaces below a node, as of `from`.
+  struct Side {
+    NodeId of;
+    std::string name;  ///< of that node
+    bool front = true;
+    Position at;
+  };
+  std::vector<Side> sides;
   std::size_t inside = 0;  ///< so many operands behind the first are for `inside`, those after them for `touching`
 };
 

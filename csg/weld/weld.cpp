@@ -354,14 +354,14 @@ void check_solid(const WeldModel& model, const WeldModel::Solid& solid, const st
                 d);
 }
 
-void refuse_weld(const std::string& subject, const std::string& what, const Rational& d) {
-  throw InputError(subject + "weld: " + what + " if all that is within " + to_decimal(d, 6) +
+void refuse_weld(const std::string& subject, const LeafWords& what, const Rational& d) {
+  throw LeafError(subject + "weld: " + what + " if all that is within " + to_decimal(d, 6) +
                    " of each other were joined: give a smaller length");
 }
 
 Weld weld(const WeldModel& model, const Rational& d) { return welding::Welder(model, d).run(); }
 
-std::string Weld::notice(const Rational& d) const {
+LeafWords Weld::notice(const Rational& d) const {
   const auto counted = [](std::size_t n, const char* one, const char* many) {
     return std::to_string(n) + " " + (n == 1 ? one : many);
   };
@@ -379,9 +379,10 @@ std::string Weld::notice(const Rational& d) const {
   }
   if (left > 0) {
     words += (words.empty() ? "" : "; ") + counted(left, "pair is", "pairs are") +
-             " near but not joined, since all that is joined has to lie within the length, such as " + example;
+             " near but not joined, since all that is joined has to lie within the length, such as ";
   }
-  return words.empty() ? words : "weld " + to_decimal(d, 6) + ": " + words;
+  if (words.empty()) return {};
+  return LeafWords("weld " + to_decimal(d, 6) + ": " + words) + example;
 }
 
 }  // namespace cnrg

@@ -33,6 +33,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/base/leaf_words.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
@@ -51,7 +52,7 @@ struct WeldModel {
   };
   /// Facets that enclose a solid, with their fronts outside if true.
   struct Solid {
-    std::string name;
+    LeafWords name;
     std::vector<std::pair<Index, bool>> facets;
   };
   std::vector<RationalPoint> points;
@@ -61,7 +62,7 @@ struct WeldModel {
   std::vector<std::array<Index, 2>> wires;
   // For messages.
   std::string subject;  ///< before all else: `mesh: 'part.off': `
-  std::function<std::string(Index)> face_name;
+  std::function<LeafWords(Index)> face_name;
 };
 
 struct Weld {
@@ -71,11 +72,11 @@ struct Weld {
   std::size_t joined_points = 0;      ///< how many fewer there are
   std::size_t joined_planes = 0;      ///< planes that several faces share now and did not before
   std::size_t left = 0;               ///< near pairs that were not joined
-  std::string example;                ///< of these
+  LeafWords example;                  ///< of these
   std::size_t off = 0;                ///< how often a point stays off a plane
   bool changed() const { return moved > 0; }
   /// What it did, in words; empty if there is nothing to say.
-  std::string notice(const Rational& d) const;
+  LeafWords notice(const Rational& d) const;
 };
 
 /// Throws InputError if the solid would have no volume, or one of the other sign, with its points where they are
@@ -84,7 +85,7 @@ void check_solid(const WeldModel& model, const WeldModel::Solid& solid, const st
                  const Rational& d);
 
 /// The words of all that is refused, such as `leaf 3, face 2 would vanish`; throws InputError.
-[[noreturn]] void refuse_weld(const std::string& subject, const std::string& what, const Rational& d);
+[[noreturn]] void refuse_weld(const std::string& subject, const LeafWords& what, const Rational& d);
 
 /// Throws InputError, which names a face or solid, if it would vanish or be turned inside out. d > 0.
 Weld weld(const WeldModel& model, const Rational& d);

@@ -85,9 +85,7 @@ class LeafWelder {
 
   WeldedLeaves run() {
     for (Index i = 0; i < instances_.size(); ++i) take(i);
-    model_.face_name = [this](Index f) {
-      return "leaf " + std::to_string(names_[f].first) + ", face " + std::to_string(names_[f].second);
-    };
+    model_.face_name = [this](Index f) { return LeafPlace{names_[f].first, {names_[f].second}}; };
     made_ = weld(model_, way_);
     WeldedLeaves result{instances_, made_.notice(d_)};
     for (Index i = 0; i < instances_.size(); ++i) {
@@ -107,7 +105,6 @@ class LeafWelder {
     Soup& soup = soups_.back().emplace();
     leaf.add_to(soup, instances_[i].transform);
     for (PointId p : IdRange<PointId>(soup.point_count())) model_.points.push_back(value(soup, p));
-    const std::string name = "leaf " + std::to_string(i);
     const Fill fill = soup.fill(LeafId(0));
     std::map<Index, Index> face_of;            // leaf_face: of the model
     std::map<Index, WeldModel::Solid> solids;  // by region
@@ -132,7 +129,7 @@ class LeafWelder {
       }
     }
     for (auto& [region, solid] : solids) {
-      solid.name = fill == Fill::solids ? name + ", solid " + std::to_string(region) : name;
+      solid.name = fill == Fill::solids ? LeafPlace{i, {}, {region}} : LeafPlace{i};
       model_.solids.push_back(std::move(solid));
     }
   }

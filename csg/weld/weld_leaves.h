@@ -8,16 +8,16 @@
 #include <vector>
 
 #include "csg/leaves/leaf.h"
+#include "kernel/base/leaf_words.h"
 
 namespace cnrg {
 
 struct WeldedLeaves {
   std::vector<LeafInstance> instances;
-  std::string notice;  ///< empty: nothing is near; names leaves as `leaf 3, face 2`
+  LeafWords notice;  ///< empty: nothing is near
 };
 
-/// Planes, half-spaces and results read back stay as they are. Throws InputError as `weld`, which names leaves and
-/// faces as `leaf 3, face 2`. `moved`: how far points of round leaves may have been moved before
+/// Planes, half-spaces and results read back stay as they are. Throws LeafError as `weld`. `moved`: how far points of round leaves may have been moved before
 /// (weld_surfaces.h), at most d; all together go no farther than d.
 WeldedLeaves weld_leaves(const std::vector<LeafInstance>& instances, const Rational& d, const Rational& moved = 0);
 

@@ -290,7 +290,7 @@ class SurfaceWelder {
   }
 
   [[noreturn]] void refuse(Index i, Index face) const {
-    refuse_weld("", "leaf " + std::to_string(i) + ", face " + std::to_string(face) + " would vanish", d_);
+    refuse_weld("", LeafWords(LeafPlace{i, {face}}) + " would vanish", d_);
   }
 
   /// How far points go because angles about the new axis are counted from elsewhere: for a whole turn that is no
@@ -308,9 +308,10 @@ class SurfaceWelder {
     return parts_[k].reach * most;
   }
 
-  std::string notice(std::size_t moved, const Rational& farthest,
-                     const std::vector<std::array<Index, 2>>& left) const {
+  LeafWords notice(std::size_t moved, const Rational& farthest,
+                   const std::vector<std::array<Index, 2>>& left) const {
     std::string words;
+    LeafWords example;
     if (moved > 0) {
       char text[32];
       std::snprintf(text, sizeof text, "%.3g", std::min(welding::rounded_up(farthest), to_double(d_)));
@@ -318,14 +319,15 @@ class SurfaceWelder {
               " joined with others, moved by " + text + " at most";
     }
     if (!left.empty()) {
-      const auto name = [&](Index k) { return "leaf " + std::to_string(of_[k].instance); };
+      const auto name = [&](Index k) { return LeafWords(LeafPlace{of_[k].instance}); };
       const auto& [a, b] = left[0];
       words += (words.empty() ? "" : "; ") + std::to_string(left.size()) +
                (left.size() == 1 ? " pair of round surfaces is" : " pairs of round surfaces are") +
-               " near but not joined, since all that is joined has to lie within the length, such as " + name(a) +
-               (a == b ? "" : " and " + name(b));
+               " near but not joined, since all that is joined has to lie within the length, such as ";
+      example = a == b ? name(a) : name(a) + " and " + name(b);
     }
-    return words.empty() ? words : "weld " + to_decimal(d_, 6) + ": " + words;
+    if (words.empty()) return {};
+    return LeafWords("weld " + to_decimal(d_, 6) + ": " + words) + example;
   }
 
   const std::vector<LeafInstance>& instances_;

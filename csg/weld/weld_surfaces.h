@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "csg/leaves/leaf.h"
+#include "kernel/base/leaf_words.h"
 
 namespace cnrg {
 
@@ -17,7 +18,7 @@ struct WeldedSurfaces {
   std::vector<LeafInstance> instances;  ///< with other forms, still drawn as they were
   std::vector<std::uint32_t> anew;      ///< of these: they are to be drawn on their forms
   Rational farthest = 0;                ///< no point of a surface was moved farther
-  std::string notice;                   ///< empty: nothing is near; names leaves as `leaf 3`
+  LeafWords notice;                     ///< empty: nothing is near
 };
 
 /// Cylinders, cones, spheres, tori, `revolve` of straight lines, and bands of CAD models, where their transforms

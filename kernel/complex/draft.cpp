@@ -41,12 +41,11 @@ void ComplexDraft::set_sources(ComplexSources sources) {
   c.isolated_leaves = std::move(sources.isolated_leaves);
   c.curve_ends = std::move(sources.curve_ends);
   c.leaf_count = sources.leaf_count;
-  if (sources.fills.empty()) {
-    c.fills.assign(c.leaf_count, Fill::none);
-    c.leaf_regions.assign(c.leaf_count, 0);
-  } else {
-    c.fills = std::move(sources.fills);
-    c.leaf_regions = std::move(sources.leaf_regions);
+  c.fills = std::move(sources.fills);
+  c.fills.resize(c.leaf_count);
+  c.leaf_regions = std::move(sources.leaf_regions);
+  c.leaf_regions.resize(c.leaf_count);
+  if (!sources.region_labels.empty()) {
     c.region_labels = std::move(sources.region_labels);
     c.label_sets = std::move(sources.label_sets);
   }

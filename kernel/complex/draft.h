@@ -22,10 +22,10 @@ struct ComplexSources {
   IdVector<WireId, Soup::Wire> wires;
   SparseLists<VertexId, LeafId> isolated_leaves, curve_ends;
   std::size_t leaf_count = 0;
-  // If `fills` is empty, the leaves have neither fills nor regions of their own, and labels stay as they are.
+  // Those of leaves that are not listed are none.
   IdVector<LeafId, Fill> fills;
   IdVector<LeafId, std::uint32_t> leaf_regions;
-  IdVector<RegionId, LabelSetId> region_labels;
+  IdVector<RegionId, LabelSetId> region_labels;  ///< empty: labels stay as they are
   Csr<LabelSetId, Label> label_sets;
   SparseLists<VertexId, LeafCell> vertex_leaf_cells;
   SparseLists<EdgeId, LeafCell> edge_leaf_cells;

@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "kernel/base/error.h"
+#include "kernel/base/leaf_words.h"
 #include "kernel/base/union_find.h"
 #include "kernel/complex/builder.h"
 #include "kernel/complex/region_order.h"
@@ -221,14 +221,13 @@ class Labelling {
     }
   }
 
-  std::string face_names(std::span<const Cover> covers, LeafId leaf) const {
-    std::string text = "leaf " + std::to_string(leaf.value());
+  LeafWords face_names(std::span<const Cover> covers, LeafId leaf) const {
+    LeafPlace place{leaf.value()};
     for (const Cover& cover : covers) {
-      if (c_.sources[cover.source].leaf == leaf) {
-        text += ", face " + std::to_string(c_.sources[cover.source].leaf_face);
-      }
+      const Soup::Face& source = c_.sources[cover.source];
+      if (source.leaf == leaf) place.faces.push_back(source.leaf_face);
     }
-    return text;
+    return place;
   }
 
   std::int32_t value(std::uint32_t set, LeafId leaf, std::uint32_t solid = 0) const {
@@ -256,14 +255,14 @@ class Labelling {
           for (const Change& y : *changes_[change(g.face())]) {
             const std::int32_t other = g.side() == 0 ? y.from : y.to;
             if (y.leaf == x.leaf && y.fill == Fill::sides && other != named) {
-              throw InputError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) +
+              throw LeafError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) +
                                ", but " + face_names(c_.cover(g.face()), x.leaf) +
                                ", which bounds the same cavity, names " + region_name(other) +
                                "; correct the sides, or close the faces between the two");
             }
           }
         }
-        throw InputError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) +
+        throw LeafError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) +
                          ", but " + region_name(value(set_of_[r], x.leaf)) + " reaches it" +
                          (c_.unbounded(r) ? " from outside" : "") +
                          "; correct the sides, or close the faces between");
@@ -283,14 +282,13 @@ class Labelling {
   }
 
   [[noreturn]] void open_leaf(LeafId leaf) const {
-    throw InputError(
-        "leaf " + std::to_string(leaf.value()) +
+    throw LeafError(
+        LeafWords(LeafPlace{leaf.value()}) +
         ": its faces do not close, so it has no inside; close the surface, or use fill: none or cells");
   }
 
   [[noreturn]] static void fail_overlap(LeafId leaf, std::uint32_t first, std::uint32_t second) {
-    throw InputError("leaf " + std::to_string(leaf.value()) + ", solid " + std::to_string(first) + ", solid " +
-                     std::to_string(second) +
+    throw LeafError(LeafWords(LeafPlace{leaf.value(), {}, {first, second}}) +
                      ": these solids overlap; take them as leaves of their own and let one "
                      "dominate, or use fill: winding, which makes what they have in common a region");
   }

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-#include "kernel/base/error.h"
+#include "kernel/base/leaf_words.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/base/sorted.h"
@@ -144,9 +144,9 @@ int orientation(const PointTable& t, Projection axes, std::span<const VertexId> 
   return sgn(exact);
 }
 
-std::string face_name(const Soup& soup, SourceId f) {
+LeafWords face_name(const Soup& soup, SourceId f) {
   const Soup::Face& face = soup.face(f);
-  return "leaf " + std::to_string(face.leaf.value()) + ", face " + std::to_string(face.leaf_face);
+  return LeafPlace{face.leaf.value(), {face.leaf_face}};
 }
 
 PlaneFilter filter_of(const PointTable& t, const std::array<VertexId, 3>& plane) {
@@ -246,7 +246,7 @@ void take_planes(const Soup& soup, RefineInput& in, RefineReport& report) {
   });
   for (std::size_t i = 0; i < n; ++i) {
     if (shape[i] != Shape::warped) continue;
-    throw InputError(face_name(soup, SourceId(i)) + ": the face is not planar: its corner " +
+    throw LeafError(face_name(soup, SourceId(i)) + ": the face is not planar: its corner " +
                      std::to_string(off_plane(t, corners[SourceId(i)], planes[i]) + 1) +
                      " is off the plane of the corners before; triangulate the face or correct the point");
   }

@@ -10,6 +10,7 @@
 
 #include "csg/formats/formats.h"
 #include "csg/mesh/cell_groups.h"
+#include "csg/result/cell_tags.h"
 #include "csg/result/result_data.h"
 #include "csg/result/result_json.h"
 #include "csg/result/rounding.h"
@@ -124,10 +125,22 @@ std::string groups_of(const Result& result) {
   return out;
 }
 
+/// Where components are of surfaces, with what tells them from others of their name.
+std::string sides_of(const Result& result) {
+  std::string out;
+  for (const auto& of_component : named_sides(result.data().view())) {
+    for (const NamedSide& side : of_component)
+      out += std::string(side.tells ? "*" : "") + side.key() + ' ' + side.surface + "; ";
+    out += '\n';
+  }
+  return out;
+}
+
 void tell_result(const Result& result, const std::string& format, Outputs& out) {
   out["json"] = result_json(result.data().view());
   out["pick"] = selectables_text(selectables(result));
   out["groups"] = groups_of(result);
+  out["sides"] = sides_of(result);
   out["topology"] = topology_report(result).text;
   out["file " + format] = file_of(format, result);
 }

@@ -121,9 +121,16 @@ class Drawer {
     };
     if (random_.one_in(2)) node.value += ", dimension: " + word({"3", "2", "2", "1", "[2, 3]"});
     const std::string below = leaf_below(operand);
-    switch (random_.below(9)) {
+    switch (random_.below(11)) {
       case 0:
       case 1: node.value += ", region: " + word({"1", "2"}); break;
+      case 9:
+      case 10:
+        if (const std::string surface = surface_below(operand); !surface.empty()) {
+          with(word({"front of", "behind"}), surface);
+          break;
+        }
+        [[fallthrough]];
       case 2: node.value += ", region: " + word({"upper", below}); break;
       case 3: node.value += ", material: " + word({"rock", "clay"}); break;
       case 4: with("from", below); break;
@@ -253,6 +260,13 @@ class Drawer {
       if (named(below)->in_place) return at;
       at = below;
     }
+  }
+
+  /// Empty, if none is found.
+  std::string surface_below(const std::string& at) const {
+    for (int tries = 8; tries > 0; --tries)
+      if (const std::string leaf = leaf_below(at); named(leaf)->op == "polygon") return leaf;
+    return {};
   }
 
   std::vector<DrawnNode>::const_iterator named(const std::string& name) const {

@@ -210,14 +210,15 @@ class MeshArrays:
 
 
 class Picked:
-    """What `select` picks: criteria by their keys in a tree, the nodes that cells are from, and how many operands behind
-    the first one are those of `inside`; the others are those of `touching`."""
+    """What `select` picks: criteria by their keys in a tree; the nodes below that it names, by key, too (`from`, `front
+    of`, `behind`); and how many operands behind the first one are those of `inside`; the others are those of
+    `touching`."""
 
     __slots__ = ("criteria", "sources", "inside")
 
-    def __init__(self, criteria: Mapping[str, Any], sources: Iterable[Node], inside: int):
+    def __init__(self, criteria: Mapping[str, Any], sources: Mapping[str, Iterable[Node]], inside: int):
         self.criteria = dict(criteria)
-        self.sources = tuple(sources)
+        self.sources = {key: tuple(nodes) for key, nodes in sources.items()}
         self.inside = inside
 
 
@@ -343,6 +344,8 @@ class Node:
         material: str | Material | Iterable[str | Material] | None = None,
         attributes: Mapping[str, Any] | None = None,
         region: str | int | Iterable[str | int] | None = None,
+        front_of: Node | Iterable[Node] | None = None,
+        behind: Node | Iterable[Node] | None = None,
         from_: Node | Iterable[Node] | None = None,
         source_face: int | Iterable[int] | None = None,
         between: Iterable[Any] | None = None,
@@ -353,6 +356,7 @@ class Node:
 
         dimension: 3 regions, 2 faces, 1 edges, 0 vertices. name, material, attributes: of regions and of what stands
         for itself, sheets, wires, points. region: the cell is, bounds or lies in a region of that name or number.
+        front_of, behind: that region is on this side of each of these surfaces, and not on the other side, too.
         from_: it came from that leaf, or from one below that node; source_face: from that face of the leaf. between:
         ("rock", "clay"), or several such pairs: a wall between regions of these names or materials; None is no region.
         inside: all of it is in that node's points; touching: it or its boundary has a point there.
@@ -366,7 +370,8 @@ class Node:
             "source face": source_face,
             "between": between,
         }
-        sources = _listed("from_", from_)
+        below = {"from": ("from_", from_), "front of": ("front_of", front_of), "behind": ("behind", behind)}
+        sources = {key: _listed(*nodes) for key, nodes in below.items()}
         within = _listed("inside", inside)
         picked = Picked({k: criterion(k, v) for k, v in criteria.items() if v is not None}, sources, len(within))
         return made("select", (self, *within, *_listed("touching", touching)), picked)

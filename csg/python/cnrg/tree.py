@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import re
+from itertools import chain
 from typing import Any, Callable, Iterable, Iterator, Mapping
 
 from . import _cnrg
@@ -43,7 +44,7 @@ def _of_regions(node: Node) -> Iterator[str]:
 
 def _sources(node: Node) -> tuple[Node, ...]:
     """Nodes that a node names beside its operands."""
-    return node.value.sources if isinstance(node.value, Picked) else ()
+    return tuple(chain.from_iterable(node.value.sources.values())) if isinstance(node.value, Picked) else ()
 
 
 def _own_material(node: Node) -> Material | None:
@@ -89,7 +90,7 @@ def _operator_value(node: Node, operand: Callable[[Node], Any], path: Callable[[
         yield "".join(f", {key}: {text_of(value)}" for key, value in node.value.criteria.items())
         places = node.operands[1:]
         nodes = {
-            "from": node.value.sources,
+            **node.value.sources,
             "inside": places[: node.value.inside],
             "touching": places[node.value.inside :],
         }
@@ -513,7 +514,7 @@ def _as_expressions(tree: Any, file: str) -> Tree:
                 data[key] = {k: [exact(v[0]) if isinstance(v, tuple) else Text(v) for v in vs] for k, vs in values.items()}
             else:
                 data[key] = criterion(key, values[0] if len(values) == 1 else values)
-        return Picked(data, [nodes[k] for k in sources], inside)  # type: ignore[misc]
+        return Picked(data, {key: [nodes[k] for k in listed] for key, listed in sources.items()}, inside)  # type: ignore[misc]
 
     def build(i: int) -> Node:
         r = records[i]
@@ -548,7 +549,7 @@ def _as_expressions(tree: Any, file: str) -> Tree:
     stack = list(range(len(records)))[::-1]
     while stack:
         i = stack[-1]
-        named = records[i].picked[1] if records[i].picked is not None else []
+        named = list(chain.from_iterable(records[i].picked[1].values())) if records[i].picked is not None else []
         missing = [k for k in [*records[i].operands, *named] if nodes[k] is None]
         if missing and nodes[i] is None:
             stack.extend(reversed(missing))
