@@ -14,6 +14,7 @@
 #include "csg/tree/unfold.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
+#include "kernel/complex/interior.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/selection/simplify.h"
 
