@@ -32,26 +32,8 @@ const std::vector<KnownDisagreement>& known() {
   // The frame of unbounded leaves, and so numbers of unbounded regions, are those of the tree.
   const std::vector<std::string> unbounded{"halfspace", "plane:", "complement"};
   static const std::vector<KnownDisagreement> list{
-      // Leaves come in the order of the tree: also who is first of equals.
-      {"json /leaves", {}, {}},
-      {"json /components", {}, {}},
-      {"pick", {}, {}},
-      {"json /edges/*/origin", {}, {}},
-      {"json /faces/*/origin", {}, {}},
-      {"json /faces/*/patch", {}, {}},
-      {"json /regions/*/origin", {}, {}},
-      {"json /vertices/*/origin", {}, {}},
-      {"groups", {}, {}},
-      {"file .msh", {}, {}},
-      {"file .inp", {}, {}},
-      {"file .glb", {}, {}},
       {"json /grades", {"blend"}, {}},  // boundaries in cells of the refinement
       {"", {"heightfield"}, {}},
-      // Regions of a group are numbered where the instance stands, so a turned one selects another region.
-      {"row", {"select"}, {Setting::copies, Setting::mixed}},
-      // What is below is asked where the instance stands, too.
-      {"row", {"below", "above"}, {Setting::copies, Setting::mixed}},
-      {"refused", {"below", "above"}, {Setting::copies, Setting::mixed}},
       {"notices", {}, {Setting::copies, Setting::mixed}},  // cells are called by the numbers of each instance
       {"", curved, {}},
       {"", unbounded, {}},
