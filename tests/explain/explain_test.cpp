@@ -8,7 +8,9 @@
 #include <set>
 #include <string>
 
+#include "csg/explain/fates.h"
 #include "csg/explain/lives.h"
+#include "csg/result/result.h"
 #include "kernel/base/union_find.h"
 #include "tests/catch.h"
 
@@ -312,6 +314,48 @@ TEST_CASE("stars explain the topological operators", "[explain]") {
     INFO("seed " << seed << "\n" << nodes);
     CHECK(check_stories(run(nodes, "result"), rows) == "");
   }
+}
+
+/// What a page draws as removed at a Boolean of two, by row.
+std::map<std::size_t, std::size_t> drawn_removed(const Run& r, InstanceId id, BooleanOp op) {
+  std::map<std::size_t, std::size_t> out;
+  const std::optional<Selection> all = fates(r.tree, r.evaluation, id);
+  if (!all) return out;
+  const Result drawn(r.evaluation.complex, *all);
+  const auto see = [&](const auto& cells, int dimension) {
+    for (const auto& cell : cells) {
+      if (cell.component == 0) continue;
+      const Fate fate = Fate::of(cell.component);
+      if (fate.table && fate.removed) ++out[table_row(op, fate.dominant, dimension, fate.relation)];
+    }
+  };
+  see(drawn.cells().vertices, 0), see(drawn.cells().edges, 1), see(drawn.cells().faces, 2);
+  return out;
+}
+
+// Where only a feature parts cells of one fate they are drawn as one.
+TEST_CASE("a page draws removed cells of the rows that removed some, and no more", "[explain]") {
+  std::size_t nodes_seen = 0;
+  for (std::uint64_t seed = 2000; seed < 2250; ++seed) {
+    const std::string nodes = RandomTree(seed).nodes(false);
+    INFO("seed " << seed << "\n" << nodes);
+    const Run r = run(nodes, "result");
+    for (const InstanceId id : IdRange<InstanceId>(r.evaluation.instances.size())) {
+      const Instance& instance = r.evaluation.instances[id];
+      const Node& node = r.tree.nodes[instance.node];
+      const bool boolean =
+          node.op == Operator::unite || node.op == Operator::intersect || node.op == Operator::subtract;
+      if (!boolean || instance.operands.size() != 2 || node.regularize) continue;
+      ++nodes_seen;
+      std::map<std::size_t, std::size_t> counted;
+      for (const auto& [row, count] : r.evaluation.rows[id.index()].removals) counted[row] = count;
+      INFO(node.name);
+      const std::map<std::size_t, std::size_t> drawn = drawn_removed(r, id, boolean_op(node.op));
+      CHECK(drawn.size() == counted.size());
+      for (const auto& [row, count] : drawn) CHECK(count <= counted[row]);
+    }
+  }
+  CHECK(nodes_seen > 100);
 }
 
 const char* const kBoxes = R"(  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}
