@@ -88,7 +88,7 @@ class Labelling {
       } else if (x->fill == Fill::parity) {
         last->to ^= 1;
       } else if (*last != *x) {
-        throw InputError(face_names(covers, x->leaf) +
+        throw LeafError(face_names(covers, x->leaf) +
                          ": two faces lie on each other and name different regions "
                          "on one side; remove one or make their sides agree");
       }
