@@ -92,9 +92,9 @@ def grouped(model):
     return {name: sorted(found, reverse=True) for name, found in volumes.items()}
 
 
-def name_of(group, names):
-    """Of a region: several of one name have numbers behind it."""
-    return group if group in names else group.rsplit(" ", 1)[0]
+def is_piece(group, names):
+    """A group of one of several regions of a name has a number behind it."""
+    return group not in names and group.rsplit(" ", 1)[0] in names
 
 
 def compare_groups(check, model, mesh, change):
@@ -103,9 +103,9 @@ def compare_groups(check, model, mesh, change):
     digits = LAST_DIGITS * mesh.largest
     room = change.moved + digits
     every = sum(size(a) for a in model.faces.values())
-    exact, found = grouped(model), defaultdict(list)
-    for group, volume in mesh.volume_by_group.items():
-        found[name_of(group, exact)].append(volume)
+    exact = grouped(model)
+    found = defaultdict(list, {group: volumes for group, volumes in mesh.volumes_by_group.items()
+                               if not is_piece(group, exact)})
     check.equal("regions that vanished and are named", change.named, change.regions)
     parted = False
     for name in sorted(set(exact) | set(found) | set(change.vanished)):

@@ -152,7 +152,10 @@ class Tetrahedra:
                 for name in groups_of.get((dimension, entity), ()):
                     sums[name] += value
             return sums
-        self.volume_by_group = by_group(3, self.volumes)
+        self.volumes_by_group = defaultdict(list)
+        for region, volume in self.volumes.items():
+            for name in groups_of.get((3, region), ()):
+                self.volumes_by_group[name].append(volume)
         self.area_by_group, self.rim_by_group = by_group(2, self.areas), by_group(2, self.perimeters)
         self.segments = [(points[a], points[b]) for cells in segments.values() for a, b in cells]
 

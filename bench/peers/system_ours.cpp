@@ -29,7 +29,7 @@ NodeValue node_value(const Complex& complex, Operation operation, std::vector<No
   node.dominant = DominantOperand::equal;
   std::vector<Operand> operands;
   for (NodeValue& value : values) operands.push_back({&value, "operand", &value, {}});
-  return std::move(operate(complex, node, {}, operands, false, {}, {}).value);
+  return std::move(operate(complex, node, {}, operands, false, {}).value);
 }
 
 /// An operand has one leaf, or one for its solid and one for what hangs loose.

@@ -60,10 +60,13 @@ void write_picture(const std::string& path, const std::vector<PanelRequest>& pan
     results.push_back(evaluation.result(nodes.back()));
   }
   const DrawOptions::Camera camera = camera_for(results);
+  std::vector<std::string> leaf_names;
+  for (const Result& result : results) add_names(*result.data().view().leaves, leaf_names);
   std::vector<Panel> drawn;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     DrawOptions options = panels[i].draw;
     if (!options.camera) options.camera = camera;
+    options.leaf_names = leaf_names;
     std::optional<Result> removed;
     if (panels[i].ghosts) {
       removed.emplace(evaluation.complex, removed_entities(tree, evaluation, evaluation.value(nodes[i])));

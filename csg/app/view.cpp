@@ -79,7 +79,7 @@ void make_page(const ViewArguments& arguments, std::set<std::string>& files) {
   if (roots.empty()) {
     for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) roots.push_back(id);
   } else {
-    roots.push_back(tree.result);
+    options.result = roots.front();
   }
   const std::vector<char> below = tree.dag->reachable(roots);
   for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {

@@ -1,4 +1,4 @@
-// Which leaves may share a curved surface, at a glance.
+// Which leaves may be drawn with regard to each other, at a glance.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 namespace cnrg {
 
 /// Of each instance a number: how leaves are drawn by `with_common_lines` depends on no leaf with another number.
-/// Leaves without curved surfaces have numbers of their own. It may say that more share something than do.
+/// Curved leaves may share a surface, and flat ones may touch a surface of revolution. It may say that more do than
+/// do.
 std::vector<std::uint32_t> sharing_groups(const std::vector<LeafInstance>& instances);
 
 }  // namespace cnrg

@@ -8,7 +8,6 @@
 #include "csg/carriers/round_leaf.h"
 #include "csg/curves/surface_math.h"
 #include "csg/geometry/circle.h"
-#include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/unbounded.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
@@ -36,21 +35,6 @@ Point3 point_image(const Transform& transform, const Point3& p) {
     for (std::size_t j = 0; j < 3; ++j) q[k] += to_double(transform.linear[k][j]) * p[j];
   }
   return q;
-}
-
-/// Of the corners of a leaf's own box.
-Box leaf_box(const GeometryLeaf& leaf, const Transform& transform) {
-  Box own, box;
-  for (const PointId p : IdRange<PointId>(leaf.geometry().point_count())) {
-    const double* x = leaf.geometry().xyz(p);
-    own.extend({x[0], x[1], x[2]}, {x[0], x[1], x[2]});
-  }
-  for (int i = 0; i < 8; ++i) {
-    const Point3 corner = point_image(
-        transform, {(i & 1 ? own.hi : own.lo)[0], (i & 2 ? own.hi : own.lo)[1], (i & 4 ? own.hi : own.lo)[2]});
-    box.extend(around(corner, corner));
-  }
-  return box;
 }
 
 class Finder {
@@ -402,6 +386,20 @@ class Finder {
 };
 
 }  // namespace
+
+Box leaf_box(const GeometryLeaf& leaf, const Transform& transform) {
+  Box own, box;
+  for (const PointId p : IdRange<PointId>(leaf.geometry().point_count())) {
+    const double* x = leaf.geometry().xyz(p);
+    own.extend({x[0], x[1], x[2]}, {x[0], x[1], x[2]});
+  }
+  for (int i = 0; i < 8; ++i) {
+    const Point3 corner = point_image(
+        transform, {(i & 1 ? own.hi : own.lo)[0], (i & 2 ? own.hi : own.lo)[1], (i & 4 ? own.hi : own.lo)[2]});
+    box.extend(around(corner, corner));
+  }
+  return box;
+}
 
 std::vector<BesidePlanes> beside_planes(const std::vector<LeafInstance>& instances,
                                         const std::vector<RevolvedInstance>& revolved,

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "csg/carriers/axes.h"
+#include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/leaf.h"
 #include "kernel/refine/box.h"
 
@@ -62,6 +63,9 @@ struct RevolvedInstance {
   Transform transform;
   Box box;
 };
+
+/// Around the corners of a leaf's own box.
+Box leaf_box(const GeometryLeaf& leaf, const Transform& transform);
 
 /// A leaf that may have planes, with revolved instances whose boxes it meets.
 struct BesidePlanes {

@@ -282,14 +282,15 @@ Comparison compare(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, c
     }
   }
   const Together both = together(ready[0], nodes[0], ready[1], nodes[1], mark);
-  try {
-    const Evaluation evaluation =
-        told_alone({0, 1}, [&] { return evaluated(both.tree, both.nodes[0], {both.nodes[1]}, options); });
-    return Comparer(both, mark, evaluation, options).run();
-  } catch (const TreeError& e) {
-    if (e.file() != a.file && e.file() != b.file) throw;  // a file that a leaf reads
-    throw InputError(a.file + " and " + b.file + " cannot be refined together: " + e.message());
-  }
+  const Evaluation evaluation = told_alone({0, 1}, [&] {
+    try {
+      return evaluated(both.tree, both.nodes[0], {both.nodes[1]}, options);
+    } catch (const TreeError& e) {
+      if (e.file() != a.file && e.file() != b.file) throw;  // a file that a leaf reads
+      throw InputError(a.file + " and " + b.file + " cannot be refined together: " + e.message());
+    }
+  });
+  return Comparer(both, mark, evaluation, options).run();
 }
 
 }  // namespace cnrg

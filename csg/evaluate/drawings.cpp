@@ -20,7 +20,7 @@ namespace {
 /// What comes of drawing some leaves together.
 struct Drawing {
   PlacedLeaves placed;
-  std::vector<NearSurfaces> near;   // that are nearly one, and not welded
+  std::vector<NearSurfaces> near;  // that are nearly one, and not welded
   std::vector<LeafWords> refused;  // leaves that share something and yet stay as they are
   std::vector<LeafWords> welded;
 };

@@ -22,8 +22,8 @@ struct PlacedLeaves {
 
 class Drawings {
  public:
-  /// Draws all leaves of the unfolding; tells of near surfaces and of what was welded. Throws TreeError. All that is
-  /// given but `diagnostics` must outlive this.
+  /// Draws all leaves of the unfolding; tells of near surfaces and of what was welded. Throws TreeError. All that
+  /// is given but `diagnostics` must outlive this.
   Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
            std::vector<Diagnostic>& diagnostics);
 

@@ -92,9 +92,10 @@ void tell_alone(ScopeContext context, Drawings& drawings, ScopeResult& made) {
     const InstanceId id = waiting.back();
     waiting.pop_back();
     const PlacedLeaves placed = drawings.alone(id);
-    ScopeResult alone = evaluate_scopes({context.tree, context.unfolding, context.leaves, placed, context.options,
-                                         context.grades},
-                                        std::span(&id, 1), {}, false);
+    ScopeResult alone =
+        evaluate_scopes({context.tree, context.unfolding, context.leaves, placed, context.options, context.grades},
+                        std::span(&id, 1), {}, false);
+    add(made.refine, alone.refine);
     made.refine_seconds += alone.refine_seconds;
     for (const InstanceId below : instances_below(context.unfolding.instances, id)) {
       if (drawings.as_alone(below, placed)) made.told[below] = std::move(alone.told[below]);
@@ -126,6 +127,7 @@ Evaluation evaluate_each(const Tree& tree, const std::vector<NodeId>& roots, con
   add_rows(std::exchange(result.rows, {}));
   for (std::size_t i = 1; i < roots.size(); ++i) {
     Evaluation other = evaluate_together(tree, {roots[i]}, options, graded, joined);
+    add(result.refine, other.refine);
     result.refine_seconds += other.refine_seconds;
     add_rows(other.rows);
     for (Diagnostic& one : other.diagnostics) {

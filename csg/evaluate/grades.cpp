@@ -94,10 +94,10 @@ RegionMaterial Grades::moved(const Instance& instance, const RegionMaterial& own
   return out;
 }
 
-Transform Grades::placement(const Instance& instance) const {
+SharedTransform Grades::placement(const Instance& instance) const {
   if (instance.transform == nullptr) return {};
   const std::optional<Transform>& own = tree_.nodes[instance.node].transform;
-  return own ? *instance.transform * own->inverse() : *instance.transform;
+  return own ? SharedTransform(*instance.transform * own->inverse()) : SharedTransform(instance.transform);
 }
 
 }  // namespace cnrg

@@ -30,7 +30,7 @@ class Grades {
   RegionMaterial moved(const Instance& instance, const RegionMaterial& own);
   /// From the coordinates in which a node is given, its own transform done, to those of the complex. For instances
   /// that have a transform; the identity for others.
-  Transform placement(const Instance& instance) const;
+  SharedTransform placement(const Instance& instance) const;
 
  private:
   const Tree& tree_;

@@ -11,6 +11,7 @@
 #include "csg/operators/fold.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/material_levels.h"
+#include "csg/operators/own_numbers.h"
 #include "csg/operators/say.h"
 #include "csg/operators/select.h"
 #include "csg/tree/selector.h"
@@ -157,15 +158,15 @@ StepOutcome boolean_in_steps(const Complex& complex, const Node& node, const Ste
 
 /// What of a solid is below or above a surface: the solid cut to the part that is there.
 StepOutcome side_of(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                    const LeafOrder& order, const std::function<void(const BooleanStep&)>& see) {
+                    const NodePlace& place, const std::function<void(const BooleanStep&)>& see) {
   const Group surface = whole(group_operand(complex, node, operands[0]));
   PartedGroup block = group_operand(complex, node, operands[1]);
   const Group left = whole(block);
   const Side side = node.op == Operator::below ? Side::below : Side::above;
-  const Group right = part_of(complex, side, surface, operands[0].name, left, operands[1].name);
+  const Group right = part_of(complex, side, surface, operands[0].name, left, operands[1].name, place.transform);
   const Dominance dominance = Dominance::left;
   FoldResult cut = boolean_fold(complex, BooleanOp::intersect, std::span(&dominance, 1),
-                                {std::move(block), parted(complex, right)}, order);
+                                {std::move(block), parted(complex, right)}, place.order);
   if (see) see({BooleanOp::intersect, dominance, left, right, whole(cut.group), 1, StepRule::operands});
   return {std::move(cut.group), std::move(cut.removals), std::move(cut.conflicts)};
 }
@@ -174,12 +175,14 @@ void require_surface(const Complex& complex, const Node& node, const Selector::S
                      const std::vector<LeafId>& leaves) {
   const auto is_solid = [&](LeafId leaf) { return complex.leaf_regions[leaf] != 0; };
   if (!std::all_of(leaves.begin(), leaves.end(), is_solid)) return;
-  throw InputError("`" + node.name + "`: `" + side.name + "` is a solid and parts nothing by a front and a back; " +
+  throw InputError("`" + node.name + "`: `" + side.name +
+                   "` is a solid and parts nothing by a front and a back; " +
                    "name a surface, or pick what is in it by `inside: " + side.name + "`");
 }
 
 /// What is picked out of the first operand; the others are sets of points in which, or at which, it lies.
-StepOutcome selected(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate) {
+StepOutcome selected(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate,
+                     const Transform& transform) {
   Criteria criteria = node.selector->criteria;
   const std::vector<Selector::Side>& sides = node.selector->sides;
   const std::size_t others = operands[0].below.size() - sides.size();
@@ -201,6 +204,14 @@ StepOutcome selected(const Complex& complex, const Node& node, std::span<const O
   criteria.touching = points(places.subspan(node.selector->inside));
   const NodeValue& of = *operands[0].value;
   if (!of.is_group()) return {select(complex, of.components(), criteria), {}, {}};
+  if (!criteria.region_numbers.empty()) {
+    const std::vector<Component> numbers = own_numbers(complex, of.group(), transform);
+    const std::vector<Component> wanted = std::exchange(criteria.region_numbers, {});
+    for (const Component number : wanted) {
+      const auto it = std::find(numbers.begin() + 1, numbers.end(), number);
+      criteria.region_numbers.push_back(it == numbers.end() ? number : Component(it - numbers.begin()));
+    }
+  }
   Group picked = select(complex, of.group(), criteria);
   if (validate) require_identity(node, check_group(complex, picked));
   return {NodeValue(complex, std::move(picked)), {}, {}};
@@ -219,10 +230,10 @@ StepOutcome of_components(ComponentsResult result) {
 
 /// The operands as components, and pointers to these.
 struct ComponentOperands {
-  ComponentOperands(const Complex& complex, std::span<const Operand> operands) {
+  ComponentOperands(const Complex& complex, std::span<const Operand> operands, const Transform& transform) {
     values.reserve(operands.size());
     for (const Operand& operand : operands) {
-      values.push_back(components_of(complex, *operand.value));
+      values.push_back(components_of(complex, *operand.value, transform));
       pointers.push_back(&values.back());
     }
   }
@@ -231,17 +242,17 @@ struct ComponentOperands {
 };
 
 /// sum, product and subtract from left to right. A product is made in steps always: these cost no more.
-StepOutcome overlay_of(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                       bool validate) {
+StepOutcome overlay_of(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate,
+                       const Transform& transform) {
   if (!validate && operands.size() > 2 && node.op != Operator::product) {
-    const ComponentOperands all(complex, operands);
+    const ComponentOperands all(complex, operands, transform);
     return of_components(node.op == Operator::sum ? sum(complex, all.pointers, stated_dominance(node))
                                                   : subtract(complex, all.pointers));
   }
   StepOutcome outcome;
-  Components value = components_of(complex, *operands[0].value);
+  Components value = components_of(complex, *operands[0].value, transform);
   for (const Operand& operand : operands.subspan(1)) {
-    const Components right = components_of(complex, *operand.value);
+    const Components right = components_of(complex, *operand.value, transform);
     ComponentsResult step;
     OverlayLaw law = OverlayLaw::subtract;
     switch (node.op) {
@@ -263,8 +274,8 @@ StepOutcome overlay_of(const Complex& complex, const Node& node, std::span<const
   return outcome;
 }
 
-StepOutcome aggregate_all(const Complex& complex, std::span<const Operand> operands) {
-  const ComponentOperands all(complex, operands);
+StepOutcome aggregate_all(const Complex& complex, std::span<const Operand> operands, const Transform& transform) {
+  const ComponentOperands all(complex, operands, transform);
   std::vector<std::string> names;
   for (const Operand& operand : operands) names.push_back(operand.name);
   return of_components(aggregate(complex, all.pointers, names));
@@ -299,14 +310,15 @@ PartedGroup regularized(const Complex& complex, const PartedGroup& value) {
   return changed(complex, value, [&](Group& group) { group = regularize(complex, group); });
 }
 
-StepOutcome topology_of(const Complex& complex, const Node& node, const Operand& of, bool validate) {
+StepOutcome topology_of(const Complex& complex, const Node& node, const Operand& of, bool validate,
+                        const Transform& transform) {
   const Topological op = topological(node.op);
   const NodeValue& operand = *of.value;
   if (operand.is_group() && !node.each) {
     if (op == Topological::closure) return {operand.parts(), {}, {}};
     if (op == Topological::regularize) return {regularized(complex, operand.parts()), {}, {}};
   }
-  const Components x = components_of(complex, operand);
+  const Components x = components_of(complex, operand, transform);
   ComponentsResult result = node.each ? topological_operation_of_each(complex, op, x, *of.below[0])
                                       : topological_operation(complex, op, x, *of.below[0]);
   if (validate) require_identity(node, check_topological(complex, op, node.each, x, result.value));
@@ -347,9 +359,9 @@ void add_attributes(const Complex& complex, const Node& node, const RegionMateri
 }  // namespace
 
 void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                   const LeafOrder& order, const std::function<void(const BooleanStep&)>& see) {
-  if (node.op == Operator::below || node.op == Operator::above) side_of(complex, node, operands, order, see);
-  else boolean_in_steps(complex, node, {{}, order}, operands, see);
+                   const NodePlace& place, const std::function<void(const BooleanStep&)>& see) {
+  if (node.op == Operator::below || node.op == Operator::above) side_of(complex, node, operands, place, see);
+  else boolean_in_steps(complex, node, {{}, place.order}, operands, see);
 }
 
 namespace {
@@ -394,32 +406,31 @@ StepOutcome first_steps(const Complex& complex, const Node& node, std::span<cons
 }
 
 StepOutcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
-                    std::span<const Operand> operands, bool validate, const Transform& placement,
-                    const LeafOrder& order) {
+                    std::span<const Operand> operands, bool validate, const NodePlace& place) {
   StepOutcome outcome;
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
     case Operator::subtract:
-      outcome = validate ? validated_boolean(complex, node, {placement, order}, operands)
-                         : boolean_of(complex, node, {placement, order}, operands);
+      outcome = validate ? validated_boolean(complex, node, {place.placement, place.order}, operands)
+                         : boolean_of(complex, node, {place.placement, place.order}, operands);
       break;
     case Operator::sum:
     case Operator::product:
-    case Operator::cnrg_subtract: outcome = overlay_of(complex, node, operands, validate); break;
-    case Operator::aggregate: outcome = aggregate_all(complex, operands); break;
+    case Operator::cnrg_subtract: outcome = overlay_of(complex, node, operands, validate, place.transform); break;
+    case Operator::aggregate: outcome = aggregate_all(complex, operands, place.transform); break;
     case Operator::unify:
-      outcome = of_components(unify(complex, components_of(complex, *operands[0].value)));
+      outcome = of_components(unify(complex, components_of(complex, *operands[0].value, place.transform)));
       name_after(node, outcome);
       break;
     case Operator::complement: outcome = complement_of(complex, node, *operands[0].value, validate); break;
     case Operator::interior:
     case Operator::closure:
     case Operator::boundary:
-    case Operator::regularize: outcome = topology_of(complex, node, operands[0], validate); break;
+    case Operator::regularize: outcome = topology_of(complex, node, operands[0], validate, place.transform); break;
     case Operator::below:
     case Operator::above:
-      outcome = side_of(complex, node, operands, order, [&](const BooleanStep& step) {
+      outcome = side_of(complex, node, operands, place, [&](const BooleanStep& step) {
         if (validate) require_identity(node, check_boolean(complex, step.op, step.left, step.right, step.result));
       });
       break;
@@ -431,7 +442,7 @@ StepOutcome operate(const Complex& complex, const Node& node, const RegionMateri
         outcome.value.stands_for = operands[0].value->stands_for;
       }
       break;
-    case Operator::select: outcome = selected(complex, node, operands, validate); break;
+    case Operator::select: outcome = selected(complex, node, operands, validate, place.transform); break;
     case Operator::leaf: throw InvariantError("operate: `" + node.name + "` is a leaf");
   }
   apply_attributes(complex, node, material, outcome.value);

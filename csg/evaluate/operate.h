@@ -37,15 +37,21 @@ struct Operand {
 /// nodes all.
 std::vector<std::span<const NodeId>> leaves_wanted(const Node& node, bool first_operand);
 
+/// How a node stands among the nodes that use it.
+struct NodePlace {
+  /// From the coordinates in which it was described to those of the run, its own transform included. In the former
+  /// regions of its operands are numbered, and above is above.
+  SharedTransform transform;
+  SharedTransform placement;  ///< the same without its own: of mixtures that it makes itself (`blend`)
+  LeafOrder order;            ///< of the leaves below it
+};
+
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material`
 /// is the node's, empty for none. With `validate` each Boolean, complement and CNRG operator is checked against
 /// the identities of csg/SEMANTICS.md#identities; InvariantError names the node and the first violation.
-/// InputError when the operands do not suit the operator: the message names the operator to insert. Mixtures that
-/// the node makes itself (`blend`) are placed by `placement`, as its material is. `order` is that of the leaves
-/// below the node.
+/// InputError when the operands do not suit the operator: the message names the operator to insert.
 StepOutcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
-                    std::span<const Operand> operands, bool validate, const Transform& placement,
-                    const LeafOrder& order);
+                    std::span<const Operand> operands, bool validate, const NodePlace& place);
 
 /// The first operands of an intersection as one: the fold of these alone, without the node's attributes.
 StepOutcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands,
@@ -83,7 +89,7 @@ Verdict verdict(const Complex& complex, const BooleanStep& step, VertexId v);
 /// Evaluates a Boolean node as `operate` does and shows every step; of `below` and `above` the one step in which
 /// the solid is cut.
 void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                   const LeafOrder& order, const std::function<void(const BooleanStep&)>& see);
+                   const NodePlace& place, const std::function<void(const BooleanStep&)>& see);
 
 /// The operator of a node that is interior, closure, boundary or regularize.
 Topological topological(Operator op);

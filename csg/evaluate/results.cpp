@@ -41,7 +41,8 @@ Result Evaluation::result(NodeId node) const {
 
 Result Evaluation::result(const std::string& name) const {
   const auto is_it = [&](const KeptValue& k) { return k.name == name; };
-  if (const auto it = std::find_if(kept.begin(), kept.end(), is_it); it != kept.end()) return result_of(*this, *it);
+  if (const auto it = std::find_if(kept.begin(), kept.end(), is_it); it != kept.end())
+    return result_of(*this, *it);
   for (const Evaluation& other : others) {
     if (is_it(other.kept.front())) return other.result();
   }

@@ -28,15 +28,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void add(RefineReport& sum, const RefineReport& more) {
-  sum.candidates += more.candidates;
-  for (std::size_t k = 0; k < sum.contacts.size(); ++k) sum.contacts[k] += more.contacts[k];
-  sum.constructed += more.constructed;
-  sum.stages.filter += more.stages.filter;
-  sum.stages.interval += more.stages.interval;
-  sum.stages.exact += more.stages.exact;
-}
-
 /// The leaves below operands, one instance after the other. Along a chain of nodes with one operand each they are
 /// the same: to list them anew at each node would cost the square of its length.
 class LeavesBelow {
@@ -252,7 +243,7 @@ class Scopes {
     const Node& node = tree_.nodes[instance.node];
     try {
       return operate(*scope.complex, node, x_.grades.on(instance, node.material), operands_of(scope, id),
-                     x_.options.validate, x_.grades.placement(instance), order_below(id));
+                     x_.options.validate, {instance.transform, x_.grades.placement(instance), order_below(id)});
     } catch (const InputError& e) {
       throw TreeError(tree_.file, node.operator_at, e.what());
     }
@@ -421,6 +412,15 @@ class Scopes {
 };
 
 }  // namespace
+
+void add(RefineReport& sum, const RefineReport& more) {
+  sum.candidates += more.candidates;
+  for (std::size_t k = 0; k < sum.contacts.size(); ++k) sum.contacts[k] += more.contacts[k];
+  sum.constructed += more.constructed;
+  sum.stages.filter += more.stages.filter;
+  sum.stages.interval += more.stages.interval;
+  sum.stages.exact += more.stages.exact;
+}
 
 ScopeResult evaluate_scopes(const ScopeContext& context, std::span<const InstanceId> roots, Sections sections,
                             bool top) {

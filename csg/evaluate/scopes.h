@@ -54,6 +54,9 @@ struct ScopeResult {
   std::vector<Diagnostic> diagnostics;       ///< of the leaves' faces
 };
 
+/// Adds what is counted.
+void add(RefineReport& sum, const RefineReport& more);
+
 /// Evaluates the roots and all below them. `sections` may be empty. `top`: the roots are those of the run.
 ScopeResult evaluate_scopes(const ScopeContext& context, std::span<const InstanceId> roots, Sections sections,
                             bool top = true);

@@ -53,6 +53,11 @@ struct BooleanFacts {
   bool dominant = false;  ///< A > B; otherwise A = B. The difference does not ask.
   StepRule rule = StepRule::operands;
   std::string level_a, level_b;  ///< where materials decide: the dominance of each there; empty where one is not
+  /// Of the cell to which A and B cut each other (csg/operators/pair_refinement.h): facts and verdict are about
+  /// it. Where other leaves have cut it into pieces it has more dimensions than the vertices and edges between
+  /// these.
+  int dimension = 3;
+  std::optional<std::array<Integer, 3>> normal;  ///< of such a face, for an edge or a vertex inside
   OperandFacts a, b;
   Verdict verdict;
   std::size_t kept_around = 0;  ///< kept faces (edges) that the edge (vertex) bounds; 0 in a kept face's interior

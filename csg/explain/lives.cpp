@@ -3,15 +3,18 @@
 #include "csg/explain/lives.h"
 
 #include <algorithm>
+#include <iterator>
 #include <type_traits>
 
 #include "csg/evaluate/leaf_numbers.h"
 #include "csg/operators/component_lists.h"
 #include "csg/operators/material_levels.h"
+#include "csg/operators/pair_refinement.h"
 #include "csg/operators/paper_terms.h"
 #include "csg/tree/unfold.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
+#include "kernel/complex/interior.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/selection/simplify.h"
 
@@ -95,59 +98,84 @@ void add_around(const Group& group, const std::vector<RegionId>& regions, Operan
   for (const std::uint32_t n : numbers) out.around.push_back(region_state(group, n));
 }
 
-void add_star_facts(const Complex& complex, const Group& group, const Location& cell, OperandFacts& out) {
-  std::vector<FaceId> faces;
-  std::vector<RegionId> regions;
+/// The entities of a group around an edge or a vertex, in the cells that the group and another one make, or in
+/// those of the complex. `within`: faces in whose interior it lies; `bounded`: the others; `edges` at a vertex.
+struct EntitiesAround {
+  std::vector<FaceId> within, bounded;
+  std::size_t edges = 0;
+};
+
+EntitiesAround around(const Complex& complex, const Group& group, const Location& cell, PairRefinement* pair) {
+  EntitiesAround out;
+  const auto add = [&](FaceId f, std::vector<FaceId>& to) {
+    if (group.has(f)) to.push_back(pair == nullptr ? f : pair->place(f).face);
+  };
+  std::vector<FaceId> all;
   if (cell.dimension == 1) {
-    complex.star_faces(cell.edge, faces);
-    complex.star_regions(cell.edge, regions);
+    for (const FaceUse& use : complex.edge_uses[cell.edge]) add(use.face, all);
+    std::sort(all.begin(), all.end());
+    const auto times = [&](FaceId f) { return std::count(all.begin(), all.end(), f); };
+    std::copy_if(all.begin(), all.end(), std::back_inserter(out.bounded), [&](FaceId f) { return times(f) == 1; });
   } else {
+    std::vector<FaceId> faces;
     complex.star_faces(cell.vertex, faces);
-    complex.star_regions(cell.vertex, regions);
+    for (const FaceId f : faces) add(f, all);
+    for (const EdgeId e : complex.vertex_edges[cell.vertex]) {
+      if (!group.has(e) || (pair != nullptr && !pair->is_kept(e))) continue;
+      ++out.edges;
+      for (const FaceUse& use : complex.edge_uses[e]) add(use.face, out.bounded);
+    }
+    sort_unique(out.bounded);
   }
-  std::erase_if(faces, [&](FaceId f) { return !group.has(f); });
-  if (cell.dimension == 1) {
-    out.within = static_cast<std::size_t>(
-        std::count_if(faces.begin(), faces.end(), [&](FaceId f) { return in_interior(complex, cell.edge, f); }));
-  } else {
-    const auto holders = complex.vertex_faces[cell.vertex];
-    out.within = static_cast<std::size_t>(
-        std::count_if(holders.begin(), holders.end(), [&](FaceId f) { return group.has(f); }));
-  }
-  out.bounds = faces.size() - out.within;
-  out.walls = static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), [&](FaceId f) {
-    return number_of_regions(group, complex.face_regions[f]) > 0;
-  }));
+  sort_unique(all);
+  std::set_difference(all.begin(), all.end(), out.bounded.begin(), out.bounded.end(),
+                      std::back_inserter(out.within));
+  return out;
+}
+
+void add_star_facts(const Complex& complex, const Group& group, const Location& cell, PairRefinement* pair,
+                    OperandFacts& out) {
+  std::vector<RegionId> regions;
+  if (cell.dimension == 1) complex.star_regions(cell.edge, regions);
+  else complex.star_regions(cell.vertex, regions);
   add_around(group, regions, out);
-  out.free = out.state.entity && faces.empty();
-  if (cell.dimension == 1) return;
-  const auto edges = complex.vertex_edges[cell.vertex];
-  out.bounds =
-      static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [&](EdgeId e) { return group.has(e); }));
-  out.free = out.free && out.bounds == 0;
+  const auto [within, bounded, edges] = around(complex, group, cell, pair);
+  out.within = within.size();
+  out.bounds = cell.dimension == 1 ? bounded.size() : edges;
+  for (const auto& faces : {within, bounded}) {
+    out.walls += static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), [&](FaceId f) {
+      return number_of_regions(group, complex.face_regions[f]) > 0;
+    }));
+  }
+  out.free = out.state.entity && within.empty() && bounded.empty() && edges == 0;
 }
 
 OperandFacts facts_of(const Complex& complex, const Group& group, const CellSide& piece, const std::string& name,
-                      bool closed_complement) {
+                      bool closed_complement, PairRefinement* pair) {
   OperandFacts out;
   out.name = name;
   out.closed_complement = closed_complement;
   out.state = state_in(complex, group, piece.cell);
   if (piece.cell.dimension == 2) add_face_facts(complex, group, piece, out);
-  if (piece.cell.dimension < 2) add_star_facts(complex, group, piece.cell, out);
+  if (piece.cell.dimension < 2) add_star_facts(complex, group, piece.cell, pair, out);
   return out;
 }
 
-std::size_t kept_around(const Complex& complex, const Group& result, const Location& cell) {
-  std::size_t count = 0;
-  if (cell.dimension == 1) {
-    std::vector<FaceId> faces;
-    complex.star_faces(cell.edge, faces);
-    for (const FaceId f : faces) count += result.has(f) && !in_interior(complex, cell.edge, f);
-  } else if (cell.dimension == 0) {
-    for (const EdgeId e : complex.vertex_edges[cell.vertex]) count += result.has(e);
-  }
-  return count;
+std::size_t kept_around(const Complex& complex, const Group& result, const Location& cell, PairRefinement& pair) {
+  if (cell.dimension > 1) return 0;
+  const EntitiesAround kept = around(complex, result, cell, &pair);
+  return cell.dimension == 1 ? kept.bounded.size() : kept.edges;
+}
+
+/// What A and B of a step have where a piece is: it, or what it is inside of.
+CellSide made_by_both(PairRefinement& pair, const BooleanStep& step, const CellSide& piece) {
+  return with_id(piece.cell, [&](auto id) -> CellSide {
+    if constexpr (!std::is_same_v<decltype(id), RegionId>) {
+      if (!step.left.has(id) && !step.right.has(id)) return piece;
+      if (const Location in = pair.place(id); in.dimension != piece.cell.dimension) return {in, 0};
+    }
+    return piece;
+  });
 }
 
 Verdict verdict_of(const Complex& complex, const BooleanStep& step, const Location& cell) {
@@ -194,6 +222,10 @@ void add_name(std::vector<std::string>& names, const std::string& name) {
 }
 
 bool is_closed_complement(const NodeValue& value) { return !value.is_group() && value.stands_for.has_value(); }
+
+NodePlace place_of(const Evaluation& evaluation, InstanceId id) {
+  return {evaluation.instances[id].transform, {}, evaluation.leaves->order_below(evaluation.instances, id)};
+}
 
 }  // namespace
 
@@ -348,8 +380,7 @@ std::vector<Operand> Lives::operands_of(InstanceId id) const {
 void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<CellSide>& pieces,
                          std::vector<LifeStep>& steps) {
   const std::vector<Operand> operands = operands_of(id);
-  const LeafOrder order = evaluation_.leaves->order_below(evaluation_.instances, id);
-  for_each_step(complex_, node, operands, order, [&](const BooleanStep& s) {
+  for_each_step(complex_, node, operands, place_of(evaluation_, id), [&](const BooleanStep& s) {
     const bool first = s.operand == 1;
     const bool is_side = node.op == Operator::below || node.op == Operator::above;
     const std::string left = is_side ? operands[1].name
@@ -357,27 +388,33 @@ void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Cell
                                      : "step " + std::to_string(s.operand - 1);
     const std::string right =
         is_side ? "what is " + node.operator_name + " " + operands[0].name : operands[s.operand].name;
+    PairRefinement pair(complex_);
+    pair.refine(s.left, s.right);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
+      const CellSide piece = made_by_both(pair, s, pieces[p]);
       BooleanFacts facts;
       facts.op = s.op;
       facts.rule = s.rule;
-      const LevelsAt levels = s.rule == StepRule::materials ? levels_of(complex_, s, pieces[p].cell) : LevelsAt();
+      facts.dimension = piece.cell.dimension;
+      if (facts.dimension == 2 && pieces[p].cell.dimension < 2)
+        facts.normal = shortest_normal(complex_, {piece.cell.face, piece.side});
+      const LevelsAt levels = s.rule == StepRule::materials ? levels_of(complex_, s, piece.cell) : LevelsAt();
       const Dominance dominance = s.rule == StepRule::materials ? levels.dominance()
-                                  : s.rule == StepRule::blend   ? owner_of(s, pieces[p].cell)
+                                  : s.rule == StepRule::blend   ? owner_of(s, piece.cell)
                                                                 : s.dominance;
       facts.dominant = s.op != BooleanOp::subtract && dominance != Dominance::equal;
-      facts.a = facts_of(complex_, s.left, pieces[p], left,
-                         first && is_closed_complement(*operands[is_side ? 1 : 0].value));
-      facts.b = facts_of(complex_, s.right, pieces[p], right,
-                         !is_side && is_closed_complement(*operands[s.operand].value));
+      facts.a = facts_of(complex_, s.left, piece, left,
+                         first && is_closed_complement(*operands[is_side ? 1 : 0].value), &pair);
+      facts.b = facts_of(complex_, s.right, piece, right,
+                         !is_side && is_closed_complement(*operands[s.operand].value), &pair);
       if (levels.left) facts.level_a = to_decimal(*levels.left);
       if (levels.right) facts.level_b = to_decimal(*levels.right);
       if (s.op != BooleanOp::subtract && dominance == Dominance::right) {
         std::swap(facts.a, facts.b);
         std::swap(facts.level_a, facts.level_b);
       }
-      facts.verdict = verdict_of(complex_, s, pieces[p].cell);
-      facts.kept_around = kept_around(complex_, s.result, pieces[p].cell);
+      facts.verdict = verdict_of(complex_, s, piece.cell);
+      facts.kept_around = kept_around(complex_, s.result, piece.cell, pair);
       facts.result = state_in(complex_, s.result, pieces[p].cell);
       steps[p].booleans.push_back(std::move(facts));
     }
@@ -389,7 +426,7 @@ void Lives::add_topology(Topological op, bool each, const NodeValue& x, const st
   if (x.is_group() && !each && op == Topological::closure) return;  // a group is closed
   if (x.is_group() && !each && op == Topological::regularize) {
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-      steps[p].regularized = facts_of(complex_, x.group(), pieces[p], "", false);
+      steps[p].regularized = facts_of(complex_, x.group(), pieces[p], "", false, nullptr);
     }
     return;
   }
@@ -443,9 +480,8 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Cel
   Node without = node;
   without.regularize = false;
   const std::vector<Operand> operands = operands_of(id);
-  made_.push_back(std::make_unique<NodeValue>(operate(complex_, without, without.material, operands, false, {},
-                                                      evaluation_.leaves->order_below(evaluation_.instances, id))
-                                                  .value));
+  made_.push_back(std::make_unique<NodeValue>(
+      operate(complex_, without, without.material, operands, false, place_of(evaluation_, id)).value));
   const NodeValue& before = *made_.back();
   std::vector<LifeStep> after(pieces.size());
   add_topology(Topological::regularize, false, before, pieces, named, after);

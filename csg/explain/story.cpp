@@ -38,12 +38,9 @@ Json json_of(const OperandFacts& o, int dimension) {
   return out;
 }
 
-Json json_of(const BooleanFacts& f, int dimension) {
-  Json out{{"operator", name(f.op)},
-           {"dominant", f.dominant},
-           {"a", json_of(f.a, dimension)},
-           {"b", json_of(f.b, dimension)},
-           {"result", json_of(f.result)}};
+Json json_of(const BooleanFacts& f) {
+  Json out{{"operator", name(f.op)},         {"dominant", f.dominant},         {"dimension", f.dimension},
+           {"a", json_of(f.a, f.dimension)}, {"b", json_of(f.b, f.dimension)}, {"result", json_of(f.result)}};
   if (f.rule == StepRule::blend) out["rule"] = "blend";
   if (f.rule == StepRule::materials) {
     out["rule"] = "materials";
@@ -158,7 +155,7 @@ class Teller {
       return Json{{"name", operand.first}, {"state", json_of(operand.second)}};
     });
     if (!step.booleans.empty()) {
-      out["booleans"] = list_of(step.booleans, [&](const BooleanFacts& f) { return json_of(f, dimension); });
+      out["booleans"] = list_of(step.booleans, [&](const BooleanFacts& f) { return json_of(f); });
     }
     if (!step.stars.empty()) out["stars"] = list_of(step.stars, [](const StarFacts& s) { return json_of(s); });
     if (step.regularized) out["regularized"] = json_of(*step.regularized, dimension);

@@ -196,10 +196,15 @@ class Reader {
     if (!of.has("name")) return {of.text()};
     NamePart part{of.only({"name", "ordinal", "by"}).member("name").text()};
     if (of.has("ordinal")) part.ordinal = of.member("ordinal").number(kNone, "ordinal");
-    if (!of.has("by")) return part;
-    const auto it = std::find(std::begin(kNameOrigins), std::end(kNameOrigins), of.member("by").text());
-    if (it == std::end(kNameOrigins)) of.member("by").refuse("nobody of that kind gives names");
-    part.origin = static_cast<NameOrigin>(it - std::begin(kNameOrigins));
+    if (of.has("by")) {
+      const auto it = std::find(std::begin(kNameOrigins), std::end(kNameOrigins), of.member("by").text());
+      if (it == std::end(kNameOrigins)) of.member("by").refuse("nobody of that kind gives names");
+      part.origin = static_cast<NameOrigin>(it - std::begin(kNameOrigins));
+    }
+    if (part.ordinal == 0 && of.has("ordinal")) of.member("ordinal").refuse("ordinals begin at 1");
+    if (part.origin != NameOrigin::given) return part;
+    if (of.has("by")) of.member("by").refuse("`given` is left out");
+    if (part.ordinal == 0) of.refuse("a given name without an ordinal is a text");
     return part;
   }
 

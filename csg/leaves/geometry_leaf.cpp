@@ -54,9 +54,6 @@ class DoubleTransform {
 
 }  // namespace
 
-namespace {
-
-/// The own axes of a leaf's cavities once it is moved; nothing where these are in the same order in x, y and z.
 std::optional<LeafAxes> moved_axes(const LeafAxes* axes, const Transform& transform) {
   const LeafAxes own = axes != nullptr ? *axes : LeafAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const auto& back = transform.inverse().linear;
@@ -70,8 +67,6 @@ std::optional<LeafAxes> moved_axes(const LeafAxes* axes, const Transform& transf
   }
   return same ? std::nullopt : std::optional(there);
 }
-
-}  // namespace
 
 RationalPoint exact_value(const Soup& soup, PointId p) {
   if (const RationalPoint* value = soup.rational(p)) return *value;

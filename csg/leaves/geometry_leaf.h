@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ class GeometryLeaf final : public PreparedLeaf {
 
 /// A leaf without any cells.
 const std::shared_ptr<const PreparedLeaf>& no_geometry();
+
+/// The axes in whose order regions are numbered, once what has the axes `axes` (nullptr: x, y, z) is moved;
+/// nothing where that is the order of x, y and z.
+std::optional<LeafAxes> moved_axes(const LeafAxes* axes, const Transform& transform);
 
 /// The coordinates of a point, exactly.
 RationalPoint exact_value(const Soup& soup, PointId p);

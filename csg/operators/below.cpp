@@ -29,15 +29,23 @@ class Plumb {
     FaceId face;
     Rational z;
   };
-  explicit Plumb(const Complex& complex) : complex_(complex) {}
+  /// A line is vertical where `transform` has moved a vertical one to it.
+  Plumb(const Complex& complex, const Transform& transform)
+      : complex_(complex),
+        back_(transform.inverse()),
+        moved_(!transform.identity()),
+        front_(sgn(back_.determinant())) {}
+
+  /// Before it was moved.
+  RationalPoint before(const RationalPoint& p) const { return moved_ ? back_.apply(p) : p; }
 
   /// The normal of a face, up to its length.
   const RationalPoint& normal(FaceId f) {
     const auto [it, fresh] = normals_.try_emplace(f);
     if (fresh) {
       const auto [a, b, c] = complex_.points.plane_points(complex_.plane(f));
-      const RationalPoint p = complex_.points.rational(a);
-      it->second = cross(complex_.points.rational(b) - p, complex_.points.rational(c) - p);
+      const RationalPoint p = place(a);
+      it->second = Rational(front_) * cross(place(b) - p, place(c) - p);
     }
     return it->second;
   }
@@ -60,7 +68,7 @@ class Plumb {
  private:
   Rational height(FaceId f, const RationalPoint& p) {
     const RationalPoint& n = normal(f);
-    const RationalPoint o = complex_.points.rational(complex_.points.plane_points(complex_.plane(f))[0]);
+    const RationalPoint o = place(complex_.points.plane_points(complex_.plane(f))[0]);
     return o[2] - (n[0] * (p[0] - o[0]) + n[1] * (p[1] - o[1])) / n[2];
   }
 
@@ -79,11 +87,15 @@ class Plumb {
   }
   const RationalPoint& point(VertexId v) {
     const auto [it, fresh] = points_.try_emplace(v);
-    if (fresh) it->second = complex_.points.rational(v);
+    if (fresh) it->second = place(v);
     return it->second;
   }
+  RationalPoint place(VertexId v) const { return before(complex_.points.rational(v)); }
 
   const Complex& complex_;
+  const Transform back_;
+  const bool moved_;
+  const int front_;  // -1: it was mirrored, too
   std::map<FaceId, RationalPoint> normals_;
   std::map<VertexId, RationalPoint> points_;
 };
@@ -91,7 +103,7 @@ class Plumb {
 class Parting {
  public:
   Parting(const Complex& complex, const Group& surface, const std::string& surface_name, const Group& block,
-          const std::string& block_name)
+          const std::string& block_name, const Transform& transform)
       : complex_(complex),
         surface_(surface),
         block_(block),
@@ -101,7 +113,7 @@ class Parting {
         of_surface_(complex.face_count()),
         pieces_(block.cells.size()),
         bodies_(block.cells.size()),
-        plumb_(complex) {}
+        plumb_(complex, transform) {}
 
   Group run(Side side) {
     if (!surface_.cells.empty()) {
@@ -227,7 +239,7 @@ class Parting {
     if (agree) return *agreed;
     for (const FaceId f : faces) {
       if (plumb_.vertical(f)) continue;
-      if (const auto top = uppermost(interior_point(complex_, f).rational(), faces)) {
+      if (const auto top = uppermost(plumb_.before(interior_point(complex_, f).rational()), faces)) {
         return color_.at(piece(plumb_.under(*top)));
       }
     }
@@ -253,7 +265,7 @@ class Parting {
       for (const HalfFace h : complex_.region_faces[r]) {
         const FaceId f = h.face();
         if (of_surface_.get(f) != 0 || complex_.on_frame(f) || plumb_.vertical(f)) continue;
-        const RationalPoint p = interior_point(complex_, f).rational();
+        const RationalPoint p = plumb_.before(interior_point(complex_, f).rational());
         const std::vector<Plumb::Hit> hits = plumb_.hits(p, surface_.faces);
         if (hits.empty()) continue;
         const auto over = std::count_if(hits.begin(), hits.end(), [&](const auto& hit) { return hit.z > p[2]; });
@@ -341,8 +353,8 @@ class Parting {
 }  // namespace
 
 Group part_of(const Complex& complex, Side side, const Group& surface, const std::string& surface_name,
-              const Group& block, const std::string& block_name) {
-  return Parting(complex, surface, surface_name, block, block_name).run(side);
+              const Group& block, const std::string& block_name, const Transform& transform) {
+  return Parting(complex, surface, surface_name, block, block_name, transform).run(side);
 }
 
 }  // namespace cnrg

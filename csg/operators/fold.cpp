@@ -139,10 +139,10 @@ class Fold {
     const std::size_t step = step_of(operand);
     const bool dominant = roles(op_, dominances_[step]).dominant;
     for (const PartRef& part : operands_[operand].parts) {
-      const Group& g = part->group();
-      const std::size_t sizes[] = {g.vertices.size(), g.edges.size(), g.faces.size()};
+      const auto& cells = part->counts(complex_).simplified;
       for (int dimension = 0; dimension <= 2; ++dimension) {
-        steps_[step].removed[table_row(op_, dominant, dimension, outside(operand))] += sizes[dimension];
+        const std::size_t row = table_row(op_, dominant, dimension, outside(operand));
+        if (const std::size_t n = cells[static_cast<std::size_t>(dimension)]) steps_[step].removed[row] += n;
       }
     }
     operands_[operand].parts.clear();

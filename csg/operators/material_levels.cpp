@@ -8,6 +8,7 @@
 #include <set>
 
 #include "csg/operators/bounds.h"
+#include "csg/operators/pair_refinement.h"
 #include "csg/operators/subgroup.h"
 #include "csg/operators/verdict.h"
 #include "kernel/base/sorted.h"
@@ -207,13 +208,15 @@ class ByMaterials {
 
   void count_removals() {
     const Group result = whole(out_.group);
+    PairRefinement pair(complex_);
+    pair.refine(left_, right_);
     std::map<std::size_t, std::size_t> count;
     const auto see = [&](const auto& of_left, const auto& of_right) {
       auto all = of_left;
       all.insert(all.end(), of_right.begin(), of_right.end());
       sort_unique(all);
       for (const auto cell : all) {
-        if (result.has(cell)) continue;
+        if (result.has(cell) || !pair.is_first(cell)) continue;
         const Dominance dominance = levels_at(complex_, left_, right_, cell).dominance();
         const Verdict judged = verdict(complex_, op_, dominance, left_, right_, result, cell);
         ++count[static_cast<std::size_t>(judged.row - table_rows().data())];

@@ -37,7 +37,7 @@ Rational level_of_entity(const Complex& complex, const Group& g, FaceId f);
 Rational level_of_entity(const Complex& complex, const Group& g, EdgeId e);
 Rational level_of_entity(const Complex& complex, const Group& g, VertexId v);
 
-/// A union or intersection in which materials decide. Removals: each entity that is gone counts once, by the row
+/// A union or intersection in which materials decide. Removals: each cell that is gone counts once, by the row
 /// of its relation under `dominance_at`.
 FoldResult boolean_by_materials(const Complex& complex, BooleanOp op, PartedGroup left, PartedGroup right,
                                 const LeafOrder& order = {});

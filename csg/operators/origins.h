@@ -67,12 +67,14 @@ class LeafUnions {
   std::map<std::tuple<LeafSetId, LeafSetId, Dominance>, LeafSetId> united_;
 };
 
-/// Brings sets of one table into another, each when it is first met: tables hold no more than their values need.
+/// Brings sets of one table, which may grow, into another, each when it is first met: tables hold no more than
+/// their values need.
 template <class From, class To>
 class LeafSetMap {
  public:
   LeafSetMap(const From& from, To& to) : from_(from), to_(to), known_(from.size(), LeafSetId::none()) {}
   LeafSetId operator()(LeafSetId set) {
+    if (set.index() >= known_.size()) known_.resize(from_.size(), LeafSetId::none());
     LeafSetId& id = known_[set.index()];
     if (!id.valid()) id = to_.intern(from_[set], from_.said(set));
     return id;

@@ -13,7 +13,8 @@
 // the step after.
 //
 //   take_in            marks next, and asks for the entities of held that a row may remove
-//   decide             faces, edges, vertices: row, condition, count
+//   decide             faces, edges, vertices: row, condition
+//   RemovedEntities    counts what went, in cells of the refinement of the two operands (pair_refinement.h)
 //   HeldRegions        does the operator on regions, which end at the faces that stay
 //   commit             makes next's entities held ones; what was removed goes
 //
@@ -27,6 +28,7 @@
 
 #include "csg/operators/bounds.h"
 #include "csg/operators/held_regions.h"
+#include "csg/operators/removed_entities.h"
 #include "csg/operators/tally.h"
 
 namespace cnrg {
@@ -50,7 +52,8 @@ class TableEngine::State {
         faces_(complex.face_count()),
         edges_(complex.edge_count()),
         vertices_(complex.points.size()),
-        regions_(complex, op, faces_, order) {
+        regions_(complex, op, faces_, order),
+        removed_(complex, faces_, edges_, vertices_, sets_) {
     for (const Group* part : first) load(*part);
     regions_.load(first);
     if (tallies) tally_.emplace(complex, faces_, edges_, vertices_, sets_, regions_, first);
@@ -64,6 +67,7 @@ class TableEngine::State {
     decide(faces_, 2, next, &Group::faces);
     decide(edges_, 1, next, &Group::edges);
     decide(vertices_, 0, next, &Group::vertices);
+    removed_.count(next, step.removed);
     regions_.update(roles_, next, step.conflicts);
     CellSet changed;
     if (tally_) changed = what_changes(next);
@@ -76,10 +80,6 @@ class TableEngine::State {
     at_odds_.take_to(of_entities);
     for (AttributeConflict& conflict : of_entities)
       step.conflicts.emplace_back(RegionId::none(), std::move(conflict));
-    for (std::size_t row = 0; row < kTableRows; ++row) {
-      if (removed_[row] != 0) step.removed[row] += removed_[row];
-    }
-    removed_ = {};
   }
 
   bool empty() const {
@@ -186,7 +186,7 @@ class TableEngine::State {
       const Condition condition = table_rows()[row].condition;
       if (condition == Condition::never || bounds_kept(cell) || !holds(condition, cell)) return;
       marks.flags[cell] |= kRemoved;
-      ++removed_[row];
+      removed_.add(cell, row);
     };
     for (const Group* part : next) {
       for (const IdT cell : part->*entities) decide_one(cell);
@@ -414,7 +414,7 @@ class TableEngine::State {
   // The step.
   Roles roles_{};
   Who a_ = Who::held, b_ = Who::next;  // A and B of the rows
-  std::array<std::size_t, kTableRows> removed_{};
+  RemovedEntities removed_;
   std::vector<RegionId> around_;
   AtOdds at_odds_;
 

@@ -20,7 +20,7 @@ namespace cnrg {
 
 /// What one step of a fold did, in one engine or in several.
 struct FoldStep {
-  std::map<std::size_t, std::size_t> removed;  ///< row of the tables -> entities
+  std::map<std::size_t, std::size_t> removed;  ///< row of the tables -> cells
   /// Each with the smallest 3-cell of its region of the step's result, in that order; those of entities, which
   /// have none, are the last.
   std::vector<std::pair<RegionId, AttributeConflict>> conflicts;

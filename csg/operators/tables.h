@@ -137,7 +137,7 @@ bool holds_for_lower(Condition condition, const Lower& cell) {
   }
 }
 
-/// How many entities the rows have removed: (row, count), in the order in which rows first removed something.
+/// How many cells (pair_refinement.h) the rows removed: (row, count), in the order in which rows first removed.
 class Removals {
  public:
   void add(std::size_t row, std::size_t count);

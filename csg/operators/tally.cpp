@@ -104,7 +104,7 @@ void Tally::load(std::span<const Group* const> held) {
     decide({part->vertices, part->edges, part->faces, {}});
     for (const EdgeId e : part->edges) {
       if (merging_.fate(e) != Fate::in_face) continue;
-      const auto [f, g] = merged_over(e);
+      const auto [f, g] = merging_.merged_over(e);
       const bool flip = f.half_edge == g.half_edge;
       known_ = known_ && pieces.unite(f.face, g.face, flip);
       face_links_.start(f.face, g.face, flip);
@@ -224,19 +224,10 @@ void Tally::count_closed_chains(std::span<const VertexId> vertices, int sign, To
   }
 }
 
-std::pair<FaceUse, FaceUse> Tally::merged_over(EdgeId e) const {
-  FaceUse pair[2];
-  std::size_t n = 0;
-  for (Merging::Use u = merging_.first_use(e); u != merging_.end_use(e); ++u) {
-    if (merging_.remains(u)) pair[n++] = merging_.use(u);
-  }
-  return {pair[0], pair[1]};
-}
-
 void Tally::link_faces(std::span<const EdgeId> edges, int sign, std::vector<Link<FaceId>>& links) const {
   for (const EdgeId e : edges) {
     if (merging_.state(e) == 0 || merging_.fate(e) != Fate::in_face) continue;
-    const auto [f, g] = merged_over(e);
+    const auto [f, g] = merging_.merged_over(e);
     const auto [first, second] = std::minmax(f.face, g.face);
     links.push_back({first, second, f.half_edge == g.half_edge, sign});
   }

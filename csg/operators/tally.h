@@ -65,7 +65,6 @@ class Tally {
   void link_faces(std::span<const EdgeId> edges, int sign, std::vector<Link<FaceId>>& links) const;
   void link_regions(std::span<const FaceId> faces, int sign, std::vector<Link<RegionId>>& links) const;
   void decide(const CellSet& cells);
-  std::pair<FaceUse, FaceUse> merged_over(EdgeId e) const;
   bool is_open(EdgeId e) const { return merging_.fate(e) == Fate::kept; }
 
   const Complex& complex_;

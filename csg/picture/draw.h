@@ -27,6 +27,8 @@ struct DrawOptions {
   double apart = 0;    ///< regions are moved away from the middle by this share of their distance from it
   double opacity = 1;  ///< of faces; below 1 what is behind them shines through, hidden lines as faint ones
   std::optional<ColorBy> colors;  ///< nothing: as palette.h chooses for the node
+  /// Of all leaves of the picture, if it shows other nodes beside this one: they have one color in all of them.
+  std::vector<std::string> leaf_names;
   /// Which cells have their numbers beside them (`v6`, `e11`, `f2`, `r2`), and whether regions, sheets and wires
   /// have their names.
   struct Labels {

@@ -25,7 +25,7 @@ class SceneMaker {
         cells_(cells),
         options_(options),
         camera_(camera),
-        colors_(view, flat),
+        colors_(view, flat, options.leaf_names),
         by_(colors_by(view, options.colors)),
         whole_(options.apart == 0 && options.opacity >= 1) {}
 

@@ -100,15 +100,21 @@ ColorBy default_colors(const ResultView& view) {
   return view.value->is_group() || view.of_group ? ColorBy::region : ColorBy::component;
 }
 
-LeafColors::LeafColors(const std::vector<LeafInfo>& leaves) {
-  std::map<std::string, std::size_t> numbers;
-  numbers_.resize(leaves.size());
+void add_names(const std::vector<LeafInfo>& leaves, std::vector<std::string>& names) {
+  std::set<std::string> known(names.begin(), names.end());
   for (const LeafId leaf : in_order_of_place(leaves)) {
     const std::string& name = leaves[leaf.index()].name;
-    const auto [at, is_new] = numbers.try_emplace(name, numbers.size());
-    if (is_new) names_.push_back(name);
-    numbers_[leaf.index()] = at->second;
+    if (known.insert(name).second) names.push_back(name);
   }
+}
+
+LeafColors::LeafColors(const std::vector<LeafInfo>& leaves, std::vector<std::string> names)
+    : numbers_(leaves.size()), names_(std::move(names)) {
+  add_names(leaves, names_);
+  std::map<std::string, std::size_t> numbers;
+  for (const std::string& name : names_) numbers.emplace(name, numbers.size());
+  for (const LeafId leaf : in_order_of_place(leaves))
+    numbers_[leaf.index()] = numbers.at(leaves[leaf.index()].name);
 }
 
 CellColor LeafColors::of(std::span<const LeafId> leaves) const {
@@ -130,8 +136,8 @@ CellColor LeafColors::of(std::span<const LeafId> leaves) const {
   return {palette_color(names_.size() + sets + kPaletteSize - less), text};
 }
 
-CellColors::CellColors(const ResultView& view, const FlatComplex& flat)
-    : view_(view), flat_(flat), leaves_(*view.leaves), attributes_(view.value->attributes()) {
+CellColors::CellColors(const ResultView& view, const FlatComplex& flat, std::vector<std::string> leaf_names)
+    : view_(view), flat_(flat), leaves_(*view.leaves, std::move(leaf_names)), attributes_(view.value->attributes()) {
   materials_ = std::any_of(attributes_.begin(), attributes_.end(),
                            [](const RegionAttributes& a) { return !a.material.empty(); });
   std::size_t active = 0;

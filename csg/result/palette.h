@@ -56,11 +56,15 @@ struct CellColor {
   std::string text;  ///< empty if there is nothing to say but what kind of cell it is
 };
 
+/// Adds the names of the leaves below a node, in the order of its subtree, each once.
+void add_names(const std::vector<LeafInfo>& leaves, std::vector<std::string>& names);
+
 /// A leaf has the color of its number, a set of leaves one of the colors that come after those of all leaves: up
 /// to four leaves and their sets all have different ones. Leaves of one name (a node used twice) are one.
 class LeafColors {
  public:
-  explicit LeafColors(const std::vector<LeafInfo>& leaves);
+  /// `names`: of all leaves of a picture that shows more nodes than this one.
+  explicit LeafColors(const std::vector<LeafInfo>& leaves, std::vector<std::string> names = {});
   /// Of what came from these.
   CellColor of(std::span<const LeafId> leaves) const;
 
@@ -69,10 +73,10 @@ class LeafColors {
   std::vector<std::string> names_;    // by number
 };
 
-/// The colors of one node's cells. Keeps references to both arguments.
+/// The colors of one node's cells. Keeps references to the view and the cells.
 class CellColors {
  public:
-  CellColors(const ResultView& view, const FlatComplex& flat);
+  CellColors(const ResultView& view, const FlatComplex& flat, std::vector<std::string> leaf_names = {});
 
   /// Of cell i of a dimension.
   CellColor of(ColorBy by, int dimension, FlatComplex::Index i) const;

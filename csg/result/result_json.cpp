@@ -205,7 +205,7 @@ class JsonWriter {
                   const Rational* dominance = nullptr) {
     JsonObject object(text_);
     object.add("name", a.name.text());
-    if (!a.name.empty())
+    if (!a.name.empty() && a.name.parts() != std::vector{NamePart{a.name.text(), 0, NameOrigin::file}})
       append_json(object.key("called"), a.name.parts(), [&](const NamePart& part) { called(part); });
     object.add("material", a.material.name());
     if (leaves != nullptr) {

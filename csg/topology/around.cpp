@@ -2,6 +2,7 @@
 #include "csg/topology/around.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -53,30 +54,6 @@ HalfEdge way_of(const Complex& complex, const SimplifiedComplex::Edge& edge) {
   return less(corner(1), corner(n - 1)) ? first : first.twin();
 }
 
-/// The faces about an edge, each with the region after it, counter-clockwise against the way of the edge, from the
-/// least one.
-std::vector<std::pair<std::uint32_t, std::string>> faces_about(const Complex& complex,
-                                                               const SimplifiedComplex& simplified,
-                                                               std::span<const RegionAttributes> components,
-                                                               const SimplifiedComplex::Edge& edge) {
-  const HalfEdge way = way_of(complex, edge);
-  std::vector<std::pair<std::uint32_t, std::string>> out;
-  for (const RadialStep& step : radial_order(complex, way.edge())) {
-    const SimplifiedComplex::Place face = simplified.face_place[step.face.face().index()];
-    if (face.dimension == 2) out.emplace_back(face.index, region_name(simplified, components, step.region));
-  }
-  if (way.direction() == 1) {  // the other way round a region is before the face that it was after
-    std::reverse(out.begin(), out.end());
-    for (std::size_t i = 0; i + 1 < out.size(); ++i) std::swap(out[i].second, out[i + 1].second);
-  }
-  auto least = out;
-  for (std::size_t i = 1; i < out.size(); ++i) {
-    std::rotate(out.begin(), out.begin() + 1, out.end());
-    least = std::min(least, out);
-  }
-  return least;
-}
-
 /// How many of each the graph on a small sphere around a vertex has, in cells of the result.
 struct SphereGraph {
   std::size_t nodes = 0, arcs = 0, germs = 0, parts = 0;
@@ -125,16 +102,41 @@ SphereGraph graph_of(const SimplifiedComplex& simplified, const Neighbourhood& n
 
 }  // namespace
 
+EdgeAbout faces_about(const Complex& complex, const SimplifiedComplex& simplified,
+                      const SimplifiedComplex::Edge& edge) {
+  EdgeAbout out{way_of(complex, edge), {}};
+  const bool along = out.way.direction() == 0;
+  for (const FaceUse& use : complex.edge_uses[out.way.edge()]) {
+    const SimplifiedComplex::Place face = simplified.face_place[use.face.index()];
+    if (face.dimension != 2 || face.index == SimplifiedComplex::kNowhere) continue;
+    const RegionId behind = complex.region(along ? use.after() : use.before());
+    const SimplifiedComplex::Place place = simplified.region_place[behind.index()];
+    const bool listed = place.dimension == 3 && place.index != SimplifiedComplex::kNowhere;
+    out.faces.push_back({face.index, listed ? place.index + 1 : 0, use, behind});
+  }
+  if (!along) std::reverse(out.faces.begin(), out.faces.end());
+  const auto less = [](const FaceAbout& a, const FaceAbout& b) {
+    return std::tie(a.face, a.region) < std::tie(b.face, b.region);
+  };
+  auto least = out.faces;
+  for (std::size_t i = 1; i < out.faces.size(); ++i) {
+    std::rotate(out.faces.begin(), out.faces.begin() + 1, out.faces.end());
+    if (std::ranges::lexicographical_compare(out.faces, least, less)) least = out.faces;
+  }
+  out.faces = std::move(least);
+  return out;
+}
+
 std::string radial_orders_text(const Complex& complex, const SimplifiedComplex& simplified,
                                std::span<const RegionAttributes> components, std::span<const std::uint32_t> edges,
                                std::size_t most) {
   return lines("radial order (faces and regions about the edge)", edges, most, [&](std::uint32_t i) {
     const SimplifiedComplex::Edge& edge = simplified.edges[i];
-    const auto faces = faces_about(complex, simplified, components, edge);
     std::string text;
-    for (const auto& [face, region] : faces)
-      text += (text.empty() ? " " : ", ") + cell_name(2, face) + ", " + region;
-    if (faces.empty())
+    for (const FaceAbout& about : faces_about(complex, simplified, edge).faces)
+      text += (text.empty() ? " " : ", ") + cell_name(2, about.face) + ", " +
+              region_name(simplified, components, about.behind);
+    if (text.empty())
       text = " a wire in " + region_name(simplified, components, complex.some_region(edge.chain.front().edge()));
     return cell_name(1, i) + ":" + text;
   });

@@ -13,6 +13,7 @@
 #include "csg/result/palette.h"
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
+#include "csg/topology/around.h"
 #include "csg/topology/topology.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/manifold.h"
@@ -208,30 +209,27 @@ std::size_t pieces_of(const SimplifiedComplex& s) {
   return count;
 }
 
-/// The faces around each edge of the node, and the region behind each, counter-clockwise as seen with the edge
-/// pointing towards the viewer; at the edge of the refinement where they were asked for, and at what angle from
-/// the first. Faces that simplification took away are passed over: both of their sides are one region.
+/// The faces around each edge of the node, and the region behind each (csg/topology/around.h); at the edge of the
+/// refinement where they were asked for, and at what angle from the first.
 Json radial_orders(const Complex& complex, const SimplifiedComplex& s, PageTables& tables) {
   Json out;
   Numbers from, to, counts, faces, regions;
   std::vector<float> angles;
   for (const SimplifiedComplex::Edge& edge : s.edges) {
-    const EdgeId e = edge.chain.front().edge();
-    const auto& ends = complex.edge_ends[e];
+    const EdgeAbout about = faces_about(complex, s, edge);
+    const std::array<VertexId, 2> ends{complex.origin(about.way), complex.target(about.way)};
     from.push_back(tables.point(ends[0]));
     to.push_back(tables.point(ends[1]));
     const auto a = complex.points.approx(ends[0]), b = complex.points.approx(ends[1]);
     const std::array<double, 3> d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    std::uint32_t count = 0;
     std::array<double, 3> first{}, across{};
     double before = 0;
-    for (const FaceUse& use : complex.edge_uses[e]) {
-      const SimplifiedComplex::Place place = s.face_place[use.face.index()];
-      if (place.dimension != 2 || place.index == SimplifiedComplex::kNowhere) continue;
+    for (const FaceAbout& face : about.faces) {
+      const bool is_first = &face == &about.faces.front();
       // Into the face: its normal times the direction in which it is to the left.
-      const ExactPlane& plane = complex.points.exact_plane(complex.plane(use.face));
+      const ExactPlane& plane = complex.points.exact_plane(complex.plane(face.use.face));
       const Integer size = abs(plane.a) + abs(plane.b) + abs(plane.c);
-      const double sign = use.half_edge.direction() == 0 ? 1 : -1;
+      const double sign = face.use.half_edge.direction() == about.way.direction() ? 1 : -1;
       const std::array<double, 3> n{sign * to_double(Rational(plane.a, size)),
                                     sign * to_double(Rational(plane.b, size)),
                                     sign * to_double(Rational(plane.c, size))};
@@ -243,22 +241,19 @@ Json radial_orders(const Complex& complex, const SimplifiedComplex& s, PageTable
         return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
       };
       const std::array<double, 3> into = cross(n, d);
-      if (count == 0) {
+      if (is_first) {
         first = into;
         across = cross(d, into);
       }
-      double angle = count == 0 ? 0 : std::atan2(dot(into, across) / std::sqrt(dot(d, d)), dot(into, first));
+      double angle = is_first ? 0 : std::atan2(dot(into, across) / std::sqrt(dot(d, d)), dot(into, first));
       if (angle < 0) angle += 2 * M_PI;
       angle = std::max(angle, before);  // the order is exact, the angle is rounded
       before = angle;
-      faces.push_back(place.index);
-      const SimplifiedComplex::Place behind = s.region_place[complex.region(use.after()).index()];
-      const bool listed = behind.dimension == 3 && behind.index != SimplifiedComplex::kNowhere;
-      regions.push_back(listed ? behind.index + 1 : 0);
+      faces.push_back(face.face);
+      regions.push_back(face.region);
       angles.push_back(static_cast<float>(angle));
-      ++count;
     }
-    counts.push_back(count);
+    counts.push_back(static_cast<std::uint32_t>(about.faces.size()));
   }
   out["from"] = packed(from);
   out["to"] = packed(to);

@@ -55,11 +55,14 @@ Json origins_of(const PageTables& tables) {
   return out;
 }
 
-/// The colors of origins, by number; of no origin at 0.
+/// The colors of origins, by number, in all nodes those of the result; of no origin at 0.
 std::string source_colors(const Evaluation& evaluation, PageTables& tables) {
-  std::vector<LeafInfo> infos;
-  for (const std::string& name : evaluation.leaf_names)
-    infos.push_back({name, static_cast<std::uint32_t>(infos.size())});
+  const Result result = evaluation.result();
+  std::vector<LeafInfo> infos = *result.data().view().leaves;
+  std::uint32_t places = static_cast<std::uint32_t>(in_order_of_place(infos).size());
+  for (LeafInfo& leaf : infos) {
+    if (leaf.place == LeafInfo::kNoPlace) leaf.place = places++;
+  }
   const LeafColors colors(infos);
   std::vector<std::uint32_t> out(tables.origins.size() + 1);
   const auto number = [&](const std::vector<LeafId>& leaves) {

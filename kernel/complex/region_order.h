@@ -1,4 +1,4 @@
-// Which of several sets of points comes first, by where they are. Private to this room.
+// Which of several sets of points comes first, by where they are.
 #pragma once
 
 #include <functional>

@@ -42,6 +42,11 @@ void OrientedSets::settle() {
   for (FaceId f : joined_) shortened(f);
 }
 
+void OrientedSets::reset() {
+  for (const FaceId f : joined_) links_[f] = {};
+  joined_.clear();
+}
+
 bool OrientedSets::unite(FaceId a, FaceId b, bool flip) {
   const auto [root_a, flip_a] = shortened(a);
   const auto [root_b, flip_b] = shortened(b);
@@ -159,14 +164,8 @@ void Merging::decide_edges(const std::vector<EdgeId>& features) {
   for (EdgeId e : features) edge_fate_[e] = Fate::kept;
   for (EdgeId e : domain_.edges) {
     if (edge_fate_.get(e) != Fate::in_face) continue;
-    FaceUse pair[2];
-    std::size_t n = 0;
-    for (Use u = first_use(e); u != end_use(e); ++u) {
-      if (remains(u)) pair[n++] = use(u);
-    }
-    const auto& [f, hf] = pair[0];
-    const auto& [g, hg] = pair[1];
-    if (faces_.unite(f, g, hf == hg)) inner_edges_.push_back(e);
+    const auto [f, g] = merged_over(e);
+    if (faces_.unite(f.face, g.face, f.half_edge == g.half_edge)) inner_edges_.push_back(e);
     else edge_fate_[e] = Fate::kept;
   }
   faces_.settle();
@@ -188,6 +187,15 @@ Merging::Fate Merging::decide(EdgeId e) const {
   const FaceId f = use(pair[0]).face, g = use(pair[1]).face;
   if (s != state(f) || s != state(g) || mark(f) != mark(g)) return Fate::kept;
   return one_surface(f, g) ? Fate::in_face : Fate::kept;
+}
+
+std::pair<FaceUse, FaceUse> Merging::merged_over(EdgeId e) const {
+  FaceUse pair[2];
+  std::size_t n = 0;
+  for (Use u = first_use(e); u != end_use(e); ++u) {
+    if (remains(u)) pair[n++] = use(u);
+  }
+  return {pair[0], pair[1]};
 }
 
 void Merging::uses_along(FaceId f, LoopId l, std::vector<Use>& out) const {

@@ -30,6 +30,8 @@ class OrientedSets {
   bool unite(FaceId a, FaceId b, bool flip);
   /// Called after the last union: then `find` is one step, and threads may ask.
   void settle();
+  /// All are by themselves again.
+  void reset();
   /// The smallest member of the set of x, and whether x is oriented against it.
   std::pair<FaceId, bool> find(FaceId x) const;
   /// All members but the smallest of each set, ascending; after `settle`.
@@ -98,6 +100,8 @@ class Merging {
   const FaceUse& use(Use u) const { return complex_.edge_uses.values()[u]; }
   Use first_use(EdgeId e) const { return complex_.edge_uses.offsets()[e.index()]; }
   Use end_use(EdgeId e) const { return complex_.edge_uses.offsets()[e.index() + 1]; }
+  /// The two faces that are one over an edge of fate in_face, each along the edge.
+  std::pair<FaceUse, FaceUse> merged_over(EdgeId e) const;
   /// The uses of a remaining face along one of its loops, into `out`.
   void uses_along(FaceId f, LoopId l, std::vector<Use>& out) const;
   /// From a use of a walkable edge at v: the use of the walkable edge on the other side of the face's corner.

@@ -112,14 +112,17 @@ TEST_CASE("columns of explain are as wide as names have letters", "[app][explain
 
 TEST_CASE("explain takes a cell as locate names it", "[app][explain]") {
   const Workshop w;
-  w.write("t.yaml", kSplit);
-  const std::string located = w.run("locate t.yaml --node split", "3 3 2\n").out;
+  w.write("t.yaml",
+          "cnrg: 1\nnodes:\n  sheet: {polygon: [[0, 0, 1], [4, 0, 1], [4, 2, 1], [0, 2, 1]]}\n"
+          "  fin: {polygon: [[2, 0, 0], [2, 2, 0], [2, 2, 2], [2, 0, 2]]}\n"
+          "  cut: {difference: [sheet, fin]}\nresult: cut\n");
+  const std::string located = w.run("locate t.yaml", "1 1 1\n").out;
   const std::string cell = located.substr(2, located.find(' ', 2) - 2);
-  const Outcome o = w.run("explain t.yaml --threads 1 --node split --cell " + cell);
+  const Outcome o = w.run("explain t.yaml --threads 1 --cell " + cell);
   CHECK(o.status == 0);
-  CHECK_THAT(o.out, StartsWith(cell + " of `split`: face, entity; unites 2 faces of the refinement"));
+  CHECK_THAT(o.out, StartsWith(cell + " of `cut`: face, entity; unites 2 faces of the refinement"));
   CHECK_THAT(o.out, Contains("All 2 faces live alike; one of them:\nat      "));
-  CHECK(o.out == w.run("explain t.yaml --threads 2 --node split --cell " + cell).out);
+  CHECK(o.out == w.run("explain t.yaml --threads 2 --cell " + cell).out);
 }
 
 TEST_CASE("explain refuses what it cannot look up", "[app][explain][errors]") {

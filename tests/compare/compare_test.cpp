@@ -71,9 +71,9 @@ TEST_CASE("A face that belongs to another component", "[compare]") {
       "l: {unify: {box: {min: [0, 0, 0], max: [1, 1, 1]}}}\nr: {unify: {box: {min: [1, 0, 0], max: [2, 1, 1]}}}\n";
   CHECK(text(boxes + "all: {aggregate: [l, {subtract: [r, l]}]}",
              boxes + "all: {aggregate: [r, {subtract: [l, r]}]}") ==
-        "component 1 `l/1` of A is mostly component 2 `l/1` of B/"
-        "component 2 `r/1` of A is mostly component 1 `r/1` of B/"
-        "in both: a face of area 1 about (1, 1/2, 1/2): in component 1 `l/1` of A, in component 1 `r/1` of B");
+        "component 1 `l` of A is mostly component 2 `l` of B/"
+        "component 2 `r` of A is mostly component 1 `r` of B/"
+        "in both: a face of area 1 about (1, 1/2, 1/2): in component 1 `l` of A, in component 1 `r` of B");
 }
 
 TEST_CASE("Numbers of components do not matter, their cells do", "[compare]") {

@@ -58,6 +58,10 @@ class RandomSubtree {
 
   std::string node() { return number(3) == 0 ? "n" : "o3"; }
   InContext alone(const std::string& node) const { return {nodes_, node}; }
+  /// The same with one more node, which is the result.
+  InContext with(const std::string& name, const std::string& node) const {
+    return {nodes_ + "  " + name + ": " + node + "\n", name};
+  }
 
   /// Other leaves, and those of the node in another order, come first.
   InContext beside_others(const std::string& node) {
@@ -127,6 +131,64 @@ TEST_CASE("files of a node are the same beside other leaves, in any order", "[su
     const InContext others = tree.beside_others(node);
     INFO(others.nodes);
     CHECK(json_in(tree.alone(node), node) == json_in(others, node));
+  }
+}
+
+/// Name and volume of each component, in their order.
+std::vector<std::string> components_in(const InContext& context) {
+  const Result result = result_in(context, context.result);
+  std::vector<std::string> out;
+  for (Component i = 1; i <= result.component_count(); ++i) {
+    const std::optional<Rational> volume = result.volume(i);
+    out.push_back(result.attributes(i).name.text() + " " + (volume ? to_string(*volume) : "unbounded"));
+  }
+  return out;
+}
+
+TEST_CASE("what is picked by number, and the order of components, do not depend on how the node is moved",
+          "[subtree]") {
+  const std::string moves[] = {"rotate: {axis: [0, 0, 1], degrees: 180}", "rotate: {axis: [1, 0, 0], degrees: 90}",
+                               "mirror: {normal: [1, 0, 0]}", "rotate: {axis: [1, 2, 3], degrees: 77}",
+                               "scale: [-1, 2, 1/2]"};
+  const auto [first, last] = scenes::seeds(60);
+  std::size_t several = 0;
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    INFO("seed " << seed);
+    RandomSubtree tree(seed);
+    const std::string move = moves[seed % 5];
+    for (const std::string node : {"{sum: [o3, o2]}", "{interior: o3}", "{aggregate: [{interior: o3}, l0]}",
+                                   "{select: {of: o3, region: 1}}", "{select: {of: o3, region: 2}}"}) {
+      const InContext alone = tree.with("w", node),
+                      moved = tree.with("w", node + "\n  m: {simplify: w, " + move + "}");
+      INFO(moved.nodes << move);
+      std::vector<std::string> one, other;
+      try {
+        one = components_in(alone);
+      } catch (const TreeError&) {
+        CHECK_THROWS_AS(components_in({moved.nodes, "m"}), TreeError);
+        continue;
+      }
+      other = components_in({moved.nodes, "m"});
+      several += one.size() > 2;
+      if (node.starts_with("{select")) std::sort(one.begin(), one.end()), std::sort(other.begin(), other.end());
+      CHECK(one == other);
+    }
+  }
+  CHECK(several > 20);
+}
+
+TEST_CASE("above is above where a node is described, however it is moved", "[subtree]") {
+  const std::string nodes =
+      "  horizon: {polygon: [[-9, -9, 1], [9, -9, 1], [9, 9, 2], [-9, 9, 2]]}\n"
+      "  box: {box: {min: [0, 0, 0], max: [1, 1, 4]}}\n  n: {above: horizon, within: box}\n";
+  const Rational volume(89, 36);  // under the plane z = 1 + (y + 9)/18 are 55/36 of the box
+  CHECK(result_in({nodes, "n"}, "n").volume(1) == volume);
+  for (const std::string move : {"rotate: {axis: [1, 0, 0], degrees: 180}", "mirror: {normal: [0, 0, 1]}",
+                                 "mirror: {normal: [1, 0, 0]}", "rotate: {axis: [3, 1, 2], degrees: 100}"}) {
+    INFO(move);
+    CHECK(result_in({nodes + "  m: {simplify: n, " + move + "}\n", "m"}, "m").volume(1) == volume);
+    CHECK(result_in({nodes + "  m: {simplify: {above: horizon, within: box, " + move + "}}\n", "m"}, "m")
+              .volume(1) == volume);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "csg/explain/lives.h"
+#include "kernel/base/union_find.h"
 #include "tests/catch.h"
 
 namespace cnrg {
@@ -195,6 +196,39 @@ std::string check_boolean_facts(const BooleanFacts& f) {
   return condition_holds(f) == v.removed || cut ? "" : std::string("the facts do not explain ") + v.row->id;
 }
 
+/// How many cells each row removed in a step of a Boolean, as far as pieces are told: two that meet in a piece
+/// that is inside of a larger cell are of one. `pieces` are all cells of the complex, by dimension in their order.
+std::map<const TableRow*, std::size_t> told_to_remove(const Complex& complex, const std::vector<CellSide>& pieces,
+                                                      const std::vector<const BooleanFacts*>& facts) {
+  std::map<EdgeId, std::size_t> of_edge;
+  std::map<FaceId, std::size_t> of_face;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (pieces[p].cell.dimension == 1) of_edge[pieces[p].cell.edge] = p;
+    if (pieces[p].cell.dimension == 2) of_face[pieces[p].cell.face] = p;
+  }
+  UnionFind cells(pieces.size());
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const Location& at = pieces[p].cell;
+    if (at.dimension > 1 || !facts[p]->verdict.entity || facts[p]->dimension != at.dimension + 1) continue;
+    std::vector<std::size_t> beside;
+    if (at.dimension == 1)
+      for (const FaceUse& use : complex.edge_uses[at.edge]) beside.push_back(of_face.at(use.face));
+    else
+      for (const EdgeId e : complex.vertex_edges[at.vertex]) beside.push_back(of_edge.at(e));
+    std::erase_if(beside, [&](std::size_t q) {
+      return !facts[q]->verdict.entity || facts[q]->dimension != pieces[q].cell.dimension;
+    });
+    for (const std::size_t q : beside)
+      cells.unite(static_cast<std::uint32_t>(beside[0]), static_cast<std::uint32_t>(q));
+  }
+  std::map<const TableRow*, std::size_t> out;
+  for (std::uint32_t p = 0; p < pieces.size(); ++p) {
+    const BooleanFacts& f = *facts[p];
+    if (f.verdict.removed && f.dimension == pieces[p].cell.dimension && cells.find(p) == p) ++out[f.verdict.row];
+  }
+  return out;
+}
+
 /// Everything told of every cell at every node, against the kept values and the counts of the rows.
 std::string check_stories(const Run& r, std::set<std::string>& rows) {
   const Complex& complex = *r.evaluation.complex;
@@ -215,13 +249,13 @@ std::string check_stories(const Run& r, std::set<std::string>& rows) {
         const std::string fault = check_boolean_facts(f);
         if (!fault.empty()) return name + ": " + fault;
         if (f.verdict.entity && !f.verdict.bounds_kept) rows.insert(f.verdict.row->id);
-        if (f.verdict.removed) ++removals[f.verdict.row];
       }
       if (node.op != Operator::leaf && pieces[p].cell.dimension < 2 && !step.booleans.empty()) {
         const BooleanFacts& f = step.booleans.front();
         const NodeValue& left = *r.evaluation.values[r.evaluation.instances[InstanceId(i)].operands[0]];
         const OperandFacts& told = f.a.name == step.operands[0].first ? f.a : f.b;
-        if (told.state.entity && left.is_group() && told.free != is_free(complex, left.group(), pieces[p].cell)) {
+        if (f.dimension == pieces[p].cell.dimension && told.state.entity && left.is_group() &&
+            told.free != is_free(complex, left.group(), pieces[p].cell)) {
           return name + ": free is told wrongly";
         }
       }
@@ -233,6 +267,11 @@ std::string check_stories(const Run& r, std::set<std::string>& rows) {
       const CellState& made = step.attribute ? step.attribute->before : step.state;
       if (!step.booleans.empty() && step.booleans.back().result != made)
         return name + ": the last step is not the result";
+    }
+    for (std::size_t k = 0; k < lives.front()[s].booleans.size(); ++k) {
+      std::vector<const BooleanFacts*> facts;
+      for (const Life& life : lives) facts.push_back(&life[s].booleans[k]);
+      for (const auto& [row, count] : told_to_remove(complex, pieces, facts)) removals[row] += count;
     }
     std::map<const TableRow*, std::size_t> counted;
     for (const auto& [row, count] : r.evaluation.rows[i].removals) counted[&table_rows()[row]] = count;

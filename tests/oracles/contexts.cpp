@@ -32,27 +32,8 @@ const std::vector<KnownDisagreement>& known() {
   // The frame of unbounded leaves, and so numbers of unbounded regions, are those of the tree.
   const std::vector<std::string> unbounded{"halfspace", "plane:", "complement"};
   static const std::vector<KnownDisagreement> list{
-      {"row removed", {}, {}},  // counts cells of the refinement of the whole tree
-      // Leaves come in the order of the tree: also who is first of equals.
-      {"json /leaves", {}, {}},
-      {"json /components", {}, {}},
-      {"pick", {}, {}},
-      {"json /edges/*/origin", {}, {}},
-      {"json /faces/*/origin", {}, {}},
-      {"json /faces/*/patch", {}, {}},
-      {"json /regions/*/origin", {}, {}},
-      {"json /vertices/*/origin", {}, {}},
-      {"groups", {}, {}},
-      {"file .msh", {}, {}},
-      {"file .inp", {}, {}},
-      {"file .glb", {}, {}},
       {"json /grades", {"blend"}, {}},  // boundaries in cells of the refinement
       {"", {"heightfield"}, {}},
-      // Regions of a group are numbered where the instance stands, so a turned one selects another region.
-      {"row", {"select"}, {Setting::copies, Setting::mixed}},
-      // What is below is asked where the instance stands, too.
-      {"row", {"below", "above"}, {Setting::copies, Setting::mixed}},
-      {"refused", {"below", "above"}, {Setting::copies, Setting::mixed}},
       {"notices", {}, {Setting::copies, Setting::mixed}},  // cells are called by the numbers of each instance
       {"", curved, {}},
       {"", unbounded, {}},
@@ -277,6 +258,57 @@ void compare_read_back(const ContextCase& drawn, const std::string& alone, const
   for (auto& [aspect, words] : found) out.emplace("read " + aspect, words);
 }
 
+/// The number of a value that decides who dominates.
+Rational dominance_of(const NodeValue& value) {
+  if (value.is_group()) return value.parts().dominance;
+  Rational out = 0;
+  for (const ComponentAttributes& of : value.components().attributes) out = std::max(out, of.dominance);
+  return out;
+}
+
+const NodeValue& value_of(const Evaluation& evaluation, const std::string& node) {
+  for (const KeptValue& kept : evaluation.kept)
+    if (kept.name == node) return *kept.value;
+  return value_of(evaluation.others.at(0), node);
+}
+
+/// A Boolean whose operands were written and are read back as leaves: they alone are refined then, so that its
+/// rows count cells of the refinement of the two. Components remember features of the groups that they were, and
+/// their file does not.
+void compare_operands(const ContextCase& drawn, Disagreements& out) {
+  ContextCase named = drawn, read = drawn;
+  for (DrawnNode& node : named.subtree) node.in_place = false;
+  const DrawnNode& of = named.subtree.back();
+  if (of.op != "union" && of.op != "intersection" && of.op != "difference") return;
+  const std::string text = text_alone(named), dir = folder();
+  const Tree tree = parse_tree(text, "t.yaml");
+  read.subtree.clear();
+  const std::set<std::string> operands(of.operands.begin(), of.operands.end());
+  for (const std::string& operand : operands) {
+    EvaluateOptions options;
+    options.nodes = {tree.find(operand)};
+    const Evaluation evaluation = evaluate(tree, options);
+    std::ofstream(dir + '/' + operand + ".json") << result_json(evaluation.result(operand).data().view());
+    const NodeValue& value = value_of(evaluation, operand);
+    if (!value.is_group() &&
+        !(value.components().features.edges.empty() && value.components().features.vertices.empty()))
+      return;
+    read.subtree.push_back(
+        {operand, "cnrg", operand + ".json", {}, {"dominance: " + to_string(dominance_of(value))}, false});
+  }
+  read.subtree.push_back(of);
+  ContextCase node = drawn;
+  node.subtree = {of};
+  const Told alone = told_of(node, text, "t.yaml", {}),
+             back = told_of(node, text_alone(read), dir + "/t.yaml", {});
+  std::filesystem::remove_all(dir);
+  for (const auto& [aspect, words] : alone.outputs) {
+    if (!aspect.starts_with("row ") || !back.outputs.contains(aspect) || back.outputs.at(aspect) == words)
+      continue;
+    out.emplace("operands " + aspect, first_difference(words, back.outputs.at(aspect)));
+  }
+}
+
 }  // namespace
 
 std::string text_of(const ContextCase& drawn) {
@@ -304,6 +336,7 @@ std::map<std::size_t, Disagreements> disagreements(const ContextCase& drawn) {
     if (context.setting == Setting::read_back) {
       const Outputs raw = context.raw ? told_of(drawn, text_alone(drawn), "t.yaml", context).outputs : Outputs();
       compare_read_back(drawn, (context.raw ? raw : alone.outputs).at("json"), context, found);
+      compare_operands(drawn, found);
       continue;
     }
     const Told there = told_of(drawn, text_in(drawn, context), "t.yaml", context);

@@ -124,7 +124,7 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
   if (told) parts.push(storyText(told));
   else parts.push(h('p', {class: 'soft'}, 'All stories of all nodes would be too many for a page, and this node’s are left out. This tells the one:'));
   parts.push(command(['cnrg', 'explain', model.page.tree, '--node', model.node.name, '--cell', nameOf(cell)], copied));
-  if (told && model.page.several) parts.push(h('p', {class: 'soft'}, 'The page refines all of its nodes together, the command this node and the result: it may count fewer cells of the refinement.'));
+  if (told && model.page.several) parts.push(h('p', {class: 'soft'}, 'The page refines all of its nodes together, the command this node alone: it may count fewer cells of the refinement.'));
   holder.replaceChildren(...parts.filter(Boolean));
   redraw?.(axes());
   return redraw;
@@ -187,7 +187,7 @@ export function showNode(holder, model, {pick, choose, legend}) {
   if (node.removed.length) {
     parts.push(h('h3', {}, 'Removed, by row of the tables'), h('table', {}, h('tbody', {}, ...node.removed.map(([id, words, count]) =>
       h('tr', {}, h('th', {scope: 'row'}, h('mark', {}, id)), h('td', {}, words), h('td', {class: 'number'}, String(count)))))),
-      h('p', {class: 'soft'}, 'Cells of the refinement; “removed cells” shows them as ghosts.'));
+      h('p', {class: 'soft'}, 'Cells to which the operands cut each other; “removed cells” shows them as ghosts.'));
   }
   if (node.euler) parts.push(h('h3', {}, 'Euler–Poincaré'), euler(node.euler));
   if (node.betti) {
