@@ -111,7 +111,7 @@ void PreparedLeaves::prepare_node(NodeId id) {
   try {
     prepared_[id] = prepare(*node.shape);
   } catch (const LeafFileError& e) {
-    throw TreeError(e.file(), {e.line(), e.column()},
+    throw TreeError(e.file(), {std::max(e.line(), 1), std::max(e.column(), 1)},
                     e.fault() + " (read for the node `" + node.name + "`, " +
                         to_string(tree_->file, node.operator_at) + ")");
   } catch (const LeafFaceError& e) {

@@ -89,19 +89,50 @@ def volume_of(region, faces, points):
     return float(six / 6)
 
 
+def normal_of(face, points):
+    """Of the front, from which triangles are seen counter-clockwise."""
+    return [sum(part) for part in zip(*(cross(minus(points[b], points[a]), minus(points[c], points[a]))
+                                        for a, b, c in face["triangles"]))]
+
+
+def points_of(result):
+    return [[Fraction(x) for x in point] for point in result["points"]]
+
+
+def sides_of(result, fronts):
+    """By region, where it is: of the surfaces of which `fronts` has the normals of faces, by name and number."""
+    points, leaves = points_of(result), [leaf["name"] for leaf in result["leaves"]]
+    touched = [set() for _ in result["regions"]]
+    for face in result["faces"]:
+        for entry in face["origin"]:
+            for number in entry.get("faces", []):
+                name = leaves[entry["leaf"]]
+                if name not in fronts:
+                    continue
+                along = dot(normal_of(face, points), fronts[name][number]) > 0
+                for region, is_front in zip(face["regions"], (along, not along)):
+                    if region is not None:
+                        touched[region].add((name, is_front))
+    return [{f"{'front of' if front else 'behind'} {name}" for name, front in sides if (name, not front) not in sides}
+            for sides in touched]
+
+
 class Groups:
     """Measures of the groups by dimension and name, as the page on .msh defines them."""
 
-    def __init__(self, result):
-        points = [[Fraction(x) for x in point] for point in result["points"]]
+    def __init__(self, result, fronts):
+        points = points_of(result)
         faces, regions, said = result["faces"], result["regions"], result["attributes"]
         leaves = [leaf["name"] for leaf in result["leaves"]]
         self.measures = {}
         names = [f"{region['name']} {region['component']}" for region in regions]  # they share a name
         assert len({region["name"] for region in regions[1:]}) == 1 and not regions[0]["component"]
         whole = regions[1]["name"]
-        for region, name in zip(regions[1:], names[1:]):
-            self.add(3, [name, whole, f"material {region['material']}"], volume_of(region, faces, points))
+        sides = sides_of(result, fronts)
+        everywhere = set.intersection(*sides[1:])  # tells nothing
+        for region, name, at in zip(regions[1:], names[1:], sides[1:]):
+            self.add(3, [name, whole, f"material {region['material']}", *(f"{whole} {side}" for side in at - everywhere)],
+                     volume_of(region, faces, points))
         for face in faces:
             groups = self.said_of(face, said)
             sides = sorted({side for side in face["regions"] if regions[side]["component"]},
@@ -196,7 +227,11 @@ run(PROGRAM, "eval", "papers/pereira2012/fig10.yaml", "--quiet", "--node", "G1",
     "--node", "G3", "-o", OUT + "G3.json", "--node", "rocks", "-o", OUT + "rocks.json")
 run(PROGRAM, "eval", TREE, "--quiet", "-o", OUT + "model.json", "-o", OUT + "model.msh")
 run(PROGRAM, "mesh", TREE, "--quiet", "--quality", "2", "-o", OUT + "mesh.msh")
-groups = Groups(json.loads((FILES / "model.json").read_text()))
+# Of the horizons fronts are those of their file, of the fault that of its polygon.
+horizons = json.loads((FILES / "G1.json").read_text())
+fronts = {"G1": [normal_of(face, points_of(horizons)) for face in horizons["faces"]],
+          "G2": [cross((0, 200, 0), (68, 0, 170))]}
+groups = Groups(json.loads((FILES / "model.json").read_text()), fronts)
 # Bolts and spiles are the steel; the shell is the shotcrete: the 48 sides of a prism, along 0.625 of the axis less
 # what is before the box, where the plane x = 0 cuts it as much longer on one side as shorter on the other.
 measure = groups.measures

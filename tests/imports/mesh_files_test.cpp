@@ -200,14 +200,14 @@ TEST_CASE("STL") {
   CHECK_THAT(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n"),
              Contains("bad.stl:4: error: 'nan'"));
   const std::string binary = binary_stl("x");
-  CHECK_THAT(error(binary.substr(0, 60)), Contains("bad.stl: byte 60: error: the file ends within the header"));
+  CHECK_THAT(error(binary.substr(0, 60)), Contains("bad.stl: error: byte 60: the file ends within the header"));
   CHECK_THAT(error(binary.substr(0, 200)),
-             Contains("bad.stl: byte 200: error: the file ends within triangle 3 of 4"));
+             Contains("bad.stl: error: byte 200: the file ends within triangle 3 of 4"));
   CHECK_THAT(error(binary_stl("solid x").substr(0, 200)), Contains("within triangle 3"));
-  CHECK_THAT(error(binary + "more"), Contains("bad.stl: byte 284: error: more data"));
+  CHECK_THAT(error(binary + "more"), Contains("bad.stl: error: byte 284: more data"));
   std::string infinite = binary;
   infinite.replace(84 + 12, 4, bytes(std::numeric_limits<float>::infinity()));
-  CHECK_THAT(error(infinite), Contains("bad.stl: byte 96: error: triangle 1"));
+  CHECK_THAT(error(infinite), Contains("bad.stl: error: byte 96: triangle 1"));
   CHECK_THAT(error(binary_stl("x", 0).substr(0, 84)), Contains("has no faces"));
 }
 
@@ -255,7 +255,7 @@ TEST_CASE("PLY") {
   CHECK_THAT(error(text.substr(0, text.size() - last.size()) + "255 3 0 1 4 1\n"),
              Contains("face 3 has the vertex 4, but there are 4"));
   const std::string binary = binary_ply(false);
-  CHECK_THAT(error(binary.substr(0, binary.size() - 3)), Contains("bad.ply: byte ") && Contains("truncated"));
+  CHECK_THAT(error(binary.substr(0, binary.size() - 3)), Contains("bad.ply: error: byte ") && Contains("truncated"));
   CHECK_THAT(error(binary + "x"), Contains("more data follows"));
   std::string infinite = binary;
   infinite.replace(binary.find("end_header\n") + 11, 4, bytes(std::numeric_limits<float>::quiet_NaN()));

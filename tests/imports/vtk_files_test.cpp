@@ -171,7 +171,7 @@ TEST_CASE("legacy VTK that is broken") {
 
   const std::string binary = kHead + "BINARY\nDATASET POLYDATA\nPOINTS 4 float\n";
   CHECK_THAT(error(binary + "xx"),
-             Contains("bad.vtk: byte " + std::to_string(binary.size()) + ": error: the file ends"));
+             Contains("bad.vtk: error: byte " + std::to_string(binary.size()) + ": the file ends"));
   CHECK_THAT(error(binary + big<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, HUGE_VALF, 1})),
              Contains("point 3 has a coord"));
   CHECK_THAT(error(kHead + "BINARY\nDATASET POLYDATA\nFIELD F 1\nw 1 1 string\n\xffx"),
