@@ -224,7 +224,7 @@ void add_rule(const BooleanFacts& f, std::vector<Line>& lines) {
 void add_boolean(const BooleanFacts& f, int of_piece, std::vector<Line>& lines) {
   const int dimension = f.dimension;
   if (dimension != of_piece) {
-    lines.push_back({"", std::string("A and B have no ") + kKinds[of_piece] + " here, which is inside of " +
+    lines.push_back({"", std::string("A and B have no ") + kKinds[of_piece] + " here: it is inside of " +
                              kArticles[dimension] + (f.normal ? ", n = " + normal_words(*f.normal) : "")});
   }
   lines.push_back({"A = " + f.a.name, operand_words(f.a, 'A', dimension)});

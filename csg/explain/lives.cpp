@@ -167,12 +167,27 @@ std::size_t kept_around(const Complex& complex, const Group& result, const Locat
   return cell.dimension == 1 ? kept.bounded.size() : kept.edges;
 }
 
+/// The piece of a face at a cell inside of it, from the side on which its normal is positive: the first of x, y
+/// and z that is not 0 is.
+CellSide piece_at(const Complex& complex, PairRefinement& pair, FaceId face, const Location& cell) {
+  std::vector<FaceId> around;
+  if (cell.dimension == 1) complex.star_faces(cell.edge, around);
+  else complex.star_faces(cell.vertex, around);
+  const auto of_face = [&](FaceId f) { return pair.place(f).face == face; };
+  const FaceId piece = *std::find_if(around.begin(), around.end(), of_face);
+  const bool positive = shortest_normal(complex, {piece, 0}) > std::array<Integer, 3>{0, 0, 0};
+  return {{2, {}, {}, piece, {}}, positive ? 0u : 1u};
+}
+
 /// What A and B of a step have where a piece is: it, or what it is inside of.
-CellSide made_by_both(PairRefinement& pair, const BooleanStep& step, const CellSide& piece) {
+CellSide made_by_both(const Complex& complex, PairRefinement& pair, const BooleanStep& step,
+                      const CellSide& piece) {
   return with_id(piece.cell, [&](auto id) -> CellSide {
     if constexpr (!std::is_same_v<decltype(id), RegionId>) {
       if (!step.left.has(id) && !step.right.has(id)) return piece;
-      if (const Location in = pair.place(id); in.dimension != piece.cell.dimension) return {in, 0};
+      const Location in = pair.place(id);
+      if (in.dimension == piece.cell.dimension) return piece;
+      return in.dimension == 2 ? piece_at(complex, pair, in.face, piece.cell) : CellSide{in, 0};
     }
     return piece;
   });
@@ -391,7 +406,7 @@ void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Cell
     PairRefinement pair(complex_);
     pair.refine(s.left, s.right);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-      const CellSide piece = made_by_both(pair, s, pieces[p]);
+      const CellSide piece = made_by_both(complex_, pair, s, pieces[p]);
       BooleanFacts facts;
       facts.op = s.op;
       facts.rule = s.rule;
