@@ -185,13 +185,15 @@ class Grouper {
     return false;
   }
 
-  /// Faces once more, by the leaves that they came from, in the order of the leaves.
+  /// Faces once more, by the leaves that they came from, in the order of the node's subtree.
   void group_sources() {
-    std::map<LeafId, Index> numbers;
+    std::map<std::pair<std::uint32_t, LeafId>, Index> numbers;
+    const auto in_order = [&](LeafId leaf) { return std::pair(view_.place(leaf), leaf); };
     for (const auto& face : flat_.faces) {
-      for (const LeafId leaf : sources(face)) numbers[leaf] = 0;
+      for (const LeafId leaf : sources(face)) numbers[in_order(leaf)] = 0;
     }
-    for (auto& [leaf, number] : numbers) {
+    for (auto& [key, number] : numbers) {
+      const LeafId leaf = key.second;
       // Two instances of a leaf, or a sheet that is called so.
       const std::string first = "from " + shown_in_quotes((*view_.leaves)[leaf.index()].name);
       std::string name = first;
@@ -200,7 +202,7 @@ class Grouper {
       ++groups_.sources;
     }
     for (std::size_t i = 0; i < flat_.faces.size(); ++i) {
-      for (const LeafId leaf : sources(flat_.faces[i])) groups_.of[2][i].push_back(numbers.at(leaf));
+      for (const LeafId leaf : sources(flat_.faces[i])) groups_.of[2][i].push_back(numbers.at(in_order(leaf)));
     }
   }
 

@@ -400,6 +400,22 @@ class Files(Folder):
         with self.assertRaisesRegex(cnrg.InputError, "no faces"):
             cnrg.mesh(p, numpy.zeros((0, 3), int)).evaluate()
 
+    def test_sides(self):
+        west = cnrg.polygon([[1, -1, -1], [1, 3, -1], [1, 3, 3], [1, -1, 3]]).named("west")
+        east = cnrg.polygon([[4, -1, -1], [4, 3, -1], [4, 3, 3], [4, -1, 3]]).named("east")
+        block = cnrg.box([0, 0, 0], [6, 2, 2]).named("block")
+        ground = cnrg.union(west, east, block, dominance="left").named("ground")
+        for volume, given in [(4, dict(behind=west)), (12, dict(front_of=west, behind=[east])), (8, dict(front_of=east))]:
+            node = ground.select(dimension=3, **given)
+            self.assertEqual(node.evaluate().volume, volume)
+            again = cnrg.parse(node.to_yaml()).to_yaml()
+            self.assertEqual(cnrg.parse(again).to_yaml(), again)
+            self.assertEqual(self.exact(again), self.exact(node.to_yaml()))
+            self.assertEqual(pickle.loads(pickle.dumps(node)).to_yaml(), node.to_yaml())
+        with self.assertRaises(cnrg.InputError) as error:
+            here = line(); ground.select(front_of=block).evaluate()
+        self.assertEqual(error.exception.line, here)
+
     def test_select(self):
         low = cnrg.box([0, 0, 0], [4, 4, 2], material="rock").named("low")
         high = cnrg.box([0, 0, 2], [4, 4, 4], material="clay").named("high")
