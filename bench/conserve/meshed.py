@@ -93,8 +93,9 @@ def grouped(model):
 
 
 def is_piece(group, names):
-    """A group of one of several regions of a name has a number behind it."""
-    return group not in names and group.rsplit(" ", 1)[0] in names
+    """A group of some of several regions of a name has a number behind it, or a side of a surface."""
+    return group not in names and any(re.fullmatch(re.escape(name) + r" (\d+|front of .*|behind .*)", group)
+                                      for name in names)
 
 
 def compare_groups(check, model, mesh, change):

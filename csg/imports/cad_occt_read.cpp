@@ -29,6 +29,7 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <map>
 #include <new>
@@ -141,7 +142,8 @@ class Names {
   std::map<const Standard_Transient*, Name> names_;
 };
 
-/// What the transfer could not do, as a notice.
+/// What the transfer could not do, as a notice. OpenCASCADE takes a lack of memory for a fault of the file: `errno`,
+/// 0 before the transfer, knows better.
 void note_failures(const STEPControl_Reader& reader, CadFile& file) {
   Interface_CheckIterator checks = reader.WS()->TransferReader()->LastCheckList();
   std::size_t count = 0;
@@ -152,6 +154,7 @@ void note_failures(const STEPControl_Reader& reader, CadFile& file) {
     if (count++ == 0) first = "#" + std::to_string(checks.Number()) + ", " + check->CFail(1);
   }
   if (count == 0) return;
+  if (errno == ENOMEM) throw std::bad_alloc();
   file.notices.push_back("OpenCASCADE could not transfer " + std::to_string(count) +
                          (count == 1 ? " entity" : " entities") + " of the file (" + first +
                          "): look whether anything is missing");
@@ -190,6 +193,7 @@ CadFile read_step(const CadShape& shape, const std::string& content) {
   }
   require(Interface_Static::SetCVal("xstep.cascade.unit", unit_of(shape, reader).c_str()),
           "OpenCASCADE does not know its own unit of length");
+  errno = 0;
   reader.TransferRoots();
   CadFile file;
   file.shape = reader.OneShape();

@@ -435,7 +435,7 @@ TEST_CASE("the tunnel of Pereira et al.: our tetrahedra, Gmsh's and tetgen's hav
   };
   REQUIRE(w.run("mesh " + tree + " -Y --quiet -o kept.msh").status == 0);
   const test::MeshFile kept = test::read_msh(w.read("kept.msh"));
-  CHECK(kept.names_of(3).size() == 8 + 1 + 4);  // each, all of their name, materials
+  CHECK(kept.names_of(3).size() == 8 + 1 + 4 + 8);  // each, all of their name, materials, sides of four surfaces
   std::map<int, Rational> exact;
   for (int region = 1; region <= 8; ++region) exact[region] = kept.volume(region);
   CHECK(kept.loose(2) == 0);

@@ -29,7 +29,8 @@ class Told(unittest.TestCase):
         model = SimpleNamespace(regions=volumes, region_names={0: "dust", 1: "rock", 2: "rock", 3: "rock"}, faces={},
                                 volume=sum(volumes.values()), sheets=lambda: ({}, {}), wires=dict, ends=list,
                                 corners=list)
-        mesh = SimpleNamespace(largest=1.0, volume_by_group=there, volumes=there, area_by_group={}, rim_by_group={},
+        mesh = SimpleNamespace(largest=1.0, volumes=there,
+                               volumes_by_group={name: [volume] for name, volume in there.items()}, area_by_group={}, rim_by_group={},
                                segments=[], places=[])
         faults = []
         check = SimpleNamespace(
