@@ -14,7 +14,7 @@ inline StepOutcome evaluate_node(const Complex& complex, Operation operation, st
   std::vector<Operand> operands;
   // As in a tree: nobody needs the operands any more.
   for (NodeValue& leaf : leaves) operands.push_back({&leaf, "leaf", &leaf, {}});
-  return operate(complex, node, {}, operands, false);
+  return operate(complex, node, {}, operands, false, {});
 }
 
 inline std::vector<NodeValue> values_of(const Complex& complex, std::vector<Group> groups) {

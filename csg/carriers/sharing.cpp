@@ -79,9 +79,8 @@ std::vector<std::uint32_t> sharing_groups(const std::vector<LeafInstance>& insta
   for (const std::uint32_t i : flat) {
     if (touchable) groups.unite(others.front(), i);
     const auto* const geometry = dynamic_cast<const GeometryLeaf*>(instances[i].leaf.get());
-    const std::optional<Box> reach =
-        geometry != nullptr ? std::optional(leaf_box(*geometry, *instances[i].transform)) : std::nullopt;
-    tree.query([&](const Box& box) { return !reach || box.meets(*reach); },
+    const Box reach = geometry != nullptr ? leaf_box(*geometry, *instances[i].transform) : Box();
+    tree.query([&](const Box& box) { return geometry == nullptr || box.meets(reach); },
                [&](std::uint32_t b) { groups.unite(i, boxed[b]); });
   }
   std::vector<std::uint32_t> numbers;
