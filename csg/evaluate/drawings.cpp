@@ -153,9 +153,9 @@ const Drawings::Drawn& Drawings::drawn_alone(InstanceId representative) {
     if (affected_[group_[leaf.index()]]) groups[group_[leaf.index()]].push_back(leaf);
   }
   for (const auto& [group, list] : groups) {
-    const bool all = list.size() == size_[group];
+    const std::vector<LeafInstance>* const fewer = list.size() == size_[group] ? nullptr : &drawn(list);
     for (std::size_t i = 0; i < list.size(); ++i)
-      it->second.emplace(list[i], all ? whole_.instances[list[i].index()] : drawn(list)[i]);
+      it->second.emplace(list[i], fewer == nullptr ? whole_.instances[list[i].index()] : (*fewer)[i]);
   }
   return it->second;
 }

@@ -9,9 +9,6 @@
 // and whatever else is around it, edges end or cross there.
 #include "csg/operators/pair_refinement.h"
 
-#include <algorithm>
-#include <iterator>
-
 namespace cnrg {
 namespace {
 
@@ -19,14 +16,6 @@ namespace {
 constexpr std::uint8_t kA = 1, kB = 2, kBoth = kA | kB;
 constexpr int kVanishes = 2;           // an operand's flag, this far to the left
 constexpr std::uint8_t kStays = 0x80;  // a vertex of the simplified operand
-
-template <class IdT>
-std::vector<IdT> united(const std::vector<IdT>& a, const std::vector<IdT>& b) {
-  std::vector<IdT> out;
-  out.reserve(a.size() + b.size());
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
-  return out;
-}
 
 template <class IdT>
 void put(Merging& merging, const std::vector<IdT>& cells, const std::vector<IdT>& features) {
@@ -54,7 +43,7 @@ PairRefinement::PairRefinement(const Complex& complex)
 void PairRefinement::refine(const Group& a, const Group& b) {
   clear();
   simplify(a, kA), simplify(b, kB);
-  cells_ = {united(a.vertices, b.vertices), united(a.edges, b.edges), united(a.faces, b.faces), {}};
+  cells_ = unite({a.vertices, a.edges, a.faces, {}}, {b.vertices, b.edges, b.faces, {}});
   for (const EdgeId e : cells_.edges) decide(e);
   faces_.settle();
   for (const VertexId v : cells_.vertices) decide(v);
