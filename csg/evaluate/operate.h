@@ -33,8 +33,8 @@ struct Operand {
   std::vector<std::shared_ptr<const std::vector<LeafId>>> below{};
 };
 
-/// Which leaves below an operand its operator wants to know, in several lists: those at or below these nodes, of no
-/// nodes all.
+/// Which leaves below an operand its operator wants to know, in several lists: those at or below these nodes, of
+/// no nodes all.
 std::vector<std::span<const NodeId>> leaves_wanted(const Node& node, bool first_operand);
 
 /// How a node stands among the nodes that use it.

@@ -111,9 +111,9 @@ void PreparedLeaves::prepare_node(NodeId id) {
   try {
     prepared_[id] = prepare(*node.shape);
   } catch (const LeafFileError& e) {
-    throw TreeError(e.file(), {std::max(e.line(), 1), std::max(e.column(), 1)},
-                    e.fault() + " (read for the node `" + node.name + "`, " +
-                        to_string(tree_->file, node.operator_at) + ")");
+    throw TreeError(
+        e.file(), {std::max(e.line(), 1), std::max(e.column(), 1)},
+        e.fault() + " (read for the node `" + node.name + "`, " + to_string(tree_->file, node.operator_at) + ")");
   } catch (const LeafFaceError& e) {
     throw TreeError(tree_->file, position_of(node, e.face()), e.what());
   } catch (const InputError& e) {
@@ -171,7 +171,8 @@ std::string PreparedLeaves::in_words(const LeafWords& message, Position* first) 
   const std::vector<LeafPlace> places = message.places();
   const auto known = std::find_if(places.begin(), places.end(), is_here);
   if (first != nullptr && known != places.end()) *first = mention(*known).at;
-  return message.text([&](const LeafPlace& place) { return is_here(place) ? mention(place).words : place.text(); });
+  return message.text(
+      [&](const LeafPlace& place) { return is_here(place) ? mention(place).words : place.text(); });
 }
 
 std::vector<Diagnostic> PreparedLeaves::located_notices(const std::vector<LeafWords>& messages) const {

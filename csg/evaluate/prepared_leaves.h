@@ -52,8 +52,8 @@ class PreparedLeaves {
   std::vector<Attributes> attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
                                      Grades& grades) const;
 
-  /// Runs `work`; an InputError that it throws comes out as TreeError, a LeafError with the place of the first leaf
-  /// or face that it names, and with the names of nodes.
+  /// Runs `work`; an InputError that it throws comes out as TreeError, a LeafError with the place of the first
+  /// leaf or face that it names, and with the names of nodes.
   void locate_errors(const std::function<void()>& work) const;
   /// With the names of nodes; `first` becomes the place of the first leaf or face.
   std::string in_words(const LeafWords& message, Position* first = nullptr) const;

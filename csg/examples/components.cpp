@@ -12,8 +12,9 @@ void print(const char* title, const Complex& complex, const Components& value) {
   std::cout << title << "\n";
   for (Component i = 1; i <= value.attributes.size(); ++i) {
     const auto [vertices, edges, faces, regions] = support(value.selection, i);
-    std::cout << "  " << value.attributes[i - 1].name.text() << ": " << vertices.size() << " vertices, " << edges.size()
-              << " edges, " << faces.size() << " faces, volume " << *volume(complex, regions) << "\n";
+    std::cout << "  " << value.attributes[i - 1].name.text() << ": " << vertices.size() << " vertices, "
+              << edges.size() << " edges, " << faces.size() << " faces, volume " << *volume(complex, regions)
+              << "\n";
   }
 }
 

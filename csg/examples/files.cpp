@@ -23,8 +23,8 @@ int main() {
   const Result same = read_result("both.json");
   for (Component i = 1; i < same.component_count(); ++i) {  // the last are the walls
     const RegionAttributes& region = same.attributes(i);
-    std::cout << "region " << region.name.text() << " (" << region.material.name() << "): volume " << *same.volume(i)
-              << "\n";
+    std::cout << "region " << region.name.text() << " (" << region.material.name() << "): volume "
+              << *same.volume(i) << "\n";
   }
 }
 

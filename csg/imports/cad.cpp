@@ -195,7 +195,8 @@ class CadLeaf {
     round_.slack = to_double(round_.moved);
     if (left == 0) return;
     Weld made = weld_cad(model_, left, what(), name, [this](Index s) { return solid_name(s); });
-    if (const std::string words = made.notice(*shape_.weld).text(); !words.empty()) model_.notices.push_back(words);
+    if (const std::string words = made.notice(*shape_.weld).text(); !words.empty())
+      model_.notices.push_back(words);
     if (!made.changed()) return;
     round_.slack += made.farthest;
     exact_ = std::move(made.points);

@@ -142,8 +142,8 @@ class Names {
   std::map<const Standard_Transient*, Name> names_;
 };
 
-/// What the transfer could not do, as a notice. OpenCASCADE takes a lack of memory for a fault of the file: `errno`,
-/// 0 before the transfer, knows better.
+/// What the transfer could not do, as a notice. OpenCASCADE takes a lack of memory for a fault of the file:
+/// `errno`, 0 before the transfer, knows better.
 void note_failures(const STEPControl_Reader& reader, CadFile& file) {
   Interface_CheckIterator checks = reader.WS()->TransferReader()->LastCheckList();
   std::size_t count = 0;
@@ -181,8 +181,7 @@ bool is_complete(const std::string& brep) {
 CadFile read_step(const CadShape& shape, const std::string& content) {
   const std::size_t start = content.find_first_not_of(" \t\r\n");
   if (start == std::string::npos || content.compare(start, 12, "ISO-10303-21") != 0) {
-    throw LeafFileError(shape.file, 1, 0,
-                        "this is no STEP file: it does not begin with ISO-10303-21; give one");
+    throw LeafFileError(shape.file, 1, 0, "this is no STEP file: it does not begin with ISO-10303-21; give one");
   }
   STEPControl_Reader reader;
   std::istringstream stream(content);

@@ -21,8 +21,7 @@ bool is_count(std::string_view text) {
 
 void Cursor::fail(const std::string& what) const {
   const std::string path = json().path(*value_);
-  const auto [line, column] =
-      position_in(json().text(), value_->begin - (value_->kind() == Kind::text ? 1 : 0));
+  const auto [line, column] = position_in(json().text(), value_->begin - (value_->kind() == Kind::text ? 1 : 0));
   throw LeafFileError(file_->name, line, column, (path.empty() ? "" : path + ": ") + what);
 }
 

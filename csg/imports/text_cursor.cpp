@@ -139,9 +139,7 @@ void TextCursor::fail_at_end(const std::string& text) const {
   fail_at(static_cast<int>(line), text + ": it is truncated, or a count is wrong; write the file again");
 }
 
-void TextCursor::fail_at(int line, const std::string& text) const {
-  throw LeafFileError(path_, line, 0, text);
-}
+void TextCursor::fail_at(int line, const std::string& text) const { throw LeafFileError(path_, line, 0, text); }
 
 std::string in_quotes(std::string_view token) { return "'" + excerpt(token) + "'"; }
 

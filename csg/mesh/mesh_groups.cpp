@@ -92,7 +92,8 @@ class Grouper {
     for (const auto& [component, of] : regions_) {
       for (const NamedSide& side : sides[component - 1]) {
         if (!side.tells) continue;
-        const std::pair key(of.name.empty() ? "region" : of.name, side.key() + (' ' + shown_in_quotes(side.surface)));
+        const std::pair key(of.name.empty() ? "region" : of.name,
+                            side.key() + (' ' + shown_in_quotes(side.surface)));
         const auto [group, fresh] = side_groups.try_emplace(key, 0);
         if (fresh) group->second = add_group(3, key.first + ' ' + key.second);
         on_sides[component].push_back(group->second);

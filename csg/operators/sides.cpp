@@ -21,7 +21,8 @@ TouchedSides touched(const Complex& complex, const Origins& origins, const Faces
     const auto came_from = origins.sets[origins.faces[k]];
     for (const Cover& cover : complex.cover(f)) {
       const LeafId leaf = complex.sources[cover.source].leaf;
-      if (complex.leaf_regions[leaf] != 0 || !std::binary_search(came_from.begin(), came_from.end(), leaf)) continue;
+      if (complex.leaf_regions[leaf] != 0 || !std::binary_search(came_from.begin(), came_from.end(), leaf))
+        continue;
       for (const HalfFace side : {HalfFace(f, 0), HalfFace(f, 1)}) {
         const Component c = component_at(complex.region(side));
         if (c != 0) out[c - 1].push_back({leaf, (side.side() == 0) == cover.same});
@@ -73,10 +74,10 @@ bool lies_on(const std::vector<SurfaceSide>& touched, std::span<const LeafId> su
 
 std::vector<std::vector<NamedSide>> named_sides(const Complex& complex, const NodeValue& value,
                                                 const std::function<std::string(LeafId)>& name_of) {
-  TouchedSides touched = value.is_group() ? touched_sides(complex, value.group())
-                                          : touched_sides(complex, value.components());
-  touched.resize(value.component_count());  // entities of a group touch nothing
-  std::map<std::string, std::size_t> pieces;                                    // by their name
+  TouchedSides touched =
+      value.is_group() ? touched_sides(complex, value.group()) : touched_sides(complex, value.components());
+  touched.resize(value.component_count());    // entities of a group touch nothing
+  std::map<std::string, std::size_t> pieces;  // by their name
   std::map<std::pair<std::string, std::pair<std::string, bool>>, std::size_t> there;  // pieces on a side
   std::vector<std::map<std::string, bool>> sides;
   for (Component i = 1; i <= touched.size(); ++i) {

@@ -1,9 +1,9 @@
 // Which side of a surface a component is on: it tells pieces of one region apart that a fault has cut
 // (csg/SEMANTICS.md#sides-of-surfaces).
 //
-// A surface is a leaf without regions: a polygon, a height field, a mesh that bounds nothing. The front of its faces
-// is the one that the leaf gave them, and moves with the leaf. Walls of solids part what is inside from what is
-// outside, which `inside` tells, and two regions of one solid by a wall whose front means nothing.
+// A surface is a leaf without regions: a polygon, a height field, a mesh that bounds nothing. The front of its
+// faces is the one that the leaf gave them, and moves with the leaf. Walls of solids part what is inside from what
+// is outside, which `inside` tells, and two regions of one solid by a wall whose front means nothing.
 //
 // A component touches a side where a face of the value, which came from the surface, is next to its 3-cells. It is
 // in front of a surface if it touches its front and nowhere its back: around the end of a fault it is neither.
@@ -41,7 +41,8 @@ struct NamedSide {
   const char* key() const { return front ? "front of" : "behind"; }
 };
 
-/// By component, of component i at i - 1: where it is, by the names of surfaces. Those without a name are left out.
+/// By component, of component i at i - 1: where it is, by the names of surfaces. Those without a name are left
+/// out.
 std::vector<std::vector<NamedSide>> named_sides(const Complex& complex, const NodeValue& value,
                                                 const std::function<std::string(LeafId)>& name_of);
 

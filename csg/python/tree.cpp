@@ -126,8 +126,8 @@ py::object properties_of(const Node& node) {
   return map;
 }
 
-/// The criteria by their keys in a tree, each a list; nodes below by number, by key, too; how many operands are those
-/// of `inside`.
+/// The criteria by their keys in a tree, each a list; nodes below by number, by key, too; how many operands are
+/// those of `inside`.
 py::object picked_by(const Selector& selector) {
   const Criteria& c = selector.criteria;
   py::dict criteria;

@@ -137,7 +137,10 @@ CellColor LeafColors::of(std::span<const LeafId> leaves) const {
 }
 
 CellColors::CellColors(const ResultView& view, const FlatComplex& flat, std::vector<std::string> leaf_names)
-    : view_(view), flat_(flat), leaves_(*view.leaves, std::move(leaf_names)), attributes_(view.value->attributes()) {
+    : view_(view),
+      flat_(flat),
+      leaves_(*view.leaves, std::move(leaf_names)),
+      attributes_(view.value->attributes()) {
   materials_ = std::any_of(attributes_.begin(), attributes_.end(),
                            [](const RegionAttributes& a) { return !a.material.empty(); });
   std::size_t active = 0;

@@ -428,8 +428,8 @@ class Labeller {
     return bent;
   }
 
-  /// Faces of the new complex lie on the leaf faces that the result's faces lie on, and their fronts are where those
-  /// are. One more leaf has the faces of the result as its patches: facets of one face stay together.
+  /// Faces of the new complex lie on the leaf faces that the result's faces lie on, and their fronts are where
+  /// those are. One more leaf has the faces of the result as its patches: facets of one face stay together.
   void take_covers() {
     const LeafId result(exact_.leaf_count);
     sources_.leaf_regions = exact_.leaf_regions;

@@ -23,13 +23,13 @@ struct EdgeAbout {
   HalfEdge way;  ///< of the first edge of the chain, along the way of the edge, which its points tell
   std::vector<FaceAbout> faces;
 };
-/// The faces about an edge in radial order, counter-clockwise as seen with the way of the edge pointing towards the
-/// viewer (weiler1986), from the least one. Faces that simplification took away are passed over.
+/// The faces about an edge in radial order, counter-clockwise as seen with the way of the edge pointing towards
+/// the viewer (weiler1986), from the least one. Faces that simplification took away are passed over.
 EdgeAbout faces_about(const Complex& complex, const SimplifiedComplex& simplified,
                       const SimplifiedComplex::Edge& edge);
 
-/// One line per listed edge of the simplified complex: what `faces_about` tells; at most `most` lines, then how many
-/// more. Faces are called as `cnrg locate` calls them, regions by `component_name`.
+/// One line per listed edge of the simplified complex: what `faces_about` tells; at most `most` lines, then how
+/// many more. Faces are called as `cnrg locate` calls them, regions by `component_name`.
 std::string radial_orders_text(const Complex& complex, const SimplifiedComplex& simplified,
                                std::span<const RegionAttributes> components, std::span<const std::uint32_t> edges,
                                std::size_t most = 12);

@@ -12,7 +12,8 @@ namespace cnrg {
 
 /// One criterion with one value.
 struct Selectable {
-  /// As in a tree: `dimension`, `region`, `front of`, `behind`, `name`, `material`, `attributes`, `from`, `between`.
+  /// As in a tree: `dimension`, `region`, `front of`, `behind`, `name`, `material`, `attributes`, `from`,
+  /// `between`.
   std::string key;
   std::string value;  ///< as in a tree; of `between` `[A, B]`, null for no region
   /// Vertices, edges, faces and regions as files number them; what comes along as their boundary is not counted.

@@ -329,7 +329,8 @@ class TreeReader {
     if (known->op == Operator::simplify && e.value.is_map()) {
       const std::vector<Value::Entry> entries = e.value.entries("`simplify`");
       const auto is_option = [](const auto& o) { return o.key == "of" || o.key == "mode" || o.key == "within"; };
-      const auto is_side = [](const auto& o) { return o.key == "above" || o.key == "below"; };  // has `within`, too
+      // A node of a side has `within`, too.
+      const auto is_side = [](const auto& o) { return o.key == "above" || o.key == "below"; };
       const bool is_node = std::any_of(entries.begin(), entries.end(), is_side);
       if (entries.empty() || (!is_node && std::any_of(entries.begin(), entries.end(), is_option))) {
         const Fields f(e.value, "simplify", {"of", "mode", "within"});

@@ -356,7 +356,7 @@ void check_solid(const WeldModel& model, const WeldModel::Solid& solid, const st
 
 void refuse_weld(const std::string& subject, const LeafWords& what, const Rational& d) {
   throw LeafError(subject + "weld: " + what + " if all that is within " + to_decimal(d, 6) +
-                   " of each other were joined: give a smaller length");
+                  " of each other were joined: give a smaller length");
 }
 
 Weld weld(const WeldModel& model, const Rational& d) { return welding::Welder(model, d).run(); }

@@ -17,8 +17,8 @@ struct WeldedLeaves {
   LeafWords notice;  ///< empty: nothing is near
 };
 
-/// Planes, half-spaces and results read back stay as they are. Throws LeafError as `weld`. `moved`: how far points of round leaves may have been moved before
-/// (weld_surfaces.h), at most d; all together go no farther than d.
+/// Planes, half-spaces and results read back stay as they are. Throws LeafError as `weld`. `moved`: how far points
+/// of round leaves may have been moved before (weld_surfaces.h), at most d; all together go no farther than d.
 WeldedLeaves weld_leaves(const std::vector<LeafInstance>& instances, const Rational& d, const Rational& moved = 0);
 
 }  // namespace cnrg

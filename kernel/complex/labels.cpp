@@ -89,8 +89,8 @@ class Labelling {
         last->to ^= 1;
       } else if (*last != *x) {
         throw LeafError(face_names(covers, x->leaf) +
-                         ": two faces lie on each other and name different regions "
-                         "on one side; remove one or make their sides agree");
+                        ": two faces lie on each other and name different regions "
+                        "on one side; remove one or make their sides agree");
       }
     }
     list.erase(last + 1, list.end());
@@ -256,16 +256,16 @@ class Labelling {
             const std::int32_t other = g.side() == 0 ? y.from : y.to;
             if (y.leaf == x.leaf && y.fill == Fill::sides && other != named) {
               throw LeafError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) +
-                               ", but " + face_names(c_.cover(g.face()), x.leaf) +
-                               ", which bounds the same cavity, names " + region_name(other) +
-                               "; correct the sides, or close the faces between the two");
+                              ", but " + face_names(c_.cover(g.face()), x.leaf) +
+                              ", which bounds the same cavity, names " + region_name(other) +
+                              "; correct the sides, or close the faces between the two");
             }
           }
         }
         throw LeafError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) +
-                         ", but " + region_name(value(set_of_[r], x.leaf)) + " reaches it" +
-                         (c_.unbounded(r) ? " from outside" : "") +
-                         "; correct the sides, or close the faces between");
+                        ", but " + region_name(value(set_of_[r], x.leaf)) + " reaches it" +
+                        (c_.unbounded(r) ? " from outside" : "") +
+                        "; correct the sides, or close the faces between");
       }
     }
     // Not a face that names sides: some leaf that should be closed is open.
@@ -289,8 +289,8 @@ class Labelling {
 
   [[noreturn]] static void fail_overlap(LeafId leaf, std::uint32_t first, std::uint32_t second) {
     throw LeafError(LeafWords(LeafPlace{leaf.value(), {}, {first, second}}) +
-                     ": these solids overlap; take them as leaves of their own and let one "
-                     "dominate, or use fill: winding, which makes what they have in common a region");
+                    ": these solids overlap; take them as leaves of their own and let one "
+                    "dominate, or use fill: winding, which makes what they have in common a region");
   }
 
   /// Fill::cells: bounded cavities of the leaf's own faces, by where they are in its own coordinates: so what else

@@ -247,8 +247,8 @@ void take_planes(const Soup& soup, RefineInput& in, RefineReport& report) {
   for (std::size_t i = 0; i < n; ++i) {
     if (shape[i] != Shape::warped) continue;
     throw LeafError(face_name(soup, SourceId(i)) + ": the face is not planar: its corner " +
-                     std::to_string(off_plane(t, corners[SourceId(i)], planes[i]) + 1) +
-                     " is off the plane of the corners before; triangulate the face or correct the point");
+                    std::to_string(off_plane(t, corners[SourceId(i)], planes[i]) + 1) +
+                    " is off the plane of the corners before; triangulate the face or correct the point");
   }
   in.points.set_planes(std::move(planes));
   tbb::enumerable_thread_specific<std::vector<SourceId>> turned;

@@ -1,5 +1,5 @@
-// Which side of a surface a piece is on, against the planes of surfaces that are known, and in every way in which a
-// value comes about.
+// Which side of a surface a piece is on, against the planes of surfaces that are known, and in every way in which
+// a value comes about.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -21,7 +21,7 @@ using namespace cnrg;
 namespace {
 
 Evaluation run_tree(const std::string& text, const std::vector<std::string>& nodes = {},
-                     Refining refining = Refining::chosen) {
+                    Refining refining = Refining::chosen) {
   const Tree tree = parse_tree(text, "t.yaml");
   EvaluateOptions options;
   options.validate = true;
@@ -172,7 +172,8 @@ TEST_CASE("a piece is where its center is of the planes that it touches", "[side
 
     // The same refined apart, on doubles, and as picked.
     const std::string ball = "  far: {box: {min: [5, 5, 5], max: [9, 9, 9]}}\n  all: {sum: [split, far]}\n";
-    CHECK(sides_of(run_tree(block_cut_by(cuts, ball), {"all", "split"}, Refining::apart).result("split")) == expected);
+    CHECK(sides_of(run_tree(block_cut_by(cuts, ball), {"all", "split"}, Refining::apart).result("split")) ==
+          expected);
     SnapReport report;
     const Result snapped = snap(split, &report);
     if (report.lost_regions.empty() && report.parted_regions.empty()) CHECK(sides_of(snapped) == expected);
@@ -223,7 +224,7 @@ Rational picked_volume(const Evaluation& e, const std::string& node) {
 }
 
 TEST_CASE("pieces between two faults are told by their sides", "[sides]") {
-  const std::vector<std::string> nodes{"split", "first",   "middle", "wall", "last",
+  const std::vector<std::string> nodes{"split",   "first",  "middle", "wall", "last",
                                        "neither", "turned", "again",  "open", "halved"};
   const Evaluation e = run_tree(kSlab, nodes);
   CHECK(sides_of(e.result("split")) ==
@@ -257,8 +258,8 @@ TEST_CASE("what can be listed of sides, groups of a mesh and rows of the list", 
   std::map<std::string, std::size_t> rows;
   for (const Selectable& s : selectables(split))
     if (s.key == "front of" || s.key == "behind") rows[s.key + " " + s.value] = s.cells[3];
-  CHECK(rows ==
-        std::map<std::string, std::size_t>{{"behind east", 1}, {"behind west", 1}, {"front of east", 1}, {"front of west", 1}});
+  CHECK(rows == std::map<std::string, std::size_t>{
+                    {"behind east", 1}, {"behind west", 1}, {"front of east", 1}, {"front of west", 1}});
 }
 
 TEST_CASE("the front of each kind of surface goes along with it", "[sides]") {
@@ -269,10 +270,11 @@ TEST_CASE("the front of each kind of surface goes along with it", "[sides]") {
       "{bezier: {patch: [[[-1, -1, 1], [7, -1, 1]], [[-1, 7, 1], [7, 7, 1]]]}",
       "{extrude: {curve: [[-1, -1, 1], [7, -1, 1]], vector: [0, 9, 0]}",
       "{mesh: {points: [[-20, -20, 1], [20, -20, 1], [0, 30, 1]], faces: [[0, 1, 2]], fill: none}"};
-  const std::pair<const char*, bool> moves[] = {{"", true},
-                                                {", mirror: {normal: [1, 0, 0], point: [3, 0, 0]}", true},
-                                                {", mirror: {normal: [0, 0, 1], point: [0, 0, 1]}", false},
-                                                {", rotate: {axis: [1, 0, 0], degrees: 180, center: [0, 3, 1]}", false}};
+  const std::pair<const char*, bool> moves[] = {
+      {"", true},
+      {", mirror: {normal: [1, 0, 0], point: [3, 0, 0]}", true},
+      {", mirror: {normal: [0, 0, 1], point: [0, 0, 1]}", false},
+      {", rotate: {axis: [1, 0, 0], degrees: 180, center: [0, 3, 1]}", false}};
   for (const char* const surface : surfaces) {
     for (const auto& [move, upward] : moves) {
       const std::string text = "cnrg: 1\nnodes:\n  f: " + (surface + std::string(move)) +
@@ -318,8 +320,9 @@ TEST_CASE("a surface that is no leaf below, and a solid, are refused with a reme
   };
   CHECK_THROWS_WITH(run_tree(with("front of: west"), {"again"}),
                     Catch::StartsWith("t.yaml:17:43: error: nothing of `ground` is from `west`; name a leaf"));
-  CHECK_THROWS_WITH(run_tree(with("behind: wset"), {"again"}),
-                    Catch::StartsWith("t.yaml:17:41: error: there is no node called `wset`; did you mean `west`?"));
+  CHECK_THROWS_WITH(
+      run_tree(with("behind: wset"), {"again"}),
+      Catch::StartsWith("t.yaml:17:41: error: there is no node called `wset`; did you mean `west`?"));
   CHECK_THROWS_WITH(run_tree(with("behind: []"), {"again"}), Catch::Contains("is an empty list"));
   CHECK_THROWS_WITH(run_tree(with("behind: ground"), {"again"}),
                     Catch::StartsWith("t.yaml:17:12: error: `again`: `ground` is a solid") &&

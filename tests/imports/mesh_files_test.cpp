@@ -255,7 +255,8 @@ TEST_CASE("PLY") {
   CHECK_THAT(error(text.substr(0, text.size() - last.size()) + "255 3 0 1 4 1\n"),
              Contains("face 3 has the vertex 4, but there are 4"));
   const std::string binary = binary_ply(false);
-  CHECK_THAT(error(binary.substr(0, binary.size() - 3)), Contains("bad.ply: error: byte ") && Contains("truncated"));
+  CHECK_THAT(error(binary.substr(0, binary.size() - 3)),
+             Contains("bad.ply: error: byte ") && Contains("truncated"));
   CHECK_THAT(error(binary + "x"), Contains("more data follows"));
   std::string infinite = binary;
   infinite.replace(binary.find("end_header\n") + 11, 4, bytes(std::numeric_limits<float>::quiet_NaN()));

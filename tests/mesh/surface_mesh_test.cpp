@@ -131,8 +131,8 @@ TEST_CASE(".msh: parts with one name are told apart by their numbers", "[mesh]")
   c.show(c.unite(Dominance::right));
   const MeshFile mesh = read_msh(written(c.view(), ".msh"));
   CHECK(mesh.names_of(3) == std::set<std::string>{"a 'good'\\nrock", "a 'good'\\nrock 1", "a 'good'\\nrock 2",
-                                                      "a 'good'\\nrock front of leaf1",
-                                                      "a 'good'\\nrock behind leaf1"});
+                                                  "a 'good'\\nrock front of leaf1",
+                                                  "a 'good'\\nrock behind leaf1"});
   CHECK(mesh.names_of(2).count("wall a 'good'\\nrock 1 | a 'good'\\nrock 2") == 1);
 }
 

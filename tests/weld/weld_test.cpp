@@ -87,7 +87,8 @@ TEST_CASE("points in a chain are joined from the nearest pair on", "[weld]") {
   CHECK(made.points[1] == made.points[3]);
   CHECK(made.points[0] == RationalPoint{15, 0, 0});
   CHECK(made.left == 1);
-  CHECK_THAT(made.notice(10).text(), Contains("1 pair is near but not joined") && Contains("(9, 0, 0) and (15, 0, 0)"));
+  CHECK_THAT(made.notice(10).text(),
+             Contains("1 pair is near but not joined") && Contains("(9, 0, 0) and (15, 0, 0)"));
 }
 
 TEST_CASE("many faces at an edge are all planes through it", "[weld]") {
