@@ -71,6 +71,7 @@ class CarriedGroup::Maker {
         edge_feature_(complex.edge_count(), 0),
         edge_key_(complex.edge_count(), kNone),
         edge_gone_(complex.edge_count(), 0),
+        edge_facets_(complex.edge_count(), 0),
         class_of_(complex.region_count, 0),
         point_(complex.points.size(), kNone),
         dropped_(complex.points.size(), 0),
@@ -114,7 +115,7 @@ class CarriedGroup::Maker {
   IdVector<EdgeId, LeafSetId> edge_origin_;
   IdVector<VertexId, LeafSetId> vertex_origin_;
   IdVector<EdgeId, char> edge_feature_;
-  IdVector<EdgeId, Index> edge_key_, edge_gone_;
+  IdVector<EdgeId, Index> edge_key_, edge_gone_, edge_facets_;
   IdVector<RegionId, Index> class_of_;  // from 1
   SimplifiedComplex simple_;
   Soup soup_;
@@ -129,6 +130,8 @@ class CarriedGroup::Maker {
   KeyNumbers<std::pair<SourceSetId, bool>> covers_;
   KeyNumbers<std::vector<Index>> lists_of_segments_;
   KeyNumbers<std::vector<LeafCell>> lists_of_gone_;
+  KeyNumbers<std::pair<SourceId, std::uint32_t>> facets_;  // source, or place among the complex's removed ones
+  KeyNumbers<std::vector<Index>> lists_of_facets_;
   std::vector<VertexId> listed_;
   std::vector<LeafId> all_;
 
@@ -238,6 +241,37 @@ class CarriedGroup::Maker {
     return without(v, std::move(carried));
   }
 
+  /// The facets around an edge along a curved surface that are not carried: what curve it is a piece of.
+  Index removed_facets(EdgeId e) {
+    std::vector<Index> list;
+    bool curved = false;
+    const auto see = [&](const Soup::Face& source) { curved = curved || source.surface != 0; };
+    for (const FaceUse& use : complex_.edge_uses[e]) {
+      for (const Cover& x : complex_.cover(use.face)) see(complex_.sources[x.source]);
+    }
+    for (const std::uint32_t k : complex_.edge_removed_facets[e]) see(complex_.removed_facets[k].source);
+    if (curved) {
+      for (const FaceUse& use : complex_.edge_uses[e]) {
+        if (marks_.faces[use.face] != 0) continue;
+        for (const Cover& x : complex_.cover(use.face)) {
+          const auto [number, fresh] = facets_({x.source, 0});
+          const PlaneId plane = complex_.plane(use.face);
+          if (fresh) out_.facets_.push_back({complex_.sources[x.source], complex_.points.exact_plane(plane), {}});
+          list.push_back(number);
+        }
+      }
+      for (const std::uint32_t k : complex_.edge_removed_facets[e]) {
+        const auto [number, fresh] = facets_({SourceId::none(), k});
+        if (fresh) out_.facets_.push_back(complex_.removed_facets[k]);
+        list.push_back(number);
+      }
+      sort_unique(list);
+    }
+    const auto [number, fresh] = lists_of_facets_(list);
+    if (fresh) out_.facets_of_.push_back(std::move(list));
+    return number;
+  }
+
   bool has_wire(EdgeId e) const {
     const auto segments = complex_.edge_segments[e];
     return std::any_of(segments.begin(), segments.end(),
@@ -246,7 +280,7 @@ class CarriedGroup::Maker {
 
   /// An edge vanishes if it only parts two pieces of one face.
   void mark_edges() {
-    KeyNumbers<std::tuple<std::vector<SegmentId>, LeafSetId, bool, Index>> numbers;
+    KeyNumbers<std::tuple<std::vector<SegmentId>, LeafSetId, bool, Index, Index>> numbers;
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
       std::array<FaceId, 2> pair;
       std::size_t count = 0;
@@ -259,8 +293,9 @@ class CarriedGroup::Maker {
       const auto segments = complex_.edge_segments[e];
       edge_key_[e] = 0;  // it is carried
       edge_gone_[e] = gone(e);
+      edge_facets_[e] = removed_facets(e);
       edge_key_[e] = numbers({std::vector<SegmentId>(segments.begin(), segments.end()), edge_origin_[e],
-                              edge_feature_[e] != 0, edge_gone_[e]})
+                              edge_feature_[e] != 0, edge_gone_[e], edge_facets_[e]})
                          .first;
       const bool vanishes = count == 2 && marks_.faces[pair[0]] == marks_.faces[pair[1]] &&
                             edge_feature_[e] == 0 && edge_origin_[e] == face_origin_[pair[0]] && !has_wire(e);
@@ -408,7 +443,8 @@ class CarriedGroup::Maker {
       const Index a = point(from), b = point(to);
       if (walked_by_[e] == kNone || slit_[e])
         soup_.add_wire(leaf_, PointId(a), PointId(b), static_cast<Index>(out_.edges_.size()));
-      out_.edges_.push_back({{a, b}, number, edge_origin_[e], edge_feature_[e] != 0, edge_gone_[e]});
+      out_.edges_.push_back(
+          {{a, b}, number, edge_origin_[e], edge_feature_[e] != 0, edge_gone_[e], edge_facets_[e]});
       listed_.push_back(from), listed_.push_back(to);
       from = to;
     }

@@ -69,6 +69,7 @@ class CarriedGroup {
     LeafSetId origin;
     bool feature;
     Index gone;
+    Index facets;  ///< place in `facets_of_`
   };
   struct Vertex {
     Index point;
@@ -93,7 +94,9 @@ class CarriedGroup {
   std::vector<Source> sources_;
   std::vector<Wire> wires_;
   std::vector<Segment> segments_;
-  std::vector<std::vector<LeafCell>> gone_;  // distinct lists of leaves' cells that held a cell and were removed
+  std::vector<std::vector<LeafCell>> gone_;    // distinct lists of leaves' cells that held a cell and were removed
+  std::vector<RemovedFacet> facets_;           // of edges along curved surfaces
+  std::vector<std::vector<Index>> facets_of_;  // distinct lists
   std::vector<RegionAttributes> regions_;
   Rational dominance_;
   LeafSets sets_;

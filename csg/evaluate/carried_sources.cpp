@@ -21,6 +21,7 @@ class CarriedGroups::SourcesMaker {
     out_.leaf_regions = complex_.leaf_regions;
     out_.leaf_regions.resize(out_.leaf_count);
     take_faces_and_wires();
+    take_removed_facets();
     number_surfaces(surfaces);
     take_covers();
     take_segments();
@@ -98,15 +99,66 @@ class CarriedGroups::SourcesMaker {
       for (const std::uint32_t number : of_leaf) most = std::max(most, number);
     }
     std::map<std::pair<LeafId, std::uint32_t>, std::uint32_t> own;
-    for (Soup::Face& face : out_.sources) {
-      if (face.surface == 0) continue;
+    const auto renumber = [&](Soup::Face& face) {
+      if (face.surface == 0) return;
       const std::size_t leaf = face.leaf.index();
       const bool numbered = leaf < surfaces.size() && face.patch < surfaces[leaf].size();
       face.surface = numbered ? surfaces[leaf][face.patch] : 0;
-      if (face.surface != 0) continue;
+      if (face.surface != 0) return;
       const auto next = static_cast<std::uint32_t>(most + 1 + own.size());
       face.surface = own.try_emplace({face.leaf, face.patch}, next).first->second;
+    };
+    for (Soup::Face& face : out_.sources) renumber(face);
+    for (RemovedFacet& facet : out_.removed_facets) renumber(facet.source);
+  }
+
+  /// Those of all groups, each with the sheet of its plane, if one is near.
+  void take_removed_facets() {
+    std::vector<std::size_t> first;
+    for (const CarriedGroup& group : groups_) {
+      first.push_back(out_.removed_facets.size());
+      out_.removed_facets.insert(out_.removed_facets.end(), group.facets_.begin(), group.facets_.end());
     }
+    if (out_.removed_facets.empty()) return;
+    std::vector<std::pair<EdgeId, std::uint32_t>> at_edges;
+    std::map<std::array<Integer, 4>, SheetId> known;
+    IdVector<SheetId, char> seen(complex_.sheet_plane.size(), 0);
+    const auto see_sheets = [&](EdgeId e) {
+      for (const FaceUse& use : complex_.edge_uses[e]) {
+        const SheetId sheet = complex_.face_sheet[use.face];
+        if (std::exchange(seen[sheet], 1) == 0)
+          known.try_emplace(either_side(complex_.points.exact_plane(complex_.sheet_plane[sheet])), sheet);
+      }
+    };
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      const std::size_t before = at_edges.size();
+      for (const Piece& piece : carried_.edges_[e]) {
+        if (piece.dimension != 1) continue;
+        const CarriedGroup& group = groups_[piece.group];
+        for (const Index k : group.facets_of_[group.edges_[piece.index].facets])
+          at_edges.emplace_back(e, static_cast<std::uint32_t>(first[piece.group] + k));
+      }
+      if (at_edges.size() == before) continue;
+      for (const VertexId v : complex_.edge_ends[e]) {
+        for (const EdgeId other : complex_.vertex_edges[v]) see_sheets(other);
+      }
+    }
+    sort_unique(at_edges);
+    out_.edge_removed_facets = SparseLists(at_edges);
+    std::size_t next = complex_.sheet_plane.size();
+    for (RemovedFacet& facet : out_.removed_facets) {
+      const auto [it, fresh] = known.try_emplace(either_side(facet.plane), SheetId(next));
+      facet.sheet = it->second;
+      next += fresh ? 1 : 0;
+    }
+  }
+
+  static std::array<Integer, 4> either_side(const ExactPlane& plane) {
+    std::array<Integer, 4> out{plane.a, plane.b, plane.c, plane.d};
+    const auto first = std::find_if(out.begin(), out.end(), [](const Integer& x) { return sgn(x) != 0; });
+    if (sgn(*first) > 0) return out;
+    for (Integer& x : out) x = -x;
+    return out;
   }
 
   /// Sets with what `add` lists for each of their members, each set once; returns what becomes of each set.

@@ -47,6 +47,13 @@ struct LeafCell {
   friend auto operator<=>(const LeafCell&, const LeafCell&) = default;
 };
 
+/// A face that lay around an edge and was removed before the complex was refined.
+struct RemovedFacet {
+  Soup::Face source;
+  ExactPlane plane;
+  SheetId sheet;  ///< that of its plane: one of the complex, or a number above them
+};
+
 /// A face around an edge: the face lies to the left of `half_edge` as seen from its front.
 struct FaceUse {
   FaceId face;
@@ -113,6 +120,9 @@ class Complex {
   SparseLists<VertexId, LeafCell> vertex_leaf_cells;
   SparseLists<EdgeId, LeafCell> edge_leaf_cells;
   SparseLists<FaceId, LeafCell> face_leaf_cells;
+  /// Those of them around an edge of a curved surface.
+  std::vector<RemovedFacet> removed_facets;
+  SparseLists<EdgeId, std::uint32_t> edge_removed_facets;  ///< places in `removed_facets`
   /// Attributes of soup faces. `surface` is 0 for faces that lie on their planes alone; those of a curved patch
   /// whose surface is not known have a number of its own.
   IdVector<SourceId, Soup::Face> sources;

@@ -52,6 +52,8 @@ void ComplexDraft::set_sources(ComplexSources sources) {
   c.vertex_leaf_cells = std::move(sources.vertex_leaf_cells);
   c.edge_leaf_cells = std::move(sources.edge_leaf_cells);
   c.face_leaf_cells = std::move(sources.face_leaf_cells);
+  c.removed_facets = std::move(sources.removed_facets);
+  c.edge_removed_facets = std::move(sources.edge_removed_facets);
   number_surfaces(c);
 }
 

@@ -30,6 +30,8 @@ struct ComplexSources {
   SparseLists<VertexId, LeafCell> vertex_leaf_cells;
   SparseLists<EdgeId, LeafCell> edge_leaf_cells;
   SparseLists<FaceId, LeafCell> face_leaf_cells;
+  std::vector<RemovedFacet> removed_facets;
+  SparseLists<EdgeId, std::uint32_t> edge_removed_facets;
 };
 
 class ComplexDraft {

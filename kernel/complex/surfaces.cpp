@@ -44,6 +44,8 @@ std::vector<Patch> curved_patches(const Complex& c) {
 void number_surfaces(Complex& c) {
   c.surface_count = 0;
   for (const Soup::Face& face : c.sources) c.surface_count = std::max(c.surface_count, face.surface);
+  for (const RemovedFacet& facet : c.removed_facets)
+    c.surface_count = std::max(c.surface_count, facet.source.surface);
   const std::vector<Patch> curved = curved_patches(c);
   if (curved.empty()) return;
   check_count(c.surface_count + std::uint64_t{curved.size()}, "curved surfaces", kMostPlaces);

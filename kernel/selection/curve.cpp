@@ -24,10 +24,12 @@ bool counts(LeavesThere leaves, LeafId leaf) {
   return !leaves || std::binary_search(leaves->begin(), leaves->end(), leaf);
 }
 
+Surface surface_of(const Soup::Face& source, SheetId sheet) {
+  if (source.surface != 0) return {Kind::curved, LeafId::none(), source.surface};
+  return {Kind::plane, LeafId::none(), sheet.value()};
+}
 Surface surface_of(const Complex& complex, FaceId f, const Cover& cover) {
-  const std::uint32_t number = complex.sources[cover.source].surface;
-  if (number != 0) return {Kind::curved, LeafId::none(), number};
-  return {Kind::plane, LeafId::none(), complex.face_sheet[f].value()};
+  return surface_of(complex.sources[cover.source], complex.face_sheet[f]);
 }
 
 void collect(const Complex& complex, const PieceOfCurve& at, std::vector<Surface>& surfaces,
@@ -39,6 +41,12 @@ void collect(const Complex& complex, const PieceOfCurve& at, std::vector<Surface
       surfaces.push_back(surface_of(complex, use.face, c));
       facets.emplace_back(surfaces.back(), complex.face_sheet[use.face]);
     }
+  }
+  for (const std::uint32_t place : complex.edge_removed_facets[at.edge]) {
+    const RemovedFacet& facet = complex.removed_facets[place];
+    if (!counts(at.leaves, facet.source.leaf)) continue;
+    surfaces.push_back(surface_of(facet.source, facet.sheet));
+    facets.emplace_back(surfaces.back(), facet.sheet);
   }
   for (SegmentId s : complex.edge_segments[at.edge]) {
     for (WireId w : complex.segment_wires[s]) {
