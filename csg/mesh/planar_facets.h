@@ -1,10 +1,9 @@
-// Facets of curved faces of snapped and joined results, as large as they are flat.
+// Facets of curved faces of snapped and joined results, as large as they are flat but for last digits.
 //
-// A curved face has a facet for each cell of the complex. What was snapped or joined was a drawing of triangles
-// (csg/result/relabel.h), so there each triangle of a facet is a cell. A mesh would keep the lines between them
-// for nothing, and where facets are long and thin, as those of a shaft are, such a line meets their sides in an
-// angle of a degree. So they are one facet again, also where some last digits of their points have changed:
-// rounding moves points of facets that are whole off their planes as far.
+// What was snapped or joined was a drawing of triangles (csg/result/relabel.h), and those of a facet that changed
+// some last digits lie in planes of their own. A mesh would keep the lines between them for nothing, and where
+// facets are long and thin, as those of a shaft are, such a line meets their sides in an angle of a degree. So
+// they are one facet again: rounding moves points of facets that are whole off their planes as far.
 #pragma once
 
 #include "csg/result/flat.h"

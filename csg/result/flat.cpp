@@ -202,18 +202,12 @@ class Flattener {
     return loop;
   }
 
-  /// One facet of the complex as seen from the face's front (`cell.side()` is that front).
-  FlatComplex::Facet facet_of(HalfFace cell) const {
+  /// As seen from the front of its cells.
+  FlatComplex::Facet flat_facet(const SimplifiedFacet& from) const {
     FlatComplex::Facet facet;
-    for (const auto& walk : facet_walks(complex_, simple_, cell.face())) {
-      Loop loop = numbers(walk);
-      if (cell.side() == 1) std::reverse(loop.begin(), loop.end());
-      facet.loops.push_back(std::move(loop));
-    }
+    for (const auto& walk : from.walks) facet.loops.push_back(loop_of(walk));
     put_in_order(facet.loops);
-    for (const VertexId v : complex_.face_vertices[cell.face()]) {
-      if (simple_.vertex_place[v.index()].dimension == 0) facet.isolated.push_back(points_.number(v));
-    }
+    facet.isolated = numbers<decltype(facet.isolated)>(from.isolated);
     std::sort(facet.isolated.begin(), facet.isolated.end());
     return facet;
   }
@@ -266,6 +260,25 @@ class Flattener {
     triangles.append(here.begin(), here.end());
   }
 
+  struct OrderedFacet {
+    Loop points;  ///< of its loops, sorted: the same whichever side is the front
+    FlatComplex::Facet facet;
+    ShortList<HalfFace, 2> cells;
+  };
+
+  std::vector<OrderedFacet> ordered_facets(Index face) const {
+    std::vector<OrderedFacet> out;
+    for (SimplifiedFacet& from : facets_of(complex_, simple_, face)) {
+      OrderedFacet& to = out.emplace_back();
+      to.facet = flat_facet(from);
+      to.cells = std::move(from.cells);
+      for (const Loop& loop : to.facet.loops) to.points.append(loop.begin(), loop.end());
+      std::sort(to.points.begin(), to.points.end());
+    }
+    std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.points < b.points; });
+    return out;
+  }
+
   void make_faces() {
     flipped_.assign(simple_.faces.size(), 0);
     flat_.faces.resize(simple_.faces.size());
@@ -279,18 +292,14 @@ class Flattener {
       face.isolated = numbers<decltype(face.isolated)>(from.isolated);
       std::sort(face.isolated.begin(), face.isolated.end());
       const bool flat = is_flat(complex_, from);
-      std::vector<std::pair<FlatComplex::Facet, HalfFace>> facets;
-      if (!flat) {
-        std::vector<std::pair<Loop, HalfFace>> order;
-        for (const HalfFace cell : from.cells) order.push_back({key(facet_of(cell)), cell});
-        std::sort(order.begin(), order.end());
-        for (const auto& [points, cell] : order) facets.push_back({facet_of(cell), cell});
-      }
-      const HalfFace first = flat ? from.cells[0] : facets[0].second;
+      std::vector<OrderedFacet> facets;
+      if (!flat) facets = ordered_facets(Index(i));
+      const HalfFace first = flat ? from.cells[0] : facets[0].cells[0];
       flipped_[i] = must_flip(face, first);
       if (flipped_[i]) flip(face, facets);
       if (flat) add_triangles(flipped_[i] ? first.opposite() : first, face.loops, face.isolated, face.triangles);
-      for (auto& [facet, cell] : facets) {
+      for (auto& [points, facet, cells] : facets) {
+        const HalfFace cell = flipped_[i] ? cells[0].opposite() : cells[0];
         add_triangles(cell, facet.loops, facet.isolated, face.triangles);
         face.facets.push_back(std::move(facet));
         face.facet_ends.push_back(Index(face.triangles.size()));
@@ -309,7 +318,7 @@ class Flattener {
     });
   }
 
-  void add_cells(FlatComplex::Face& face, const std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets,
+  void add_cells(FlatComplex::Face& face, const std::vector<OrderedFacet>& facets,
                  const SimplifiedComplex::Face& from) const {
     if (!view_.parameters->has(face.patch->first)) return;
     if (!std::binary_search(face.origin.leaves.begin(), face.origin.leaves.end(), face.patch->first)) return;
@@ -322,7 +331,10 @@ class Flattener {
       face.cells.emplace_back();
       for (const HalfFace cell : from.cells) add(cell.face(), face.cells[0]);
     } else {
-      for (const auto& [facet, cell] : facets) add(cell.face(), face.cells.emplace_back());
+      for (const OrderedFacet& facet : facets) {
+        auto& list = face.cells.emplace_back();
+        for (const HalfFace cell : facet.cells) add(cell.face(), list);
+      }
     }
     for (auto& list : face.cells) sort_unique(list);
     const auto none = [](const auto& list) { return list.empty(); };
@@ -376,31 +388,20 @@ class Flattener {
     put_in_order_of_place(face.cells_of_patches, [](const auto& cell) { return cell.first.first; });
   }
 
-  /// Points of a facet, sorted: the same whichever side is the front.
-  static Loop key(const FlatComplex::Facet& facet) {
-    Loop result;
-    for (const Loop& loop : facet.loops) result.append(loop.begin(), loop.end());
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
   bool must_flip(const FlatComplex::Face& face, HalfFace first) const {
     const bool front = flat_.active(face.regions[0]), back = flat_.active(face.regions[1]);
     if (front != back) return front;
     return normal_order(first) < 0;
   }
 
-  static void flip(FlatComplex::Face& face, std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets) {
+  static void flip(FlatComplex::Face& face, std::vector<OrderedFacet>& facets) {
     const auto reverse_all = [](std::vector<Loop>& loops) {
       for (Loop& loop : loops) std::reverse(loop.begin(), loop.end());
       put_in_order(loops);
     };
     reverse_all(face.loops);
     std::swap(face.regions[0], face.regions[1]);
-    for (auto& [facet, cell] : facets) {
-      reverse_all(facet.loops);
-      cell = cell.opposite();
-    }
+    for (OrderedFacet& facet : facets) reverse_all(facet.facet.loops);
   }
 
   bool inside_component(Component component, Index region) const {

@@ -7,7 +7,10 @@
 #include <CGAL/Constrained_triangulation_2.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <unordered_map>
 
 #include "kernel/base/error.h"
@@ -21,10 +24,63 @@ using Edge = std::pair<VertexId, VertexId>;  // smaller id first
 
 Edge edge_of(VertexId a, VertexId b) { return a < b ? Edge{a, b} : Edge{b, a}; }
 
-struct Plane2 {
-  const PointTable* table;
-  Projection axes;
-  int turn(VertexId a, VertexId b, VertexId c) const { return orient2d(*table, axes, a, b, c); }
+/// The points of a face in the projection, numbered as they came: ids and bounds of the table are those of one
+/// refinement, and triangles are to be those of the face.
+class FacePoints {
+ public:
+  FacePoints(const PointTable& table, Projection axes) : table_(table), axes_(axes) {}
+  VertexId number(VertexId in_table) {
+    const auto [it, fresh] = number_.try_emplace(in_table, VertexId(in_table_.size()));
+    if (fresh) in_table_.push_back(in_table);
+    return it->second;
+  }
+  Projection axes() const { return axes_; }
+  VertexId in_table(VertexId p) const { return in_table_[p.index()]; }
+  int turn(VertexId a, VertexId b, VertexId c) const {
+    return orient2d(table_, axes_, in_table(a), in_table(b), in_table(c));
+  }
+  int compare(int axis, VertexId a, VertexId b) const {
+    return cnrg::compare(table_, axis, in_table(a), in_table(b));
+  }
+
+  using Bounds = std::array<std::array<double, 2>, 2>;  // of each axis
+  /// The doubles next to the exact value, or this, if it is one.
+  const Bounds& bounds(VertexId p) {
+    bounds_.resize(in_table_.size());
+    auto& known = bounds_[p.index()];
+    if (!known) known = find_bounds(in_table(p));
+    return *known;
+  }
+  double length(VertexId a, VertexId b) {
+    const auto middle = [&](VertexId p, int k) {
+      const auto& [low, high] = bounds(p)[static_cast<std::size_t>(k)];
+      return low == high ? low : std::nextafter(low, high);
+    };
+    return std::hypot(middle(a, 0) - middle(b, 0), middle(a, 1) - middle(b, 1));
+  }
+
+ private:
+  Bounds find_bounds(VertexId v) const {
+    const std::array<int, 2> axis{axes_.u, axes_.v};
+    Bounds out;
+    const double* xyz = table_.doubles(v);
+    const RationalPoint exact = xyz != nullptr ? RationalPoint() : table_.rational(v);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto i = static_cast<std::size_t>(axis[k]);
+      const double near = xyz != nullptr ? xyz[i] : to_double(exact[i]);
+      out[k] = {near, near};
+      if (xyz != nullptr || from_double(near) == exact[i]) continue;
+      constexpr double kInfinity = std::numeric_limits<double>::infinity();
+      out[k] = {std::nextafter(near, -kInfinity), std::nextafter(near, kInfinity)};
+    }
+    return out;
+  }
+
+  const PointTable& table_;
+  Projection axes_;
+  std::unordered_map<VertexId, VertexId> number_;
+  std::vector<VertexId> in_table_;
+  std::vector<std::optional<Bounds>> bounds_;
 };
 
 /// What CGAL's triangulations ask of geometry, answered by our predicates on vertex ids.
@@ -49,10 +105,10 @@ struct VertexTraits {
     Triangle_2 operator()(const Point_2& a, const Point_2& b, const Point_2& c) const { return {a, b, c}; }
   };
   struct Compare {
-    Plane2 plane;
+    const FacePoints* plane;
     int axis;
     CGAL::Comparison_result operator()(const Point_2& a, const Point_2& b) const {
-      return CGAL::Comparison_result(compare(*plane.table, axis, a.id, b.id));
+      return CGAL::Comparison_result(plane->compare(axis, a.id, b.id));
     }
   };
   struct Less : Compare {
@@ -65,9 +121,9 @@ struct VertexTraits {
   using Less_x_2 = Less;
   using Less_y_2 = Less;
   struct Orientation_2 {
-    Plane2 plane;
+    const FacePoints* plane;
     CGAL::Orientation operator()(const Point_2& a, const Point_2& b, const Point_2& c) const {
-      return CGAL::Orientation(plane.turn(a.id, b.id, c.id));
+      return CGAL::Orientation(plane->turn(a.id, b.id, c.id));
     }
   };
   struct Side_of_oriented_circle_2 {  // the triangulation is not a Delaunay one: never asked
@@ -76,14 +132,14 @@ struct VertexTraits {
     }
   };
 
-  Plane2 plane;
+  const FacePoints* plane;
   Construct_point_2 construct_point_2_object() const { return {}; }
   Construct_segment_2 construct_segment_2_object() const { return {}; }
   Construct_triangle_2 construct_triangle_2_object() const { return {}; }
-  Compare_x_2 compare_x_2_object() const { return {plane, plane.axes.u}; }
-  Compare_y_2 compare_y_2_object() const { return {plane, plane.axes.v}; }
-  Less_x_2 less_x_2_object() const { return {{plane, plane.axes.u}}; }
-  Less_y_2 less_y_2_object() const { return {{plane, plane.axes.v}}; }
+  Compare_x_2 compare_x_2_object() const { return {plane, plane->axes().u}; }
+  Compare_y_2 compare_y_2_object() const { return {plane, plane->axes().v}; }
+  Less_x_2 less_x_2_object() const { return {{plane, plane->axes().u}}; }
+  Less_y_2 less_y_2_object() const { return {{plane, plane->axes().v}}; }
   Orientation_2 orientation_2_object() const { return {plane}; }
   Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
 };
@@ -106,13 +162,13 @@ using Tds = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base
 using Triangulation = CGAL::Constrained_triangulation_2<VertexTraits, Tds, CGAL::No_constraint_intersection_tag>;
 
 /// True if the last point certainly lies inside the circle through the counter-clockwise a, b, c.
-bool certainly_in_circle(const Plane2& plane, const Triangle& t, VertexId d) {
+bool certainly_in_circle(FacePoints& points, const Triangle& t, VertexId d) {
   using enclosure::Interval;
-  const PointView views[4] = {plane.table->view(t[0]), plane.table->view(t[1]), plane.table->view(t[2]),
-                              plane.table->view(d)};
+  const FacePoints::Bounds bounds[4] = {points.bounds(t[0]), points.bounds(t[1]), points.bounds(t[2]),
+                                        points.bounds(d)};
   enclosure::RoundOutward rounding;
-  const int u = plane.axes.u, v = plane.axes.v;
-  const auto at = [&](int i, int axis) { return Interval(views[i].lo[axis], views[i].hi[axis]); };
+  constexpr std::size_t u = 0, v = 1;
+  const auto at = [&](int i, std::size_t axis) { return Interval(bounds[i][axis][0], bounds[i][axis][1]); };
   const Interval du = at(3, u), dv = at(3, v);
   const Interval au = at(0, u) - du, av = at(0, v) - dv, bu = at(1, u) - du, bv = at(1, v) - dv;
   const Interval cu = at(2, u) - du, cv = at(2, v) - dv;
@@ -193,25 +249,21 @@ std::map<Edge, unsigned> walked_edges(std::span<const std::vector<VertexId>> loo
 
 /// Two triangles of a quad, or none if neither diagonal works; of two that work the Delaunay one, or the shorter
 /// one.
-std::vector<Triangle> split_quad(const Plane2& plane, const std::vector<VertexId>& q) {
-  const auto split = [&](int k) {
+std::vector<Triangle> split_quad(FacePoints& points, const std::array<VertexId, 4>& q) {
+  const auto split = [&](std::size_t k) {
     return std::array<Triangle, 2>{{{q[k], q[k + 1], q[k + 2]}, {q[k], q[k + 2], q[(k + 3) % 4]}}};
   };
   const auto fits = [&](const std::array<Triangle, 2>& s) {
-    return plane.turn(s[0][0], s[0][1], s[0][2]) > 0 && plane.turn(s[1][0], s[1][1], s[1][2]) > 0;
-  };
-  const auto length = [&](VertexId a, VertexId b) {
-    const auto p = plane.table->approx(a), r = plane.table->approx(b);
-    return std::hypot(p[plane.axes.u] - r[plane.axes.u], p[plane.axes.v] - r[plane.axes.v]);
+    return points.turn(s[0][0], s[0][1], s[0][2]) > 0 && points.turn(s[1][0], s[1][1], s[1][2]) > 0;
   };
   const auto first = split(0), second = split(1);
   const bool first_fits = fits(first), second_fits = fits(second);
   if (!first_fits && !second_fits) return {};
   const auto take_first = [&] {
     if (!first_fits || !second_fits) return first_fits;
-    if (certainly_in_circle(plane, first[0], q[3])) return false;
-    if (certainly_in_circle(plane, second[0], q[0])) return true;
-    return length(q[0], q[2]) <= length(q[1], q[3]);
+    if (certainly_in_circle(points, first[0], q[3])) return false;
+    if (certainly_in_circle(points, second[0], q[0])) return true;
+    return points.length(q[0], q[2]) <= points.length(q[1], q[3]);
   };
   const auto& chosen = take_first() ? first : second;
   return {chosen.begin(), chosen.end()};
@@ -246,9 +298,9 @@ std::vector<Triangle> inside(Triangulation& t, const std::map<Edge, unsigned>& w
   return result;
 }
 
-std::vector<Triangle> general(const Plane2& plane, std::span<const std::vector<VertexId>> loops,
+std::vector<Triangle> general(FacePoints& points, std::span<const std::vector<VertexId>> loops,
                               std::span<const VertexId> isolated) {
-  Triangulation t{VertexTraits{plane}};
+  Triangulation t{VertexTraits{&points}};
   std::unordered_map<VertexId, Triangulation::Vertex_handle> handles;
   Triangulation::Face_handle hint;
   const auto insert = [&](VertexId v) {
@@ -271,32 +323,45 @@ std::vector<Triangle> general(const Plane2& plane, std::span<const std::vector<V
   if (t.dimension() < 2) return {};
   std::vector<Triangle> triangles = inside(t, walked);
   flip(walked, triangles, [&](VertexId p, VertexId a, VertexId q, VertexId b) {
-    return certainly_in_circle(plane, {p, a, b}, q);
+    return certainly_in_circle(points, {p, a, b}, q);
   });
   return triangles;
 }
 
 }  // namespace
 
-std::vector<Triangle> triangulate(const PointTable& points, Projection axes,
+std::vector<Triangle> triangulate(const PointTable& table, Projection axes,
                                   std::span<const std::vector<VertexId>> loops,
                                   std::span<const VertexId> isolated) {
-  const Plane2 plane{&points, axes};
-  if (loops.size() == 1 && isolated.empty()) {
+  FacePoints points(table, axes);
+  std::vector<Triangle> triangles;
+  if (loops.size() == 1 && isolated.empty() && (loops[0].size() == 3 || loops[0].size() == 4)) {
     const auto& loop = loops[0];
     if (loop.size() == 3) {
-      const int turn = plane.turn(loop[0], loop[1], loop[2]);
+      const int turn = orient2d(table, axes, loop[0], loop[1], loop[2]);
       if (turn > 0) return {{loop[0], loop[1], loop[2]}};
       if (turn < 0) return {{loop[0], loop[2], loop[1]}};
-    }
-    if (loop.size() == 4) {
-      const std::vector<VertexId> reversed(loop.rbegin(), loop.rend());
-      auto triangles = split_quad(plane, loop);
-      if (triangles.empty()) triangles = split_quad(plane, reversed);
-      if (!triangles.empty()) return triangles;
+    } else {
+      std::array<VertexId, 4> quad;
+      for (std::size_t i = 0; i < 4; ++i) quad[i] = points.number(loop[i]);
+      triangles = split_quad(points, quad);
+      std::reverse(quad.begin(), quad.end());
+      if (triangles.empty()) triangles = split_quad(points, quad);
     }
   }
-  return general(plane, loops, isolated);
+  if (triangles.empty()) {
+    std::vector<std::vector<VertexId>> walks(loops.begin(), loops.end());
+    std::vector<VertexId> inner(isolated.begin(), isolated.end());
+    for (auto& walk : walks) {
+      for (VertexId& v : walk) v = points.number(v);
+    }
+    for (VertexId& v : inner) v = points.number(v);
+    triangles = general(points, walks, inner);
+  }
+  for (Triangle& t : triangles) {
+    for (VertexId& p : t) p = points.in_table(p);
+  }
+  return triangles;
 }
 
 void flip_edges(std::vector<Triangle>& triangles, std::span<const std::vector<VertexId>> loops,

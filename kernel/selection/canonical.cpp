@@ -8,6 +8,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
@@ -73,6 +74,170 @@ void sort_by_coordinates(const PointTable& table, std::vector<VertexId>& points)
   });
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = bounds[i].v;
 }
+
+void for_each_half_edge(const Complex& complex, FaceId f, auto visit) {
+  for (const LoopId loop : complex.face_loops[f]) {
+    for (const HalfEdge h : complex.loop[loop]) visit(h);
+  }
+}
+
+enum class Inside : std::uint8_t {
+  no,    // on the border of the simplified face
+  bend,  // between two of its facets
+  yes,   // of one
+};
+
+// Where an edge on the border of a cell lies in the simplified face.
+Inside inside_of(const Complex& complex, const SimplifiedComplex& s, FaceId cell, EdgeId e) {
+  if (s.edge_place[e.index()].dimension != 2) return Inside::no;
+  const Index face = s.face_place[cell.index()].index;
+  for (const FaceUse& use : complex.edge_uses[e]) {
+    const SimplifiedComplex::Place place = s.face_place[use.face.index()];
+    if (place.dimension == 2 && place.index == face && complex.face_sheet[use.face] != complex.face_sheet[cell])
+      return Inside::bend;
+  }
+  return std::binary_search(s.facet_edges.begin(), s.facet_edges.end(), e) ? Inside::bend : Inside::yes;
+}
+
+// The edges between facets that end in a vertex: how many, and where the first two come from.
+struct Bends {
+  std::uint8_t count = 0;  // 3: or more
+  std::array<VertexId, 2> ends{};
+  void add(VertexId from) {
+    const auto known = ends.begin() + std::min<int>(count, 2);
+    if (count < 3 && std::find(ends.begin(), known, from) == known) {
+      if (count < 2) ends[count] = from;
+      ++count;
+    }
+  }
+};
+
+// By vertex; empty where all faces are flat.
+IdVector<VertexId, Bends> bends_of(const Complex& complex, const SimplifiedComplex& s) {
+  IdVector<VertexId, Bends> bends;
+  for (const auto& face : s.faces) {
+    if (is_flat(complex, face)) continue;
+    if (bends.empty()) bends.assign(complex.points.size(), {});
+    for (const HalfFace cell : face.cells) {
+      for_each_half_edge(complex, cell.face(), [&](HalfEdge h) {
+        if (inside_of(complex, s, cell.face(), h.edge()) != Inside::bend) return;
+        bends[complex.origin(h)].add(complex.target(h));
+        bends[complex.target(h)].add(complex.origin(h));
+      });
+    }
+  }
+  return bends;
+}
+
+// Cells that meet in an edge within a facet are one. Around these a walk goes on in the next cell wherever it
+// comes to such an edge.
+class FacetFinder {
+ public:
+  FacetFinder(const Complex& complex, const SimplifiedComplex& s, const SimplifiedComplex::Face& face)
+      : complex_(complex), s_(s), face_(face) {}
+
+  std::vector<SimplifiedFacet> run() {
+    for (Index k = 0; k < face_.cells.size(); ++k) add_steps(k);
+    join_cells();
+    std::vector<Index> facet_of(face_.cells.size(), SimplifiedComplex::kNowhere);
+    for (Index k = 0; k < face_.cells.size(); ++k) {
+      Index& facet = facet_of[root(k)];
+      if (facet == SimplifiedComplex::kNowhere) {
+        facet = Index(facets_.size());
+        facets_.emplace_back();
+      }
+      facets_[facet].cells.push_back(face_.cells[k]);
+    }
+    for (Index i = 0; i < steps_.size(); ++i) {
+      if (!steps_[i].inside && !steps_[i].walked) facets_[facet_of[root(steps_[i].cell)]].walks.push_back(walk(i));
+    }
+    if (!face_.isolated.empty()) add_isolated(facet_of);
+    return std::move(facets_);
+  }
+
+ private:
+  // Along an edge with the cell to the left, as seen from the front of the face.
+  struct Step {
+    HalfEdge h;
+    Index cell, next;
+    bool inside, walked = false;
+  };
+
+  void add_steps(Index k) {
+    const HalfFace cell = face_.cells[k];
+    for (const LoopId id : complex_.face_loops[cell.face()]) {
+      const auto loop = complex_.loop[id];
+      const auto first = Index(steps_.size()), n = Index(loop.size());
+      for (Index i = 0; i < n; ++i) {
+        const HalfEdge h = cell.side() == 0 ? loop[i] : loop[n - 1 - i].twin();
+        const bool inside = inside_of(complex_, s_, cell.face(), h.edge()) == Inside::yes;
+        if (inside) inner_.emplace_back(h, first + i);
+        steps_.push_back({h, k, first + (i + 1) % n, inside});
+      }
+    }
+  }
+
+  void join_cells() {
+    parent_.resize(face_.cells.size());
+    std::iota(parent_.begin(), parent_.end(), Index{0});
+    std::sort(inner_.begin(), inner_.end());
+    for (const auto& [h, i] : inner_) {
+      const Index a = root(steps_[i].cell), b = root(steps_[other_side(h)].cell);
+      parent_[std::max(a, b)] = std::min(a, b);
+    }
+  }
+
+  Index root(Index k) {
+    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+    return k;
+  }
+
+  Index other_side(HalfEdge h) const {
+    const auto found = std::lower_bound(inner_.begin(), inner_.end(), std::pair(h.twin(), Index{0}));
+    require(found != inner_.end() && found->first == h.twin(), "an edge within a facet has one side only");
+    return found->second;
+  }
+
+  std::vector<HalfEdge> walk(Index first) {
+    std::vector<HalfEdge> out;
+    Index i = first;
+    do {
+      steps_[i].walked = true;
+      out.push_back(steps_[i].h);
+      i = steps_[i].next;
+      while (steps_[i].inside) i = steps_[other_side(steps_[i].h)].next;
+    } while (i != first);
+    return out;
+  }
+
+  // A vertex of the result that no walk passes is in the interior of the facet of any cell around it.
+  void add_isolated(const std::vector<Index>& facet_of) {
+    std::vector<VertexId> passed;
+    for (const SimplifiedFacet& facet : facets_) {
+      for (const auto& walk : facet.walks) {
+        for (const HalfEdge h : walk) passed.push_back(complex_.origin(h));
+      }
+    }
+    sort_unique(passed);
+    const auto add = [&](VertexId v, Index k) {
+      if (s_.vertex_place[v.index()].dimension == 0 && !std::binary_search(passed.begin(), passed.end(), v))
+        facets_[facet_of[root(k)]].isolated.push_back(v);
+    };
+    for (const Step& step : steps_) add(complex_.origin(step.h), step.cell);
+    for (Index k = 0; k < face_.cells.size(); ++k) {
+      for (const VertexId v : complex_.face_vertices[face_.cells[k].face()]) add(v, k);
+    }
+    for (SimplifiedFacet& facet : facets_) sort_unique(facet.isolated);
+  }
+
+  const Complex& complex_;
+  const SimplifiedComplex& s_;
+  const SimplifiedComplex::Face& face_;
+  std::vector<Step> steps_;
+  std::vector<std::pair<HalfEdge, Index>> inner_;  // sorted
+  std::vector<Index> parent_;                      // of cells
+  std::vector<SimplifiedFacet> facets_;
+};
 
 class Ordering {
  public:
@@ -148,9 +313,7 @@ class Ordering {
       if (is_flat(complex_, face)) return;
       std::vector<Index> numbers;
       for (const HalfFace cell : face.cells) {
-        for (const auto& walk : facet_walks(complex_, s_, cell.face())) {
-          for (const VertexId v : walk) add(v, numbers);
-        }
+        for_each_half_edge(complex_, cell.face(), [&](HalfEdge h) { add(complex_.origin(h), numbers); });
       }
       sort_unique(numbers);
       inside = Numbers(numbers.begin(), numbers.end());
@@ -191,56 +354,21 @@ std::vector<VertexId> chain_vertices(const Complex& complex, const SimplifiedCom
   return out;
 }
 
-std::vector<std::vector<VertexId>> facet_walks(const Complex& complex, const SimplifiedComplex& simplified,
-                                               FaceId f) {
-  std::vector<std::vector<VertexId>> walks;
-  std::vector<EdgeId> vanished, slits;
-  for (const LoopId id : complex.face_loops[f]) {
-    vanished.clear(), slits.clear();
-    for (const HalfEdge h : complex.loop[id]) {
-      if (simplified.edge_place[h.edge().index()].dimension != 1) vanished.push_back(h.edge());
-    }
-    std::sort(vanished.begin(), vanished.end());
-    for (std::size_t i = 1; i < vanished.size(); ++i) {
-      if (vanished[i] == vanished[i - 1]) slits.push_back(vanished[i]);
-    }
-    std::vector<std::pair<EdgeId, std::vector<VertexId>>> open(1);
-    const auto close = [&] {
-      if (!open.back().second.empty()) walks.push_back(std::move(open.back().second));
-      open.pop_back();
-    };
-    for (const HalfEdge h : complex.loop[id]) {
-      if (!std::binary_search(slits.begin(), slits.end(), h.edge())) {
-        open.back().second.push_back(complex.origin(h));
-      } else if (open.size() > 1 && open.back().first == h.edge()) {
-        close();
-      } else {
-        open.push_back({h.edge(), {}});
-      }
-    }
-    while (!open.empty()) close();
-  }
-  return walks;
+std::vector<SimplifiedFacet> facets_of(const Complex& complex, const SimplifiedComplex& simplified,
+                                       std::uint32_t face) {
+  return FacetFinder(complex, simplified, simplified.faces[face]).run();
 }
 
 CanonicalPoints::CanonicalPoints(const Complex& complex, const SimplifiedComplex& s)
     : number_(complex.points.size(), kNone) {
-  std::vector<char> by_curved(s.edges.size(), 0), dropped(complex.points.size(), 0);
-  for (const auto& face : s.faces) {
-    if (is_flat(complex, face)) continue;
-    for (const auto& loop : face.loops) {
-      for (const HalfEdge h : loop) {
-        const SimplifiedComplex::Place place = s.edge_place[h.edge().index()];
-        if (place.dimension == 1) by_curved[place.index] = 1;  // the others are on the frame
-      }
-    }
-  }
-  for (std::size_t i = 0; i < s.edges.size(); ++i) {
-    const auto& edge = s.edges[i];
-    if (by_curved[i] || edge.chain.size() < 2) continue;
+  const IdVector<VertexId, Bends> bends = bends_of(complex, s);
+  std::vector<char> dropped(complex.points.size(), 0);
+  for (const auto& edge : s.edges) {
+    if (edge.chain.size() < 2) continue;
     const auto v = chain_vertices(complex, edge);
     const std::size_t n = v.size(), ends = edge.closed ? 0 : 1;
     for (std::size_t k = ends; k + ends < n; ++k) {
+      if (!bends.empty() && bends[v[k]].count > 0) continue;
       if (collinear(complex.points, v[(k + n - 1) % n], v[k], v[(k + 1) % n])) dropped[v[k].index()] = 1;
     }
   }
@@ -260,12 +388,10 @@ CanonicalPoints::CanonicalPoints(const Complex& complex, const SimplifiedComplex
     for (const auto& loop : face.loops) {
       for (const HalfEdge h : loop) use(complex.origin(h));
     }
-    if (is_flat(complex, face)) continue;
-    for (const HalfFace cell : face.cells) {
-      for (const auto& walk : facet_walks(complex, s, cell.face())) {
-        for (const VertexId v : walk) use(v);
-      }
-    }
+  }
+  for (const VertexId v : IdRange<VertexId>(bends.size())) {
+    const auto& [count, ends] = bends[v];
+    if (count > 2 || (count == 2 && !collinear(complex.points, ends[0], v, ends[1]))) use(v);
   }
   sort_by_coordinates(complex.points, points_);
   for (Index i = 0; i < points_.size(); ++i) number_[points_[i]] = i;

@@ -9,8 +9,9 @@
 
 namespace cnrg {
 
-/// The points of a simplified complex in lexicographic order. A point inside of a straight chain that is no vertex
-/// and touches flat faces only is left out: another refinement would not have it.
+/// The points of a simplified complex in lexicographic order. A point inside of a straight chain, or of a straight
+/// edge between two facets, that is no vertex and in which no other facets meet is left out: another refinement
+/// would not have it.
 class CanonicalPoints {
  public:
   CanonicalPoints(const Complex& complex, const SimplifiedComplex& simplified);
@@ -29,10 +30,16 @@ bool is_flat(const Complex& complex, const SimplifiedComplex::Face& face);
 /// From end to end; a closed chain does not repeat the first.
 std::vector<VertexId> chain_vertices(const Complex& complex, const SimplifiedComplex::Edge& edge);
 
-/// The loops of a facet without the slits that simplification removed. A walk passes a slit in both directions;
-/// slits nest like parentheses, and each closed part between them is a walk of its own.
-std::vector<std::vector<VertexId>> facet_walks(const Complex& complex, const SimplifiedComplex& simplified,
-                                               FaceId f);
+/// A planar piece of a simplified face: cells of the complex that meet within the face and are pieces of one facet
+/// of a leaf. So it does not tell what has cut it.
+struct SimplifiedFacet {
+  ShortList<HalfFace, 2> cells;  ///< each by the front of the face
+  std::vector<std::vector<HalfEdge>>
+      walks;                       ///< around it, the facet to the left; an edge of the face within it twice
+  std::vector<VertexId> isolated;  ///< vertices of the result in its interior
+};
+std::vector<SimplifiedFacet> facets_of(const Complex& complex, const SimplifiedComplex& simplified,
+                                       std::uint32_t face);
 
 /// Orders vertices by coordinates; edges by their points; faces by those of their boundaries, then of their
 /// facets; regions by their faces, then bounded before unbounded ones. Maps, shells and sides follow. Returns the

@@ -107,4 +107,16 @@ bool share_surface(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f,
   return false;
 }
 
+bool share_facets(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f, LeavesThere at_g) {
+  const auto facets = [&](FaceId face, LeavesThere leaves) {
+    std::vector<SourceId> out;
+    const bool all = is_bare(complex, face, leaves);
+    for (const Cover& c : complex.cover(face)) {
+      if (all || counts(leaves, complex.sources[c.source].leaf)) out.push_back(c.source);
+    }
+    return out;
+  };
+  return facets(f, at_f) == facets(g, at_g);
+}
+
 }  // namespace cnrg

@@ -42,4 +42,7 @@ bool is_bare(const Complex& complex, FaceId f, LeavesThere leaves);
 /// them covers a face all do.
 bool share_surface(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f = {}, LeavesThere at_g = {});
 
+/// True if the same faces of leaves cover both.
+bool share_facets(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f, LeavesThere at_g);
+
 }  // namespace cnrg

@@ -72,7 +72,7 @@ class Assembly {
     fill_faces();
     for_each_of(out_.edges, [&](SimplifiedComplex::Edge& edge) { fill_edge(edge); });
     isolate_vertices();
-    tbb::parallel_invoke([&] { list_shells(); }, [&] { place_the_rest(); });
+    tbb::parallel_invoke([&] { list_shells(); }, [&] { place_the_rest(); }, [&] { list_facet_edges(); });
     return std::move(out_);
   }
 
@@ -321,6 +321,15 @@ class Assembly {
         shells.emplace_back();
       }
       shells[number].push_back(code);
+    }
+  }
+
+  void list_facet_edges() {
+    if (complex_.surface_count == 0) return;  // no face has facets
+    for (const EdgeId e : merging_.inner_edges()) {
+      const auto [f, g] = merging_.merged_over(e);
+      if (complex_.face_sheet[f.face] == complex_.face_sheet[g.face] && !merging_.within_facet(e))
+        out_.facet_edges.push_back(e);
     }
   }
 

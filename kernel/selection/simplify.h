@@ -56,6 +56,9 @@ struct SimplifiedComplex {
   // maps from cells, filled by simplify
   std::vector<Place> vertex_place, edge_place, face_place, region_place;
 
+  /// Edges within faces between two facets of the leaves that lie in one plane, ascending; of flat faces, too.
+  std::vector<EdgeId> facet_edges;
+
   bool in_order = false;  ///< put_in_order (canonical.h) has given the cells their numbers
 };
 

@@ -67,26 +67,28 @@ void check_angles(const Result& result) {
 }  // namespace
 
 TEST_CASE("a snapped shaft keeps its facets in a mesh", "[mesh][facets]") {
-  // The bolt begins in the shaft and passes its ridge by 1e-15. Of a turned shaft no four corners stay in one
-  // plane.
-  const std::string turn = GENERATE("", ", rotate: {axis: [1, 2, 5], degrees: 17}");
+  // The bolt begins in the shaft and passes its ridge by 1e-15. Of a turned shaft that is snapped no four corners
+  // stay in one plane.
+  const std::string turn = GENERATE("", ", rotate: {axis: [1, 2, 5], degrees: 89}");
   const Result result = shaft(
       "  bolt: {polyline: [[17.8284, 5, 14.8284], [20.6569, 5, 17.6569]]}\n"
       "  rock: {difference: [ground, tunnel]}\n"
       "  model: {union: [bolt, rock], dominance: left" +
       turn + "}\n");
   const Result joined = join(result, Rational(1, 1000)), snapped = snap(result);
-  for (const Result& moved : {joined, snapped}) {
-    const ResultView view = moved.data().view();
-    if (view.region_parts == nullptr) continue;  // rounding was enough
-    CHECK(facets(flatten(view)) >= 64);          // triangles
+  for (const Result* moved : {&joined, &snapped}) {
+    const ResultView view = moved->data().view();
+    REQUIRE(view.region_parts != nullptr);
     const FlatComplex flat = flatten_for_mesh(view);
-    CHECK(facets(flat) == 32);
+    if (moved == &joined || turn.empty()) {
+      CHECK(facets(flat) == 32);
+    } else {
+      CHECK(facets(flatten(view)) >= 64);  // triangles
+      CHECK(facets(flat) < 40);            // those beside the bolt have moved farther
+    }
     check_loops(flat);
-    check_angles(moved);
+    check_angles(*moved);
   }
-  CHECK(joined.data().view().region_parts != nullptr);
-  if (turn.empty()) CHECK(snapped.data().view().region_parts != nullptr);
 }
 
 TEST_CASE("edges of a joined result part facets in one plane", "[mesh][facets]") {
