@@ -179,6 +179,12 @@ bool Drawings::as_alone(InstanceId id, const PlacedLeaves& placed) {
   });
 }
 
+bool Drawings::framed_as_alone(InstanceId root) const {
+  const std::vector<LeafInstance>& all = whole_.instances;
+  return leaves_.below(unfolding_, root).size() == all.size() ||
+         std::ranges::none_of(all, [](const LeafInstance& one) { return one.leaf->unbounded(); });
+}
+
 std::vector<InstanceId> Drawings::otherwise_below(InstanceId root, const PlacedLeaves& placed) {
   std::vector<InstanceId> found, stack{root};
   std::vector<char> seen(unfolding_.instances.size(), 0);

@@ -32,6 +32,8 @@ class Drawings {
   PlacedLeaves alone(InstanceId id);
   /// True if the leaves below an instance are drawn in `placed` as they are alone.
   bool as_alone(InstanceId id, const PlacedLeaves& placed);
+  /// True if planes and half-spaces are drawn no farther for other leaves: there are none, or no others.
+  bool framed_as_alone(InstanceId root) const;
   /// The instances below `root`, without it, that are not drawn in `placed` as they are alone, nor is one between.
   std::vector<InstanceId> otherwise_below(InstanceId root, const PlacedLeaves& placed);
 

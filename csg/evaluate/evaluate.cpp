@@ -155,7 +155,9 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   const PlacedLeaves& placed = drawings.whole();
   options.watch.check();
   const bool all_alone = !options.drawn_together && !options.keep_all && !options.raw && !options.validate;
-  const auto as_alone = [&](InstanceId root) { return drawings.as_alone(root, placed); };
+  const auto as_alone = [&](InstanceId root) {
+    return drawings.framed_as_alone(root) && drawings.as_alone(root, placed);
+  };
   if (all_alone && roots.size() > 1 && !std::ranges::all_of(unfolding.roots, as_alone))
     return evaluate_each(tree, roots, options, graded, joined);
   Grades grades(tree, graded ? unfolding : Unfolding(), [&](NodeId node) {

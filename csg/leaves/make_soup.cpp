@@ -71,10 +71,7 @@ void add_frame(Soup& soup, const std::vector<UnboundedInstance>& unbounded, std:
 
   const LeafId frame = soup.add_leaf(Fill::winding);
   PointId corner[8];
-  for (std::size_t i = 0; i < 8; ++i) {
-    corner[i] = soup.add_point(
-        {(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1], (i & 4 ? box.high : box.low)[2]});
-  }
+  for (std::size_t i = 0; i < 8; ++i) corner[i] = soup.add_point(box.corner(i));
   for (std::uint32_t f = 0; f < 6; ++f) {
     const std::vector<PointId> loop{corner[kBoxFaces[f][0]], corner[kBoxFaces[f][1]], corner[kBoxFaces[f][2]],
                                     corner[kBoxFaces[f][3]]};

@@ -6,14 +6,9 @@
 #pragma once
 
 #include "csg/leaves/leaf.h"
+#include "kernel/complex/plane_cut.h"
 
 namespace cnrg {
-
-/// The plane { p : normal . p = offset }.
-struct ExactHalfspace {
-  RationalPoint normal;
-  Rational offset;
-};
 
 /// A plane or a half-space. It has no geometry of its own: `make_soup` adds its polygon in the frame.
 class UnboundedLeaf final : public PreparedLeaf {
@@ -33,17 +28,9 @@ class UnboundedLeaf final : public PreparedLeaf {
   bool solid_;
 };
 
-/// An axis-parallel box.
-struct ExactBox {
-  RationalPoint low, high;
-};
-
 /// A box that has strictly inside of it the box `points` (if not null), a point of every plane and of every line
 /// common to two, and every point common to three: so its inside shows the whole arrangement of the planes. No
 /// plane passes through its corner `high`. Cost: the cube of the number of different planes.
 ExactBox frame_box(const ExactBox* points, const std::vector<ExactHalfspace>& planes);
-
-/// The polygon plane ∩ box, counter-clockwise as seen from the side of the normal; the plane meets the inside.
-std::vector<RationalPoint> cut(const ExactHalfspace& plane, const ExactBox& box);
 
 }  // namespace cnrg

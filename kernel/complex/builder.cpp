@@ -26,8 +26,8 @@ std::shared_ptr<Complex> ComplexBuilder::build() {
   watch_.begin("refine: regions");
   nest_shells();
   hang_wires();
-  number_regions();
   mark_frame();
+  number_regions();
   watch_.check();
   label_regions(soup_, c_);
   return built_;
@@ -220,7 +220,6 @@ void ComplexBuilder::mark_frame() {
   c_.frame_faces_.assign(c_.face_count(), 0);
   c_.frame_edges_.assign(c_.edge_count(), 0);
   c_.frame_vertices_.assign(c_.points.size(), 0);
-  c_.frame_regions_.assign(c_.region_count, 0);
   for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
     const auto cover = c_.cover(f);
     if (std::none_of(cover.begin(), cover.end(),
@@ -228,7 +227,6 @@ void ComplexBuilder::mark_frame() {
       continue;
     }
     c_.frame_faces_[f] = 1;
-    for (const RegionId r : c_.face_regions[f]) c_.frame_regions_[r] = 1;
     for (const LoopId loop : std::as_const(c_.face_loops)[f]) {
       for (const HalfEdge h : std::as_const(c_.loop)[loop]) {
         c_.frame_edges_[h.edge()] = 1;

@@ -8,6 +8,8 @@
 // edge. To the right of the least corner lies all of the polygon; about it the plane turns as space does about the
 // edge.
 //
+// A region without a least vertex comes before all that have one (far_order.h). Vertices of the frame are none.
+//
 // A leaf that was turned counts its cavities in its own coordinates. These are linear functions of x, y and z, so
 // signs of them decide in the same way; where they are mirrored, angles turn the other way.
 #include "kernel/complex/region_order.h"
@@ -16,6 +18,7 @@
 
 #include "kernel/base/parallel.h"
 #include "kernel/complex/builder.h"
+#include "kernel/complex/far_order.h"
 #include "kernel/complex/radial.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/predicates.h"
@@ -37,13 +40,16 @@ class PlaceOrder {
   }
 
   std::vector<std::uint32_t> run() const {
+    const std::vector<std::uint32_t> far = places_without_end();
     const std::vector<VertexId> least = least_vertices();
     std::vector<std::uint32_t> order;
     for (std::uint32_t b = 1; b < bodies_.count; ++b) order.push_back(b);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto bounded = std::partition(order.begin(), order.end(), [&](std::uint32_t b) { return far[b] != 0; });
+    std::sort(order.begin(), bounded, [&](std::uint32_t a, std::uint32_t b) { return far[a] < far[b]; });
+    std::sort(bounded, order.end(), [&](std::uint32_t a, std::uint32_t b) {
       return least[a] != least[b] ? compare(least[a], least[b]) < 0 : a < b;
     });
-    for (auto begin = order.begin(); begin != order.end();) {
+    for (auto begin = bounded; begin != order.end();) {
       const auto end =
           std::find_if(begin, order.end(), [&](std::uint32_t b) { return least[b] != least[*begin]; });
       if (end - begin > 1) order_at(least[*begin], std::span(begin, end));
@@ -84,18 +90,36 @@ class PlaceOrder {
     return -orient2d(t, kXZ, v, p, q);
   }
 
+  /// Of bodies that go on to lower and lower points: which come first; 0 for all others.
+  std::vector<std::uint32_t> places_without_end() const {
+    std::vector<std::uint32_t> places(bodies_.count, 0);
+    std::optional<FarOrder> far;
+    for (const FaceId f : bodies_.faces) {
+      if (!c_.on_frame(f)) continue;
+      const HalfFace front(f, 0), outside = bodies_.body(front) == 0 ? front : front.opposite();
+      const std::uint32_t body = bodies_.body(outside.opposite());
+      if (body == 0) continue;
+      if (!far) far.emplace(c_, axes_);
+      const std::uint32_t place = far->place(outside);
+      if (place != 0 && (places[body] == 0 || place < places[body])) places[body] = place;
+    }
+    return places;
+  }
+
   std::vector<VertexId> least_vertices() const {
     std::vector<VertexId> of_face(bodies_.faces.size()), least(bodies_.count);
     for_each_index(of_face.size(), [&](std::size_t i) {
       for (const HalfEdge h : c_.loop[c_.face_loops[bodies_.faces[i]].front()]) {
         const VertexId v = c_.origin(h);
+        if (c_.on_frame(v)) continue;
         if (!of_face[i].valid() || compare(v, of_face[i]) < 0) of_face[i] = v;
       }
     });
     for (std::size_t i = 0; i < of_face.size(); ++i) {
       for (const unsigned side : {0u, 1u}) {
         VertexId& best = least[bodies_.body(HalfFace(bodies_.faces[i], side))];
-        if (best != of_face[i] && (!best.valid() || compare(of_face[i], best) < 0)) best = of_face[i];
+        if (of_face[i].valid() && best != of_face[i] && (!best.valid() || compare(of_face[i], best) < 0))
+          best = of_face[i];
       }
     }
     return least;

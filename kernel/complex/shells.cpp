@@ -196,6 +196,12 @@ void ComplexBuilder::list_region_faces(const std::vector<RegionId>& region_of) {
     }
   }
   c_.region_faces = Csr<RegionId, HalfFace>::from_parts(std::move(offsets), std::move(faces));
+  if (!c_.frame.valid()) return;
+  c_.frame_regions_.assign(c_.region_count, 0);
+  for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
+    if (!c_.on_frame(f)) continue;
+    for (const RegionId r : c_.face_regions[f]) c_.frame_regions_[r] = 1;
+  }
 }
 
 }  // namespace cnrg
