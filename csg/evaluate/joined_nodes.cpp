@@ -4,11 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "csg/leaves/prepare_shapes.h"
 #include "csg/result/flat.h"
 #include "csg/result/result_data.h"
-#include "csg/result/result_json.h"
 #include "csg/result/sizes.h"
+#include "csg/transfer/joined_leaf.h"
 #include "csg/tree/dag.h"
 #include "csg/tree/sizes.h"
 #include "kernel/base/part_watch.h"
@@ -52,23 +51,7 @@ Result asking(const Result& result, const Tree& tree) {
   return Result(std::move(data));
 }
 
-// What is read back has the numbers of the flattened result: faces, edges, points, and regions as labels from 1,
-// but for the unbounded one, which is 0.
-
-std::shared_ptr<const CellMakers> makers_of(const FlatComplex& flat) {
-  const auto made = [](const FlatComplex::Provenance& origin) -> CellMakers::Made {
-    return {{origin.leaves.begin(), origin.leaves.end()}, {origin.cells.begin(), origin.cells.end()}};
-  };
-  auto out = std::make_shared<CellMakers>();
-  for (const auto& face : flat.faces) out->faces.push_back(made(face.origin));
-  for (const auto& edge : flat.edges) out->edges.push_back(made(edge.origin));
-  for (const auto& vertex : flat.vertices) out->vertices.emplace(vertex.point, made(vertex.origin));
-  out->regions.resize(flat.regions.size() + 1);
-  for (std::size_t r = 0; r < flat.regions.size(); ++r)
-    out->regions[flat.regions[r].bounded ? r + 1 : 0] = made(flat.regions[r].origin);
-  return out;
-}
-
+/// By label, as `joined_leaf` gives them.
 std::vector<LeafParts> parts_by_label(const ResultView& view, const FlatComplex& flat) {
   std::vector<LeafParts> out(flat.regions.size() + 1);
   const std::vector<LeafParts> parts = region_parts(view, flat);
@@ -102,7 +85,7 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
     run->regions = parts_by_label(view, flat);
     run->leaves = *evaluation.leaves;
     run->instances = std::move(evaluation.instances);
-    leaves_[id] = {prepare_result(result_json(view), "`" + node.name + "`", makers_of(flat)), std::move(run)};
+    leaves_[id] = {joined_leaf(view, flat), std::move(run)};
   } catch (const TreeError&) {
     throw;
   } catch (const InputError& e) {

@@ -9,7 +9,6 @@
 #include "csg/evaluate/operate.h"
 #include "csg/leaves/cell_table.h"
 #include "csg/operators/group.h"
-#include "csg/operators/leaf_value.h"
 #include "csg/operators/say.h"
 
 namespace cnrg {
@@ -17,7 +16,7 @@ namespace {
 
 /// A leaf's value; its regions have their attributes already. Of a result read back it is told by its cell table.
 NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instance& placed, Grades& grades,
-                   const Complex& complex, LeafId leaf, Group group, HeldCells& held) {
+                   const Complex& complex, LeafId leaf, Group group, const CellMap& map, HeldCells& held) {
   const LeafInstance& instance = leaves.instances()[leaf.index()];
   const Node& node = tree.nodes[placed.node];
   Attributes own;
@@ -31,8 +30,8 @@ NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instanc
     const auto count = static_cast<std::uint32_t>(instance.leaf->regions().size());
     std::vector<Attributes> said = table->said;
     for (Attributes& attributes : said) attributes.material = grades.moved(placed, attributes.material);
-    NodeValue value = leaf_value(complex, leaf, group, *table, instance.transform,
-                                 leaves.attributes(leaf, count, placed, grades), said, &held);
+    NodeValue value =
+        leaf_value(complex, leaf, group, *table, map, leaves.attributes(leaf, count, placed, grades), said, &held);
     if (value.is_group()) {
       value.parts() =
           changed(complex, value.parts(), [&](Group& part) { say(complex, own, Saying::fills_in, part); });
@@ -45,10 +44,26 @@ NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instanc
   }
 }
 
+/// Of the cells of results among the leaves.
+CellMap map_of_results(std::span<const InstanceId> instances, const PreparedLeaves& leaves, const Complex& complex,
+                       const CarriedGroups& carried, const std::vector<VertexId>& vertex_of) {
+  IdVector<LeafId, std::vector<VertexId>> points;
+  std::vector<CellMap::Part> parts;
+  for (const InstanceId i : instances) {
+    const LeafId leaf = leaves.leaf_of(i);
+    const CellTable* table = leaf.valid() ? leaves.instances()[leaf.index()].leaf->cells() : nullptr;
+    if (table == nullptr) continue;
+    if (points.empty()) points = carried.points_of_leaves(complex, vertex_of);
+    parts.push_back(part_of(leaf, *table, points[leaf]));
+  }
+  return parts.empty() ? CellMap() : CellMap(complex, parts);
+}
+
 }  // namespace
 
 HeldCells put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::span<const InstanceId> instances,
                           const PreparedLeaves& leaves, Grades& grades, const Complex& complex,
+                          const CarriedGroups& carried, const std::vector<VertexId>& vertex_of,
                           ValueStore& values) {
   std::vector<std::vector<Attributes>> attributes(leaves.instances().size());
   for (const InstanceId i : instances) {
@@ -57,13 +72,14 @@ HeldCells put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::spa
     attributes[leaf.index()] = leaves.attributes(leaf, complex.leaf_regions[leaf], unfolding.instances[i], grades);
   }
   std::vector<Group> groups = leaf_groups(complex, attributes);
+  const CellMap map = map_of_results(instances, leaves, complex, carried, vertex_of);
   HeldCells held;
   for (const InstanceId i : instances) {
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
     const Instance& instance = unfolding.instances[i];
     NodeValue value =
-        value_of(tree, leaves, instance, grades, complex, leaf, std::move(groups[leaf.index()]), held);
+        value_of(tree, leaves, instance, grades, complex, leaf, std::move(groups[leaf.index()]), map, held);
     // Without a material: a leaf has its attributes already. A node that joins speaks as an operator does.
     const Node& node = tree.nodes[instance.node];
     apply_attributes(complex, node, node.within ? grades.on(instance, node.material) : RegionMaterial(), value);

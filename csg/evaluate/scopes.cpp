@@ -183,18 +183,21 @@ class Scopes {
         if (const LeafId leaf = x_.leaves.leaf_of(id); leaf.valid())
           instances[leaf.index()] = x_.placed.instances[leaf.index()];
       }
+      const bool has_results = std::any_of(instances.begin(), instances.end(),
+                                           [](const auto& i) { return i.leaf->cells() != nullptr; });
+      const bool traced = has_results || !sections_.empty() || !steps_.empty();
       for (const CarriedGroup& group : carried.groups()) instances.push_back({group.leaf(), {}});
       Soup soup = make_soup(instances, x_.options.reach, surfaces(instances.size()));
-      if (!sections_.empty() || !steps_.empty()) carried.put_in_order(soup);
+      if (traced) carried.put_in_order(soup);
       x_.options.watch.check();
       RefineOptions options;
       options.threads = x_.options.threads;
       options.watch = x_.options.watch;
       if (!top) options.watch.progress = {};
-      options.vertices = !sections_.empty() || !steps_.empty();
+      options.vertices = traced;
       ComplexDraft draft(soup, options, &report);
-      const HeldCells held =
-          put_leaf_values(tree_, x_.unfolding, scope.here, x_.leaves, x_.grades, *draft, scope.values);
+      const HeldCells held = put_leaf_values(tree_, x_.unfolding, scope.here, x_.leaves, x_.grades, *draft,
+                                             carried, report.vertex_of, scope.values);
       if (!top) scope.points = carried.points(*draft, report.vertex_of);
       if (!carried.empty()) {
         std::vector<Group> groups = carried.on(*draft, report.vertex_of);

@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "csg/evaluate/carried_groups.h"
 #include "csg/evaluate/drawings.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/grades.h"
@@ -23,6 +22,7 @@
 #include "csg/evaluate/sections.h"
 #include "csg/evaluate/simplified_value.h"
 #include "csg/evaluate/value_store.h"
+#include "csg/transfer/carried_groups.h"
 
 namespace cnrg {
 

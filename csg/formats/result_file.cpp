@@ -17,7 +17,6 @@
 #include "csg/leaves/leaf.h"
 #include "csg/mesh/material_field.h"
 #include "csg/mesh/straight_order.h"
-#include "csg/operators/leaf_value.h"
 #include "csg/result/join.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
@@ -26,6 +25,7 @@
 #include "csg/text/plugin.h"
 #include "csg/text/table.h"
 #include "csg/topology/region_graph.h"
+#include "csg/transfer/leaf_value.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/tetrahedra/constrained.h"
 
@@ -148,12 +148,16 @@ void write(const std::string& path, const Evaluation& evaluation) {
 
 Result read_result(const std::string& path) {
   const auto leaf = prepare(ResultShape{path});
-  const std::shared_ptr<const Complex> complex = build_complex(make_soup({{leaf}}));
+  RefineOptions options;
+  options.vertices = true;
+  RefineReport report;
+  const std::shared_ptr<const Complex> complex = build_complex(make_soup({{leaf}}), options, &report);
+  const CellMap map(*complex, {part_of(LeafId(0), *leaf->cells(), report.vertex_of)});
   const auto data = std::make_shared<Result::Data>();
   data->complex = complex;
   const auto value =
       std::make_shared<const NodeValue>(leaf_value(*complex, LeafId(0), leaf_groups(*complex).front(),
-                                                   *leaf->cells(), {}, leaf->regions(), leaf->cells()->said));
+                                                   *leaf->cells(), map, leaf->regions(), leaf->cells()->said));
   data->value = value;
   SimplifiedComplex simplified = simplify(*complex, *value, selection_of(*complex, *value));
   put_in_order(*complex, simplified);

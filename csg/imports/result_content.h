@@ -1,9 +1,10 @@
-// What a result file says, as numbers: read by result_reader.cpp, held against its own cells by result_check.cpp,
-// made a leaf by result_leaf.cpp.
+// What a result says, as numbers: read from a file by result_reader.cpp and held against its own cells by
+// result_check.cpp, or taken from a result at hand (csg/transfer/joined_leaf.cpp); made a leaf by result_leaf.cpp.
 #pragma once
 
 #include <array>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,14 @@ struct Content {
 
 /// Throws LeafFileError for what is missing, of another type or out of range, and for what refers to nothing.
 Content read_content(const Cursor& root);
+
+/// Makes the loops of a facet from its walks. False if it has no area.
+bool take_slits_out(const std::vector<RationalPoint>& points, Facet& facet);
+/// When all cells are there: says which edges are wires, and lists the isolated points.
+void choose_wires(Content& content);
+
+/// The content as a leaf.
+std::unique_ptr<PreparedLeaf> leaf_of(Content content);
 
 /// Adds the cells as a leaf; point i of the file is point i of the leaf. `fill` is `sides`, or `none` for a leaf
 /// without regions.

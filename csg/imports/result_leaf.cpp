@@ -1,4 +1,4 @@
-// A result in .json as a leaf. Reading it has three parts: a cursor on the JSON document (json_cursor.h); the
+// A result as a leaf. Reading one in .json has three parts: a cursor on the JSON document (json_cursor.h); the
 // tables of the file with every number checked (result_reader.cpp), and held against the cells that they make
 // (result_check.cpp); and the leaf made from them, here. All cells of the file go to the soup, active or not; the
 // cell table says which are active.
@@ -9,14 +9,109 @@
 //   * A bent chain is one edge because it is one curve (kernel/selection/curve.h), and a wire is one.
 //   * Two edges that meet in a corner of curved faces might become one curve: a wire along one of them parts them.
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "csg/imports/leaf_file.h"
 #include "csg/imports/result_content.h"
 #include "csg/leaves/prepare_shapes.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace result {
+namespace {
+
+/// Twice the vector area of a loop: along the normal of the side from which it is counter-clockwise.
+RationalPoint area(const std::vector<RationalPoint>& points, const Loop& loop) {
+  RationalPoint sum{0, 0, 0};
+  const RationalPoint& o = points[loop[0]];
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    sum = sum + cross(points[loop[i]] - o, points[loop[i + 1]] - o);
+  }
+  return sum;
+}
+
+bool has_slit(const Loop& walk) {
+  std::vector<std::pair<Index, Index>> steps;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    steps.push_back(std::minmax(walk[i], walk[i + 1 < walk.size() ? i + 1 : 0]));
+  }
+  std::sort(steps.begin(), steps.end());
+  return std::adjacent_find(steps.begin(), steps.end()) != steps.end();
+}
+
+/// Splits a walk at edges that it walks in both directions: they nest like parentheses, since the face is
+/// planar, and each closed part between them is a loop of its own.
+void split_at_slits(const Loop& walk, std::vector<Loop>& loops) {
+  using Step = std::pair<Index, Index>;
+  const std::size_t n = walk.size();
+  std::set<Step> steps;
+  for (std::size_t i = 0; i < n; ++i) steps.insert({walk[i], walk[(i + 1) % n]});
+  std::vector<std::pair<Step, Loop>> open{{Step{}, {}}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const Step step{walk[i], walk[(i + 1) % n]};
+    if (!steps.contains({step.second, step.first})) {
+      open.back().second.push_back(step.first);
+    } else if (open.size() > 1 && open.back().first == Step{step.second, step.first}) {
+      if (open.back().second.size() >= 3) loops.push_back(std::move(open.back().second));
+      open.pop_back();
+    } else {
+      open.push_back({step, {}});
+    }
+  }
+  for (auto& [step, loop] : open) {
+    if (loop.size() >= 3) loops.push_back(std::move(loop));
+  }
+}
+
+}  // namespace
+
+bool take_slits_out(const std::vector<RationalPoint>& points, Facet& facet) {
+  if (std::none_of(facet.walks.begin(), facet.walks.end(), has_slit)) return true;
+  RationalPoint normal{0, 0, 0};
+  for (const Loop& walk : facet.walks) {
+    normal = normal + area(points, walk);
+    split_at_slits(walk, facet.loops);
+  }
+  if (facet.loops.empty()) return false;
+  std::size_t outer = 0;
+  Rational most = 0;
+  for (std::size_t i = 0; i < facet.loops.size(); ++i) {
+    const Rational extent = dot(normal, area(points, facet.loops[i]));
+    if (extent > most) {
+      most = extent;
+      outer = i;
+    }
+  }
+  std::swap(facet.loops[0], facet.loops[outer]);
+  return true;
+}
+
+void choose_wires(Content& content) {
+  const std::vector<RationalPoint>& points = content.table.points;
+  const auto straight = [&](Index a, Index b, Index c) { return collinear(points[a], points[b], points[c]); };
+  std::map<Index, std::vector<std::pair<Index, Index>>> ends;  // point -> edges that end there, next point
+  std::vector<char> on_edge(points.size(), 0);
+  for (Index i = 0; i < content.edges.size(); ++i) {
+    Edge& edge = content.edges[i];
+    const Loop& p = edge.points;
+    for (const Index point : p) on_edge[point] = 1;
+    bool bent = edge.closed;
+    for (std::size_t k = 1; !bent && k + 1 < p.size(); ++k) bent = !straight(p[k - 1], p[k], p[k + 1]);
+    edge.wire = edge.uses == 0 || edge.slit || bent;
+    if (edge.closed) continue;
+    ends[p.front()].emplace_back(i, p[1]);
+    ends[p.back()].emplace_back(i, p[p.size() - 2]);
+  }
+  for (const auto& [point, list] : ends) {
+    if (list.size() != 2 || straight(list[0].second, point, list[1].second)) continue;
+    Edge &a = content.edges[list[0].first], &b = content.edges[list[1].first];
+    a.wire = a.wire || (a.curved && b.curved);
+  }
+  for (const auto& [point, vertex] : content.table.vertices) {
+    if (!on_edge[point]) content.isolated.push_back(point);
+  }
+}
 
 LeafId add_to(Soup& soup, const Content& content, const Transform& transform, Fill fill) {
   const LeafId leaf = soup.add_leaf(fill);
@@ -101,18 +196,20 @@ result::JsonFile parsed(const std::string& text, const std::string& file) {
 
 }  // namespace
 
+std::unique_ptr<PreparedLeaf> result::leaf_of(Content content) {
+  return std::make_unique<ResultLeaf>(std::move(content));
+}
+
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
   return prepare_result(read_leaf_file(shape.file, shape.inside, result::kWriteAgain), shape.file);
 }
 
-std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name,
-                                             std::shared_ptr<const CellMakers> makers) {
+std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name) {
   const result::JsonFile file = parsed(text, name);
   const result::Cursor root(file);
   Content content = result::read_content(root);
   result::check_content(root, content);
-  content.table.makers = std::move(makers);
-  return std::make_unique<ResultLeaf>(std::move(content));
+  return result::leaf_of(std::move(content));
 }
 
 }  // namespace cnrg

@@ -14,49 +14,6 @@
 namespace cnrg::result {
 namespace {
 
-/// Twice the vector area of a loop: along the normal of the side from which it is counter-clockwise.
-RationalPoint area(const std::vector<RationalPoint>& points, const Loop& loop) {
-  RationalPoint sum{0, 0, 0};
-  const RationalPoint& o = points[loop[0]];
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    sum = sum + cross(points[loop[i]] - o, points[loop[i + 1]] - o);
-  }
-  return sum;
-}
-
-bool has_slit(const Loop& walk) {
-  std::vector<std::pair<Index, Index>> steps;
-  for (std::size_t i = 0; i < walk.size(); ++i) {
-    steps.push_back(std::minmax(walk[i], walk[i + 1 < walk.size() ? i + 1 : 0]));
-  }
-  std::sort(steps.begin(), steps.end());
-  return std::adjacent_find(steps.begin(), steps.end()) != steps.end();
-}
-
-/// Splits a walk at edges that it walks in both directions: they nest like parentheses, since the face is
-/// planar, and each closed part between them is a loop of its own.
-void split_at_slits(const Loop& walk, std::vector<Loop>& loops) {
-  using Step = std::pair<Index, Index>;
-  const std::size_t n = walk.size();
-  std::set<Step> steps;
-  for (std::size_t i = 0; i < n; ++i) steps.insert({walk[i], walk[(i + 1) % n]});
-  std::vector<std::pair<Step, Loop>> open{{Step{}, {}}};
-  for (std::size_t i = 0; i < n; ++i) {
-    const Step step{walk[i], walk[(i + 1) % n]};
-    if (!steps.contains({step.second, step.first})) {
-      open.back().second.push_back(step.first);
-    } else if (open.size() > 1 && open.back().first == Step{step.second, step.first}) {
-      if (open.back().second.size() >= 3) loops.push_back(std::move(open.back().second));
-      open.pop_back();
-    } else {
-      open.push_back({step, {}});
-    }
-  }
-  for (auto& [step, loop] : open) {
-    if (loop.size() >= 3) loops.push_back(std::move(loop));
-  }
-}
-
 /// Things that are listed and have to be named somewhere.
 class Named {
  public:
@@ -97,7 +54,7 @@ class Reader {
     read_edges();
     read_patches();
     read_faces();
-    choose_wires();
+    choose_wires(content_);
     require_all();
     return std::move(content_);
   }
@@ -571,60 +528,8 @@ class Reader {
       if (list.size() == 0) list.refuse("what is empty is left out");
       ascending(list, table_.points.size(), "point", [&](Index p) { facet.isolated.push_back(p); });
     }
-    if (std::any_of(facet.walks.begin(), facet.walks.end(), has_slit)) take_slits_out(at, facet);
+    if (!take_slits_out(table_.points, facet)) at.refuse("a face without area");
     content_.facets.push_back(std::move(facet));
-  }
-
-  void take_slits_out(const Cursor& at, Facet& facet) const {
-    RationalPoint normal{0, 0, 0};
-    for (const Loop& walk : facet.walks) {
-      normal = normal + area(table_.points, walk);
-      split_at_slits(walk, facet.loops);
-    }
-    if (facet.loops.empty()) at.refuse("a face without area");
-    std::size_t outer = 0;
-    Rational most = 0;
-    for (std::size_t i = 0; i < facet.loops.size(); ++i) {
-      const Rational extent = dot(normal, area(table_.points, facet.loops[i]));
-      if (extent > most) {
-        most = extent;
-        outer = i;
-      }
-    }
-    std::swap(facet.loops[0], facet.loops[outer]);
-  }
-
-  bool straight(Index a, Index b, Index c) const {
-    return collinear(table_.points[a], table_.points[b], table_.points[c]);
-  }
-  bool bent(const Edge& edge) const {
-    const Loop& p = edge.points;
-    for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-      if (!straight(p[i - 1], p[i], p[i + 1])) return true;
-    }
-    return edge.closed;
-  }
-
-  void choose_wires() {
-    std::map<Index, std::vector<std::pair<Index, Index>>> ends;  // point -> edges that end there, next point
-    std::vector<char> on_edge(table_.points.size(), 0);
-    for (Index i = 0; i < edges_.size(); ++i) {
-      Edge& edge = edges_[i];
-      const Loop& p = edge.points;
-      for (const Index point : p) on_edge[point] = 1;
-      edge.wire = edge.uses == 0 || edge.slit || bent(edge);
-      if (edge.closed) continue;
-      ends[p.front()].emplace_back(i, p[1]);
-      ends[p.back()].emplace_back(i, p[p.size() - 2]);
-    }
-    for (const auto& [point, list] : ends) {
-      if (list.size() != 2 || straight(list[0].second, point, list[1].second)) continue;
-      Edge &a = edges_[list[0].first], &b = edges_[list[1].first];
-      a.wire = a.wire || (a.curved && b.curved);
-    }
-    for (const auto& [point, vertex] : table_.vertices) {
-      if (!on_edge[point]) content_.isolated.push_back(point);
-    }
   }
 
   void require_all() const {

@@ -74,9 +74,7 @@ std::unique_ptr<PreparedLeaf> prepare_group(const GroupShape& shape);
 /// ...` with the JSON path of any other fault, each with what to do; InputError if there is no such file,
 /// FileError if it cannot be read.
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape);
-/// The same of a text that is in no file; `name` stands for the file in messages. `makers`: what made the cells,
-/// by the numbers of the text.
-std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name,
-                                             std::shared_ptr<const CellMakers> makers = nullptr);
+/// The same of a text that is in no file; `name` stands for the file in messages.
+std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name);
 
 }  // namespace cnrg

@@ -351,7 +351,7 @@ TEST_CASE("an exact file keeps the parts of names; one without them is read", "[
                               "n"},
                              "n");
   const std::string text = result_json(n.data().view());
-  const std::vector<Attributes> read = prepare_result(text, "n.json", nullptr)->regions();
+  const std::vector<Attributes> read = prepare_result(text, "n.json")->regions();
   REQUIRE(read.size() == n.component_count());
   std::set<NameOrigin> origins;
   for (std::size_t i = 0; i < read.size(); ++i) {
@@ -361,7 +361,7 @@ TEST_CASE("an exact file keeps the parts of names; one without them is read", "[
   CHECK(origins == std::set{NameOrigin::operation, NameOrigin::node, NameOrigin::given});
   const std::string old = std::regex_replace(text, std::regex(R"("called":\[([^\]]*)\],)"), "");
   CHECK(old.find("called") == std::string::npos);
-  for (const Attributes& of : prepare_result(old, "n.json", nullptr)->regions()) {
+  for (const Attributes& of : prepare_result(old, "n.json")->regions()) {
     REQUIRE(of.name.parts().size() == 1);
     CHECK(of.name.parts()[0].origin == NameOrigin::file);
   }

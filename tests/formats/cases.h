@@ -89,6 +89,7 @@ inline LeafId add_drum(Soup& soup, int n, const Rational& bottom, const Rational
 /// A result and all that its view points to.
 struct Case {
   std::shared_ptr<const Complex> complex;
+  std::vector<VertexId> vertex_of;  // by point of the soup
   std::vector<Group> leaves;
   Group group;
   NodeValue value;
@@ -97,7 +98,9 @@ struct Case {
   std::vector<ResultView::Material> materials;
 
   explicit Case(const Soup& soup, const Names& names = {}) {
-    complex = build_complex(soup);
+    RefineReport report;
+    complex = build_complex(soup, {.vertices = true}, &report);
+    vertex_of = std::move(report.vertex_of);
     leaves = leaf_groups(*complex, names);
     for (std::uint32_t i = 0; i < leaves.size(); ++i) infos.push_back({"leaf" + std::to_string(i), i});
     show(leaves[0]);

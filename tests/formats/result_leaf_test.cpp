@@ -6,8 +6,8 @@
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "csg/operators/cnrg.h"
-#include "csg/operators/leaf_value.h"
 #include "csg/text/file.h"
+#include "csg/transfer/leaf_value.h"
 #include "csg/tree/tree.h"
 #include "kernel/base/error.h"
 #include "tests/catch.h"
@@ -34,9 +34,11 @@ Json comparable(const std::string& path, const std::vector<std::string>& more = 
   return json;
 }
 
-NodeValue value_of(const Case& c, std::size_t leaf, const PreparedLeaf& prepared, const Transform& transform) {
+/// Of the first leaf of the soup.
+NodeValue value_of(const Case& c, const PreparedLeaf& prepared) {
   REQUIRE(prepared.cells() != nullptr);
-  return leaf_value(*c.complex, LeafId(leaf), c.leaves[leaf], *prepared.cells(), transform, prepared.regions(),
+  const CellMap map(*c.complex, {part_of(LeafId(0), *prepared.cells(), c.vertex_of)});
+  return leaf_value(*c.complex, LeafId(0), c.leaves[0], *prepared.cells(), map, prepared.regions(),
                     prepared.cells()->said);
 }
 
@@ -46,7 +48,7 @@ Case read_back(const std::string& path, const Transform& transform = {}) {
   leaf->add_to(soup, transform);
   Case c(soup);
   REQUIRE(validate(*c.complex) == "");
-  c.show(value_of(c, 0, *leaf, transform));
+  c.show(value_of(c, *leaf));
   return c;
 }
 
@@ -361,7 +363,7 @@ void check_random_scene(std::uint64_t seed, scenes::Position position) {
   leaf->add_to(second, {});
   add_box(second, low, high);
   Case cut(second, {{}, names[2]});
-  cut.show(value_of(cut, 0, *leaf, {}));
+  cut.show(value_of(cut, *leaf));
   write(dir / "b.json", cut.view());
   const bool same = comparable(dir / "a.json") == comparable(dir / "b.json");
   CHECK(same);
@@ -550,7 +552,7 @@ TEST_CASE("components have the numbers of their file, also beside leaves that cu
   leaf->add_to(second, {});
   add_box(second, {Rational(1, 2), Rational(1, 2), Rational(1, 2)}, {9, 9, 9});
   Case cut(second);
-  cut.show(value_of(cut, 0, *leaf, {}));
+  cut.show(value_of(cut, *leaf));
   CHECK(cut.group.regions.at(0).name == "far");
   CHECK(cut.group.regions.at(1).name == "near");
   write(dir / "b.json", cut.view());

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "csg/evaluate/carried_groups.h"
+#include "csg/transfer/carried_groups.h"
 #include "kernel/base/sorted.h"
 
 namespace cnrg {
@@ -15,7 +15,7 @@ class CarriedGroups::SourcesMaker {
       : carried_(carried), groups_(carried.groups_), complex_(complex), places_(places) {}
 
   ComplexSources run(std::span<const std::vector<std::uint32_t>> surfaces) {
-    out_.leaf_count = carried_.first_.index();
+    out_.leaf_count = complex_.leaf_count - groups_.size();
     out_.fills = complex_.fills;
     out_.fills.resize(out_.leaf_count);
     out_.leaf_regions = complex_.leaf_regions;
@@ -42,7 +42,7 @@ class CarriedGroups::SourcesMaker {
   std::vector<std::vector<SourceId>> source_of_;  // by group
   std::vector<std::vector<WireId>> wire_of_;
 
-  bool is_own(LeafId leaf) const { return carried_.group_of(leaf) == kNone; }
+  bool is_own(LeafId leaf) const { return carried_.cells_.part_of(leaf) == kNone; }
 
   /// A face or wire that several groups have, or a group and the soup, is listed once.
   void take_faces_and_wires() {
@@ -132,11 +132,11 @@ class CarriedGroups::SourcesMaker {
     };
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
       const std::size_t before = at_edges.size();
-      for (const Piece& piece : carried_.edges_[e]) {
+      for (const Piece& piece : carried_.cells_.pieces(e)) {
         if (piece.dimension != 1) continue;
-        const CarriedGroup& group = groups_[piece.group];
-        for (const Index k : group.facets_of_[group.edges_[piece.index].facets])
-          at_edges.emplace_back(e, static_cast<std::uint32_t>(first[piece.group] + k));
+        const CarriedGroup& group = groups_[piece.part];
+        for (const Index k : group.facets_of_[group.edges_[piece.number].facets])
+          at_edges.emplace_back(e, static_cast<std::uint32_t>(first[piece.part] + k));
       }
       if (at_edges.size() == before) continue;
       for (const VertexId v : complex_.edge_ends[e]) {
@@ -181,7 +181,7 @@ class CarriedGroups::SourcesMaker {
   void take_covers() {
     const auto renamed = rename(complex_.covers, out_.covers, [&](const Cover& cover, std::vector<Cover>& list) {
       const Soup::Face& source = complex_.sources[cover.source];
-      const Index g = carried_.group_of(source.leaf);
+      const Index g = carried_.cells_.part_of(source.leaf);
       if (g == kNone) {
         list.push_back({kept_[cover.source], cover.same});
         return;
@@ -211,18 +211,18 @@ class CarriedGroups::SourcesMaker {
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
       const auto own = complex_.edge_segments[e];
       std::vector<SegmentId> list(own.begin(), own.end());
-      for (const Piece& piece : carried_.edges_[e]) {
+      for (const Piece& piece : carried_.cells_.pieces(e)) {
         if (piece.dimension != 1) continue;
-        const CarriedGroup& group = groups_[piece.group];
-        const auto& segments = group.segments_of_[group.edges_[piece.index].segments];
+        const CarriedGroup& group = groups_[piece.part];
+        const auto& segments = group.segments_of_[group.edges_[piece.number].segments];
         const auto [it, fresh] = of_edge.try_emplace(piece, SegmentId(out_.segment_ends.size()));
         if (fresh) {
           for (const Index k : segments) {
             const SegmentId s = out_.segment_ends.push_back(complex_.edge_ends[e]);
             std::vector<SourceId> faces;
-            for (const Index f : group.segments_[k].sources) faces.push_back(source_of_[piece.group][f]);
+            for (const Index f : group.segments_[k].sources) faces.push_back(source_of_[piece.part][f]);
             out_.segment_faces.push_back(faces);
-            for (const Index w : group.segments_[k].wires) wires.emplace_back(s, wire_of_[piece.group][w]);
+            for (const Index w : group.segments_[k].wires) wires.emplace_back(s, wire_of_[piece.part][w]);
           }
         }
         for (std::size_t k = 0; k < segments.size(); ++k) list.push_back(SegmentId(it->second.index() + k));
@@ -241,9 +241,9 @@ class CarriedGroups::SourcesMaker {
         if (is_own(leaf)) isolated.emplace_back(v, leaf);
       }
       for (const LeafId leaf : complex_.curve_ends[v]) curve_ends.emplace_back(v, leaf);
-      for (const Piece& piece : carried_.pieces(v)) {
+      for (const Piece& piece : carried_.cells_.pieces(v)) {
         if (piece.dimension != 0) continue;
-        const CarriedGroup::Vertex& vertex = groups_[piece.group].vertices_[piece.index];
+        const CarriedGroup::Vertex& vertex = groups_[piece.part].vertices_[piece.number];
         for (const LeafId leaf : vertex.isolated) isolated.emplace_back(v, leaf);
         for (const LeafId leaf : vertex.curve_ends) curve_ends.emplace_back(v, leaf);
       }
@@ -259,15 +259,16 @@ class CarriedGroups::SourcesMaker {
     std::vector<Piece> pieces;
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
       pieces.clear();
-      carried_.for_each_piece(complex_, f, [&](const Piece& piece) { pieces.push_back(piece); });
+      carried_.cells_.for_each_piece(complex_, f, [&](const Piece& piece) { pieces.push_back(piece); });
       add_removed(f, pieces, at_faces);
     }
     out_.face_leaf_cells = SparseLists(at_faces);
     std::vector<std::pair<EdgeId, LeafCell>> at_edges;
-    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) add_removed(e, carried_.edges_[e], at_edges);
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count()))
+      add_removed(e, carried_.cells_.pieces(e), at_edges);
     out_.edge_leaf_cells = SparseLists(at_edges);
     std::vector<std::pair<VertexId, LeafCell>> at_vertices;
-    for (const VertexId v : complex_.vertices) add_removed(v, carried_.pieces(v), at_vertices);
+    for (const VertexId v : complex_.vertices) add_removed(v, carried_.cells_.pieces(v), at_vertices);
     out_.vertex_leaf_cells = SparseLists(at_vertices);
   }
   template <class IdT>
@@ -285,7 +286,7 @@ class CarriedGroups::SourcesMaker {
   void take_labels() {
     const auto renamed =
         rename(complex_.label_sets, out_.label_sets, [&](const Label& label, std::vector<Label>& list) {
-          const Index g = carried_.group_of(label.leaf);
+          const Index g = carried_.cells_.part_of(label.leaf);
           if (g == kNone) {
             list.push_back(label);
             return;

@@ -21,6 +21,7 @@
 
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/group.h"
+#include "csg/transfer/cell_map.h"
 #include "kernel/complex/draft.h"
 
 namespace cnrg {
@@ -115,6 +116,9 @@ class CarriedGroups {
   void put_in_order(Soup& soup);
   /// After `put_in_order`: where the vertices of the new complex came from; `vertex_of` as RefineReport has it.
   IdVector<VertexId, PointPlace> points(const Complex& complex, const std::vector<VertexId>& vertex_of) const;
+  /// After `put_in_order`: of each leaf the vertices of its points, in its order.
+  IdVector<LeafId, std::vector<VertexId>> points_of_leaves(const Complex& complex,
+                                                           const std::vector<VertexId>& vertex_of) const;
   /// After `put_in_order`: the values on the new complex.
   std::vector<Group> on(const Complex& complex, const std::vector<VertexId>& vertex_of);
   /// After `on`: what the cells of the complex come from. `places` become those of the new sources.
@@ -126,33 +130,14 @@ class CarriedGroups {
   using Index = CarriedGroup::Index;
   static constexpr Index kNone = CarriedGroup::kNone;
   class SourcesMaker;
-  /// The carried cell of a group of which a cell of the complex is a piece.
-  struct Piece {
-    Index group;
-    int dimension;
-    Index index;
-    friend auto operator<=>(const Piece&, const Piece&) = default;
-  };
+  using Piece = CellMap::Piece;  // of the group at its part's place
   std::vector<CarriedGroup> groups_;
-  LeafId first_;                      // the leaf of the first group
   std::vector<PointPlace> of_point_;  // by PointId of the soup
   std::vector<PointId> moved_;        // by point of the soup before it was put in order
-  Csr<EdgeId, Piece> edges_;
-  IdVector<VertexId, std::uint32_t> place_;  // of a vertex in `vertices_`
-  Csr<Id<struct PlaceTag>, Piece> vertices_;
+  CellMap cells_;
 
   std::vector<SourceId> order_of_faces(const Soup& soup) const;
-  void match(const Complex& complex, const std::vector<VertexId>& vertex_of);
-  Index group_of(LeafId leaf) const { return leaf < first_ ? kNone : leaf.value() - first_.value(); }
-  template <class See>
-  void for_each_piece(const Complex& complex, FaceId f, const See& see) const {
-    for (const Cover& cover : complex.cover(f)) {
-      const Soup::Face& source = complex.sources[cover.source];
-      const Index g = group_of(source.leaf);
-      if (g != kNone) see(Piece{g, 2, source.leaf_face});
-    }
-  }
-  std::span<const Piece> pieces(VertexId v) const { return vertices_[Id<PlaceTag>(place_[v])]; }
+  CellMap map_of(const Complex& complex, const std::vector<VertexId>& vertex_of) const;
   LeafSetId origin(const Piece& piece) const;
   const std::vector<LeafCell>& gone(const Piece& piece) const;
 };

@@ -1,83 +1,43 @@
-// Carried values are found again in the complex that their soup became: faces by their covers, edges by their
-// ends, 3-cells by their labels.
-#include "csg/evaluate/carried_groups.h"
+// Carried values are found again in the complex that their soup became, 3-cells by their labels.
+#include "csg/transfer/carried_groups.h"
 
 #include <algorithm>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 #include "kernel/base/error.h"
-#include "kernel/base/sorted.h"
-#include "kernel/refine/input.h"
 
 namespace cnrg {
 
 LeafSetId CarriedGroups::origin(const Piece& piece) const {
-  const CarriedGroup& group = groups_[piece.group];
-  if (piece.dimension == 2) return group.faces_[piece.index].origin;
-  return piece.dimension == 1 ? group.edges_[piece.index].origin : group.vertices_[piece.index].origin;
+  const CarriedGroup& group = groups_[piece.part];
+  if (piece.dimension == 2) return group.faces_[piece.number].origin;
+  return piece.dimension == 1 ? group.edges_[piece.number].origin : group.vertices_[piece.number].origin;
 }
 
 const std::vector<LeafCell>& CarriedGroups::gone(const Piece& piece) const {
-  const CarriedGroup& group = groups_[piece.group];
-  if (piece.dimension == 2) return group.gone_[group.faces_[piece.index].gone];
-  return group.gone_[piece.dimension == 1 ? group.edges_[piece.index].gone : group.vertices_[piece.index].gone];
+  const CarriedGroup& group = groups_[piece.part];
+  if (piece.dimension == 2) return group.gone_[group.faces_[piece.number].gone];
+  return group.gone_[piece.dimension == 1 ? group.edges_[piece.number].gone : group.vertices_[piece.number].gone];
 }
 
-/// Of each group a cell is a piece of one cell at most: of that of the lowest dimension that holds it.
-void CarriedGroups::match(const Complex& complex, const std::vector<VertexId>& vertex_of) {
-  std::size_t points = 0;
-  for (const CarriedGroup& group : groups_) points += group.points_.size();
-  std::size_t offset = vertex_of.size() - points;
-  std::unordered_multimap<std::uint64_t, Piece> at_ends;
-  std::vector<std::pair<VertexId, Piece>> at_vertex;
-  for (Index g = 0; g < groups_.size(); ++g) {
-    const CarriedGroup& group = groups_[g];
+CellMap CarriedGroups::map_of(const Complex& complex, const std::vector<VertexId>& vertex_of) const {
+  std::size_t offset = vertex_of.size();
+  for (const CarriedGroup& group : groups_) offset -= group.points_.size();
+  std::vector<CellMap::Part> parts;
+  for (const CarriedGroup& group : groups_) {
     const auto vertex = [&](Index p) { return vertex_of[moved_[offset + p].index()]; };
+    CellMap::Part& part = parts.emplace_back();
+    part.leaf = LeafId(complex.leaf_count - groups_.size() + parts.size() - 1);
     for (Index i = 0; i < group.edges_.size(); ++i) {
       const auto& [a, b] = group.edges_[i].ends;
-      at_ends.emplace(RefineInput::key(vertex(a), vertex(b)), Piece{g, 1, i});
+      part.segments.push_back({{vertex(a), vertex(b)}, i});
     }
     for (Index i = 0; i < group.vertices_.size(); ++i)
-      at_vertex.emplace_back(vertex(group.vertices_[i].point), Piece{g, 0, i});
+      part.vertices.emplace_back(vertex(group.vertices_[i].point), i);
     offset += group.points_.size();
   }
-  std::sort(at_vertex.begin(), at_vertex.end());
-  std::vector<Piece> here;
-  const auto add = [&](const Piece& piece) {
-    const auto known =
-        std::find_if(here.begin(), here.end(), [&](const Piece& p) { return p.group == piece.group; });
-    if (known == here.end()) here.push_back(piece);
-    else if (piece.dimension < known->dimension) *known = piece;
-  };
-  for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
-    here.clear();
-    for (const SegmentId s : complex.edge_segments[e]) {
-      const auto& [a, b] = complex.segment_ends[s];
-      const auto [begin, end] = at_ends.equal_range(RefineInput::key(a, b));
-      for (auto it = begin; it != end; ++it) add(it->second);
-    }
-    for (const FaceUse& use : complex.edge_uses[e]) for_each_piece(complex, use.face, add);
-    std::sort(here.begin(), here.end());
-    edges_.push_back(here);
-  }
-  place_.assign(complex.points.size(), 0);
-  vertices_.push_back(std::vector<Piece>());
-  auto at = at_vertex.begin();
-  for (const VertexId v : complex.vertices) {
-    here.clear();
-    while (at != at_vertex.end() && at->first < v) ++at;
-    for (; at != at_vertex.end() && at->first == v; ++at) add(at->second);
-    for (const EdgeId e : complex.vertex_edges[v]) {
-      for (const Piece& piece : std::as_const(edges_)[e]) add(piece);
-    }
-    for (const FaceId f : complex.vertex_faces[v]) for_each_piece(complex, f, add);
-    if (here.empty()) continue;
-    std::sort(here.begin(), here.end());
-    place_[v] = static_cast<std::uint32_t>(vertices_.size());
-    vertices_.push_back(here);
-  }
+  return {complex, parts};
 }
 
 void CarriedGroups::put_in_order(Soup& soup) {
@@ -136,6 +96,19 @@ IdVector<VertexId, PointPlace> CarriedGroups::points(const Complex& complex,
   return out;
 }
 
+IdVector<LeafId, std::vector<VertexId>> CarriedGroups::points_of_leaves(
+    const Complex& complex, const std::vector<VertexId>& vertex_of) const {
+  IdVector<LeafId, std::vector<VertexId>> out(complex.leaf_count);
+  for (std::size_t p = 0; p < of_point_.size(); ++p) {
+    const auto& [leaf, place] = of_point_[p];
+    if (!leaf.valid()) continue;
+    std::vector<VertexId>& of_leaf = out[leaf];
+    if (of_leaf.size() <= place) of_leaf.resize(place + 1);
+    of_leaf[place] = vertex_of[p];
+  }
+  return out;
+}
+
 std::vector<SourceId> CarriedGroups::order_of_faces(const Soup& soup) const {
   const std::size_t own = soup.leaf_count() - groups_.size();
   std::vector<std::tuple<LeafId, Index, SourceId>> faces;
@@ -164,8 +137,7 @@ std::vector<SourceId> CarriedGroups::order_of_faces(const Soup& soup) const {
 
 std::vector<Group> CarriedGroups::on(const Complex& complex, const std::vector<VertexId>& vertex_of) {
   require(complex.leaf_count >= groups_.size() && !complex.frame.valid(), "carried: not the last leaves");
-  first_ = LeafId(complex.leaf_count - groups_.size());
-  match(complex, vertex_of);
+  cells_ = map_of(complex, vertex_of);
   std::vector<Group> out(groups_.size());
   const auto list = [&](const Piece& piece, auto cell, auto& cells, auto& origins) {
     if (!origin(piece).valid()) return;
@@ -173,23 +145,23 @@ std::vector<Group> CarriedGroups::on(const Complex& complex, const std::vector<V
     origins.push_back(origin(piece));
   };
   for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
-    for_each_piece(complex, f, [&](const Piece& piece) {
-      list(piece, f, out[piece.group].faces, out[piece.group].origins.faces);
+    cells_.for_each_piece(complex, f, [&](const Piece& piece) {
+      list(piece, f, out[piece.part].faces, out[piece.part].origins.faces);
     });
   }
   for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
-    for (const Piece& piece : std::as_const(edges_)[e]) {
-      Group& group = out[piece.group];
+    for (const Piece& piece : cells_.pieces(e)) {
+      Group& group = out[piece.part];
       list(piece, e, group.edges, group.origins.edges);
-      if (piece.dimension == 1 && groups_[piece.group].edges_[piece.index].feature)
+      if (piece.dimension == 1 && groups_[piece.part].edges_[piece.number].feature)
         group.features.edges.push_back(e);
     }
   }
   for (const VertexId v : complex.vertices) {
-    for (const Piece& piece : pieces(v)) {
-      Group& group = out[piece.group];
+    for (const Piece& piece : cells_.pieces(v)) {
+      Group& group = out[piece.part];
       list(piece, v, group.vertices, group.origins.vertices);
-      if (piece.dimension == 0 && groups_[piece.group].vertices_[piece.index].feature)
+      if (piece.dimension == 0 && groups_[piece.part].vertices_[piece.number].feature)
         group.features.vertices.push_back(v);
     }
   }
@@ -197,7 +169,7 @@ std::vector<Group> CarriedGroups::on(const Complex& complex, const std::vector<V
   for (std::size_t g = 0; g < groups_.size(); ++g) number[g].assign(groups_[g].regions_.size() + 1, 0);
   for (const RegionId r : IdRange<RegionId>(complex.region_count)) {
     for (const Label& label : complex.labels(r)) {
-      const Index g = group_of(label.leaf);
+      const Index g = cells_.part_of(label.leaf);
       if (g == kNone) continue;
       const std::uint32_t region = groups_[g].classes_[label.region - 1].region;
       if (number[g][region] == 0) {

@@ -5,9 +5,9 @@
 #include <tuple>
 #include <utility>
 
-#include "csg/evaluate/carried_groups.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/operators/origins.h"
+#include "csg/transfer/carried_groups.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/selection/simplify.h"
