@@ -171,13 +171,16 @@ StepOutcome side_of(const Complex& complex, const Node& node, std::span<const Op
   return {std::move(cut.group), std::move(cut.removals), std::move(cut.conflicts)};
 }
 
-void require_surface(const Complex& complex, const Node& node, const Selector::Side& side,
-                     const std::vector<LeafId>& leaves) {
+void require_surface(const Complex& complex, const Selector::Side& side, const std::vector<LeafId>& leaves) {
   const auto is_solid = [&](LeafId leaf) { return complex.leaf_regions[leaf] != 0; };
-  if (!std::all_of(leaves.begin(), leaves.end(), is_solid)) return;
-  throw InputError("`" + node.name + "`: `" + side.name +
-                   "` is a solid and parts nothing by a front and a back; " +
-                   "name a surface, or pick what is in it by `inside: " + side.name + "`");
+  const auto is_of_surface = [&](const Soup::Face& face) {
+    return !is_solid(face.leaf) && std::binary_search(leaves.begin(), leaves.end(), face.leaf);
+  };
+  if (std::any_of(complex.sources.begin(), complex.sources.end(), is_of_surface)) return;
+  if (std::none_of(leaves.begin(), leaves.end(), is_solid))
+    throw FaultAt(side.at, "`" + side.name + "` has no face, so no front and no back; name a surface");
+  throw FaultAt(side.at, "`" + side.name + "` is a solid and parts nothing by a front and a back; " +
+                             "name a surface, or pick what is in it by `inside: " + side.name + "`");
 }
 
 /// What is picked out of the first operand; the others are sets of points in which, or at which, it lies.
@@ -189,7 +192,7 @@ StepOutcome selected(const Complex& complex, const Node& node, std::span<const O
   if (others != 0) criteria.leaves = *operands[0].below[0];
   for (std::size_t i = 0; i < sides.size(); ++i) {
     criteria.sides.push_back({*operands[0].below[others + i], sides[i].front});
-    require_surface(complex, node, sides[i], criteria.sides.back().surfaces);
+    require_surface(complex, sides[i], criteria.sides.back().surfaces);
   }
   const std::span<const Operand> places = operands.subspan(1);
   const auto points = [&](std::span<const Operand> of) {

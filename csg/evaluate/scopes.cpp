@@ -247,10 +247,14 @@ class Scopes {
     try {
       return operate(*scope.complex, node, x_.grades.on(instance, node.material), operands_of(scope, id),
                      x_.options.validate, {instance.transform, x_.grades.placement(instance), order_below(id)});
+    } catch (const FaultAt& e) {
+      throw TreeError(file_of(node), e.at(), e.what());
     } catch (const InputError& e) {
-      throw TreeError(tree_.file, node.operator_at, e.what());
+      throw TreeError(file_of(node), node.operator_at, e.what());
     }
   }
+
+  const std::string& file_of(const Node& node) const { return node.selector ? node.selector->file : tree_.file; }
 
   LeafOrder order_below(InstanceId id) const { return x_.leaves.numbers().order_below(instances_, id); }
 

@@ -37,6 +37,16 @@ class TreeError : public InputError {
   std::string message_;
 };
 
+/// A fault at a place of a node; who knows the tree makes it a TreeError.
+class FaultAt : public InputError {
+ public:
+  FaultAt(Position at, const std::string& message) : InputError(message), at_(at) {}
+  Position at() const { return at_; }
+
+ private:
+  Position at_;
+};
+
 /// Something that people should know and that stops nothing.
 struct Diagnostic {
   enum class Level { notice, warning };

@@ -367,6 +367,7 @@ class TreeReader {
     if (of.valid()) dag_.add_operand(id, of, value.at());
     else read_operand(id, f.at("of", "NODE"), 1);
     auto selector = std::make_shared<Selector>();
+    selector->file = document_.file;
     Criteria& criteria = selector->criteria = read_criteria(f);
     if (const Value* material = f.find("material")) {
       for (const Value& v : one_or_more(*material, f.name("material"))) {

@@ -23,6 +23,7 @@ struct Selector {
     Position at;
   };
   std::vector<Side> sides;
+  std::string file;        ///< what to call the text that says so
   std::size_t inside = 0;  ///< so many operands behind the first are for `inside`, those after them for `touching`
 };
 

@@ -11,6 +11,7 @@
 #include "csg/result/cell_tags.h"
 #include "csg/result/result_data.h"
 #include "csg/topology/selectables.h"
+#include "csg/tree/selector.h"
 #include "kernel/exact/exact_vectors.h"
 #include "tests/catch.h"
 #include "tests/scenes/scene.h"
@@ -324,9 +325,17 @@ TEST_CASE("a surface that is no leaf below, and a solid, are refused with a reme
       run_tree(with("behind: wset"), {"again"}),
       Catch::StartsWith("t.yaml:17:41: error: there is no node called `wset`; did you mean `west`?"));
   CHECK_THROWS_WITH(run_tree(with("behind: []"), {"again"}), Catch::Contains("is an empty list"));
-  CHECK_THROWS_WITH(run_tree(with("behind: ground"), {"again"}),
-                    Catch::StartsWith("t.yaml:17:12: error: `again`: `ground` is a solid") &&
-                        Catch::Contains("`inside: ground`"));
+  CHECK_THROWS_WITH(
+      run_tree(with("behind: ground"), {"again"}),
+      Catch::StartsWith("t.yaml:17:41: error: `ground` is a solid") && Catch::Contains("`inside: ground`"));
+  std::string wire = tree;
+  wire.replace(wire.find("polygon: [[1, 1, 1]"), 7, "polyline");
+  CHECK_THROWS_WITH(run_tree(wire, {"neither"}),
+                    Catch::StartsWith("t.yaml:15:55: error: `crack` has no face, so no front and no back"));
+  Tree picked = parse_tree(tree, "t.yaml");
+  EvaluateOptions options;
+  options.result = add_selection(picked, picked.result, "{dimension: 3, behind: ground}", "--select");
+  CHECK_THROWS_WITH(evaluate(picked, options), Catch::StartsWith("--select:1:24: error: `ground` is a solid"));
   const Evaluation none = run_tree(with("name: rock").replace(0, 0, ""), {"again", "neither"});
   REQUIRE(none.diagnostics.size() == 2);
 }
