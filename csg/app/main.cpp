@@ -326,7 +326,7 @@ int run(int argc, char** argv) {
       ->type_name("FILE.html")
       ->check(name_fault);
   sub->add_option("--node", view.nodes,
-                  "Show this node, the result and what they are made of; without it all nodes")
+                  "Show this node and what is below it; without it all nodes")
       ->type_name("N")
       ->check(name_fault)
       ->expected(1)

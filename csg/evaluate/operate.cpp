@@ -177,6 +177,16 @@ void require_surface(const Complex& complex, const Selector::Side& side, const s
     return !is_solid(face.leaf) && std::binary_search(leaves.begin(), leaves.end(), face.leaf);
   };
   if (std::any_of(complex.sources.begin(), complex.sources.end(), is_of_surface)) return;
+  const auto is_wire_or_point = [&](LeafId leaf) {
+    const auto& points = complex.isolated_leaves.values();
+    return std::any_of(complex.wires.begin(), complex.wires.end(),
+                       [&](const auto& w) { return w.leaf == leaf; }) ||
+           std::find(points.begin(), points.end(), leaf) != points.end();
+  };
+  if (std::none_of(leaves.begin(), leaves.end(),
+                   [&](LeafId leaf) { return is_solid(leaf) || is_wire_or_point(leaf); }))
+    throw FaultAt(side.at, "a node that joins lies above `" + side.name +
+                               "`, and what is joined has no sides of surfaces; pick before it is joined");
   if (std::none_of(leaves.begin(), leaves.end(), is_solid))
     throw FaultAt(side.at, "`" + side.name + "` has no face, so no front and no back; name a surface");
   throw FaultAt(side.at, "`" + side.name + "` is a solid and parts nothing by a front and a back; " +

@@ -144,12 +144,14 @@ VertexId least_vertex(const Complex& complex, RegionId r) {
 struct FarOrder::Data {
   const Complex& complex;
   Coordinates coordinates;
+  Rational scale;  // `far` is so many times smaller, for it may be larger than doubles
   std::shared_ptr<const Complex> far;
   Locator locator;
   std::vector<std::optional<RationalPoint>> least;  // by region of `far`: its least point, if that is on the box
 
-  Data(const Complex& c, const Coordinates& in, const std::vector<ExactHalfspace>& planes, const ExactBox& box)
-      : complex(c), coordinates(in), far(build_complex(soup_of(planes, box))), locator(*far) {
+  Data(const Complex& c, const Coordinates& in, const std::vector<ExactHalfspace>& planes, const ExactBox& box,
+       const Rational& times)
+      : complex(c), coordinates(in), scale(times), far(build_complex(soup_of(planes, box))), locator(*far) {
     for (const RegionId r : IdRange<RegionId>(far->region_count)) {
       least.emplace_back();
       if (r == RegionId(0)) continue;
@@ -162,8 +164,14 @@ struct FarOrder::Data {
 
 FarOrder::FarOrder(const Complex& complex, const LeafAxes* axes) {
   const Coordinates coordinates(axes);
-  const std::vector<ExactHalfspace> planes = planes_of(complex, coordinates);
-  data_ = std::make_unique<Data>(complex, coordinates, planes, far_box(complex, coordinates, planes));
+  std::vector<ExactHalfspace> planes = planes_of(complex, coordinates);
+  ExactBox box = far_box(complex, coordinates, planes);
+  const Rational scale = box.high[0];
+  for (ExactHalfspace& plane : planes) plane.offset /= scale;
+  for (RationalPoint* corner : {&box.low, &box.high}) {
+    for (Rational& x : *corner) x /= scale;
+  }
+  data_ = std::make_unique<Data>(complex, coordinates, planes, box, scale);
 }
 FarOrder::~FarOrder() = default;
 
@@ -171,13 +179,14 @@ FarOrder::~FarOrder() = default;
 /// is the one with a face of the frame that the point is beyond.
 std::uint32_t FarOrder::place(HalfFace outside) const {
   const Complex& complex = data_->complex;
-  const Location at =
-      data_->locator.locate(data_->coordinates.of(interior_point(complex, outside.face()).rational()));
+  const RationalPoint inside = data_->coordinates.of(interior_point(complex, outside.face()).rational());
+  const Location at = data_->locator.locate(Rational(1 / data_->scale) * inside);
   require(at.dimension == 3, "FarOrder: a face of the frame lies in a plane");
   const std::optional<RationalPoint>& least = data_->least[at.region.index()];
   if (!least) return 0;
   const ExactHalfspace side = data_->coordinates.of(complex.points.exact_plane(complex.plane(outside.face())));
-  const int beyond = sgn(Rational(dot(side.normal, *least) - side.offset)) * (outside.side() == 0 ? 1 : -1);
+  const int beyond =
+      sgn(Rational(data_->scale * dot(side.normal, *least) - side.offset)) * (outside.side() == 0 ? 1 : -1);
   return beyond > 0 ? at.region.value() : 0;
 }
 

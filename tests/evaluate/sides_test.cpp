@@ -332,6 +332,11 @@ TEST_CASE("a surface that is no leaf below, and a solid, are refused with a reme
   wire.replace(wire.find("polygon: [[1, 1, 1]"), 7, "polyline");
   CHECK_THROWS_WITH(run_tree(wire, {"neither"}),
                     Catch::StartsWith("t.yaml:15:55: error: `crack` has no face, so no front and no back"));
+  std::string joined = tree;
+  const std::string turned = "simplify: split, mirror";
+  joined.replace(joined.find(turned), turned.size(), "simplify: {of: split, within: 0.001}, mirror");
+  CHECK_THROWS_WITH(run_tree(joined, {"again"}),
+                    Catch::StartsWith("t.yaml:17:55: error: a node that joins lies above `west`"));
   Tree picked = parse_tree(tree, "t.yaml");
   EvaluateOptions options;
   options.result = add_selection(picked, picked.result, "{dimension: 3, behind: ground}", "--select");

@@ -75,6 +75,10 @@ TEST_CASE("numbers of regions without bounds depend on no other leaf", "[regions
     const std::vector<RationalPoint> reach{drawn(random, -90, 90), {400, 7, -1000}};
     const auto larger = build_complex(make_soup(some, reach));
     CHECK(numbers_in(*larger, *alone) == ascending(alone->region_count - 1));
+    // Nearly as large as doubles become: the box in which the order is found has no room there.
+    const Rational huge = Integer(1) << 1000;
+    const auto largest = build_complex(make_soup(some, std::vector<RationalPoint>{{huge, 0, Rational(-huge)}}));
+    CHECK(numbers_in(*largest, *alone) == ascending(alone->region_count - 1));
 
     for (const LeafInstance& other : leaves(random, random.between(0, 2), random.between(1, 3)))
       some.insert(some.begin() + random.between(0, static_cast<int>(some.size())), other);

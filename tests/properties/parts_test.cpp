@@ -375,6 +375,7 @@ result: all
                                "test.yaml");
   EvaluateOptions options;
   options.threads = 1;
+  options.drawn_together = true;  // all on one complex
   for (std::size_t i = 0; i + 1 < tree.nodes.size(); ++i) options.nodes.push_back(NodeId(i));
   const Evaluation evaluation = evaluate(tree, options);
   REQUIRE(evaluation.complex->frame.valid());
