@@ -325,8 +325,7 @@ int run(int argc, char** argv) {
   sub->add_option("-o", view.file, "Write this file; without it the tree's name with .html, in the current folder")
       ->type_name("FILE.html")
       ->check(name_fault);
-  sub->add_option("--node", view.nodes,
-                  "Show this node and what is below it; without it all nodes")
+  sub->add_option("--node", view.nodes, "Show this node and what is below it; without it all nodes")
       ->type_name("N")
       ->check(name_fault)
       ->expected(1)
