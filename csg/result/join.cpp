@@ -35,6 +35,10 @@ struct Attempt {
 constexpr std::size_t kMostWork = 20'000;
 constexpr Attempt kAttempts[] = {{1, 8}, {1.25, 8}, {1.5, 8}, {2, 8}, {1, 4}, {1.25, 4}, {1.5, 4}};
 
+std::size_t bits(const Rational& x) {
+  return mpz_sizeinbase(x.get_num_mpz_t(), 2) + mpz_sizeinbase(x.get_den_mpz_t(), 2);
+}
+
 /// Where things meet that never met before: where they are exactly, if that takes no more digits than what is
 /// constructed once from doubles does; else at the nearest point of a grid that is far finer than the distance. A
 /// foot on a facet whose corners are feet has some ten times their digits, so those of exact places would grow
@@ -48,8 +52,10 @@ class JoinPlaces {
   /// All points of a result whose coordinates are to be kept.
   void keep(const std::vector<RationalPoint>& points) { kept_.insert(points.begin(), points.end()); }
 
+  bool keeps(const RationalPoint& p) const { return kept_.contains(p); }
+
   RationalPoint near(const RationalPoint& p) const {
-    if (std::all_of(p.begin(), p.end(), is_brief) || kept_.contains(p)) return p;
+    if (std::all_of(p.begin(), p.end(), is_brief) || keeps(p)) return p;
     RationalPoint out = p;
     for (Rational& x : out) {
       if (is_brief(x)) continue;
@@ -67,9 +73,7 @@ class JoinPlaces {
   Rational step_;
   std::set<RationalPoint> kept_;
 
-  static bool is_brief(const Rational& x) {
-    return mpz_sizeinbase(x.get_num_mpz_t(), 2) + mpz_sizeinbase(x.get_den_mpz_t(), 2) <= kMostBits;
-  }
+  static bool is_brief(const Rational& x) { return bits(x) <= kMostBits; }
 };
 
 /// What one round moves, and which of its pairs that joins, each with the place where.
@@ -82,9 +86,8 @@ class Planner {
  public:
   /// What is nearer than `corner` (its square; 0: nothing) to a corner of what it meets goes to that corner.
   /// `reversed`: of points the last in the order of preference stay.
-  Planner(const Parts& parts, const std::set<RationalPoint>& given, const JoinPlaces& places, Rational corner,
-          bool reversed)
-      : parts_(parts), given_(given), places_(places), corner_(std::move(corner)), reversed_(reversed) {
+  Planner(const Parts& parts, const JoinPlaces& places, Rational corner, bool reversed)
+      : parts_(parts), places_(places), corner_(std::move(corner)), reversed_(reversed) {
     list_facets();
     for (const RationalPoint& p : parts.points()) plan_.moves.to.push_back(places.near(p));
     moved_.assign(parts.points().size(), 0);
@@ -100,11 +103,12 @@ class Planner {
         near[p].push_back(&pair);
       }
     }
-    // Those that hold most, then those of the input, then by coordinates.
-    std::vector<std::tuple<Rank, bool, Index>> preferred;
+    // Those that hold most, then those of the result, then those with fewest digits, then by coordinates.
+    std::vector<std::tuple<Rank, bool, std::size_t, Index>> preferred;
     for (const Index p : order) {
       const auto [walls, all] = rank_of_point(p);
-      preferred.push_back({{-walls, -all}, !given_.contains(parts_.points()[p]), p});
+      const RationalPoint& at = parts_.points()[p];
+      preferred.push_back({{-walls, -all}, !places_.keeps(at), bits(at[0]) + bits(at[1]) + bits(at[2]), p});
     }
     std::sort(preferred.begin(), preferred.end());
     if (reversed_) std::reverse(preferred.begin(), preferred.end());
@@ -143,7 +147,6 @@ class Planner {
 
  private:
   const Parts& parts_;
-  const std::set<RationalPoint>& given_;
   const JoinPlaces& places_;
   std::vector<std::vector<Index>> facets_of_;  // of each point, ascending
   std::vector<RationalPoint> normals_;         // of each facet
@@ -316,10 +319,6 @@ class Joiner {
     require_smaller_than_result(within_, parts);
     places_.keep(parts.points());
     most_points_ = 2 * parts.points().size() + kFewPoints;
-    const PointTable& table = data_->complex->points;
-    for (std::size_t p = 0; p < parts.points().size(); ++p) {
-      if (!table.is_constructed(flat_.points[p])) given_.insert(parts.points()[p]);
-    }
   }
 
   void run() {
@@ -344,7 +343,6 @@ class Joiner {
   JoinReport report_;
   std::shared_ptr<Result::Data> data_;
   FlatComplex flat_;
-  std::set<RationalPoint> given_;  // points of the input
   JoinPlaces places_;
   std::size_t most_points_ = 0, work_ = 0;
   bool harmful_ = false;
@@ -405,7 +403,7 @@ class Joiner {
     const bool reversed = report_.rounds >= 2 * patience_ && report_.rounds / patience_ % 2 == 1;
     const Rational reach = corner_reach();
     watch.begin("meet");
-    Planner planner(parts, given_, places_, reach * reach, reversed);
+    Planner planner(parts, places_, reach * reach, reversed);
     watch.check();
     const bool points = pairs.front().kind == Near::points;
     const Plan plan = points ? planner.meet_points(pairs) : planner.meet(pairs);

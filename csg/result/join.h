@@ -14,8 +14,9 @@
 // Of two that meet, that one moves which is held less, that is by fewer independent planes of walls and boundaries
 // of regions, or of as many by fewer of sheets. So a corner of a region stays, and an edge bends to it; a bolt's
 // end goes to the fault, which stays flat; and a fault's corner on the floor of the ground goes to the edge of
-// that and stays on the floor. Of equals the point goes; of two points one of the input stays before one that was
-// constructed, then the first by its coordinates. None of this depends on numbers of leaves or the order of nodes.
+// that and stays on the floor. Of equals the point goes; of two points that one stays which has fewer digits, so
+// one of the input before one that was constructed, then the first by its coordinates. All of this depends on the
+// value alone.
 //
 // The drawing of what has moved is refined exactly, so the result is a complex again whatever happened, and told
 // what it is by what it was (relabel.h). Rounds end when nothing is near: then joining again changes nothing.

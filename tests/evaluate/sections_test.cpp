@@ -294,6 +294,18 @@ std::string random_rounds(std::mt19937_64& random) {
   return out;
 }
 
+TEST_CASE("what a node joins depends on its operand's value alone", "[sections]") {
+  // A corner where boxes cross is constructed if they are refined together, and given if one comes from a section.
+  const Tree tree = tree_of(R"(  a: {box: {min: [0, -1.75, -1], max: [2.5, 0.25, 1.5]}, translate: [0.03, 0, 0]}
+  b: {box: {min: [1, -1.25, -1], max: [3.5, 1.25, 1.5]}, translate: [0.05, 0, 0.05]}
+  c: {box: {min: [-0.75, -0.25, 1], max: [1.75, 2.25, 3.5]}, translate: [0.05, 0, 0]}
+  v: {difference: [{union: [a, b]}, c]}
+  r: {simplify: {of: v, within: 0.1}}
+)");
+  const auto [apart, together] = same(tree);
+  CHECK(*apart.rows.back().total == Rational(43389, 2000));
+}
+
 TEST_CASE("curves of round leaves that are gone stay whole", "[sections]") {
   const Tree disc = tree_of(R"(  ball: {sphere: {center: [2, 2, 3], radius: 1, segments: 64}}
   wall: {polygon: [[2, "3/2", 0], ["21/10", "3/2", 0], ["21/10", "3/2", 9], [2, "3/2", 9]]}
