@@ -349,15 +349,15 @@ bool Merging::one_surface(FaceId f, FaceId g) const {
   return share_surface(complex_, f, g, at_f, at_g);
 }
 
-bool Merging::within_facet(EdgeId e) const {
+bool Merging::between_coplanar_facets(EdgeId e) const {
   const auto [f, g] = merged_over(e);
   if (complex_.face_sheet[f.face] != complex_.face_sheet[g.face]) return false;
-  if (complex_.face_cover[f.face] == complex_.face_cover[g.face]) return true;
-  if (sources_ == nullptr) return false;
+  if (complex_.face_cover[f.face] == complex_.face_cover[g.face]) return false;
+  if (sources_ == nullptr) return true;
   std::vector<LeafId> at_f, at_g;
   sources_->leaves_of(f.face, at_f);
   sources_->leaves_of(g.face, at_g);
-  return share_facets(complex_, f.face, g.face, at_f, at_g);
+  return !share_facets(complex_, f.face, g.face, at_f, at_g);
 }
 
 bool Merging::one_curve(VertexId v, EdgeId a, EdgeId b) const {

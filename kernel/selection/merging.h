@@ -102,8 +102,8 @@ class Merging {
   Use end_use(EdgeId e) const { return complex_.edge_uses.offsets()[e.index() + 1]; }
   /// The two faces that are one over an edge of fate in_face, each along the edge.
   std::pair<FaceUse, FaceUse> merged_over(EdgeId e) const;
-  /// These are pieces of one facet, or of several ones that coincide; false in two planes, too.
-  bool within_facet(EdgeId e) const;
+  /// These lie in one plane and are pieces of different facets.
+  bool between_coplanar_facets(EdgeId e) const;
   /// The uses of a remaining face along one of its loops, into `out`.
   void uses_along(FaceId f, LoopId l, std::vector<Use>& out) const;
   /// From a use of a walkable edge at v: the use of the walkable edge on the other side of the face's corner.

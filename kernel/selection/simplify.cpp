@@ -327,9 +327,7 @@ class Assembly {
   void list_facet_edges() {
     if (complex_.surface_count == 0) return;  // no face has facets
     for (const EdgeId e : merging_.inner_edges()) {
-      const auto [f, g] = merging_.merged_over(e);
-      if (complex_.face_sheet[f.face] == complex_.face_sheet[g.face] && !merging_.within_facet(e))
-        out_.facet_edges.push_back(e);
+      if (merging_.between_coplanar_facets(e)) out_.facet_edges.push_back(e);
     }
   }
 
