@@ -11,7 +11,7 @@
 
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
-#include "csg/evaluate/certify.h"
+#include "csg/certify/certify.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/text/input_file.h"
 #include "csg/tree/read_from_input.h"
@@ -29,11 +29,10 @@ struct Stage {
 };
 constexpr std::array<Stage, 3> kStages{{{"leaves", "leaves"}, {"refine", "refinement"}, {"nodes", "nodes"}}};
 
-Certificate certificate_in_view(const Tree& tree, const Evaluation& evaluation, std::size_t told, bool at_vertices,
-                                bool quiet) {
+Certificate certificate_in_view(const Evaluation& evaluation, bool quiet) {
   ProgressBar bar(quiet);
   bar.show("crossings");
-  return certify(tree, evaluation, told, at_vertices);
+  return certify(evaluation);
 }
 
 }  // namespace
@@ -87,29 +86,31 @@ Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quie
 bool tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
   if (quiet) return false;
   constexpr std::size_t kTold = 3;
-  const Certificate certificate = certificate_in_view(tree, evaluation, kTold, false, quiet);
-  print(certificate.notices, quiet);
-  if (certificate.places <= kTold) return certificate.edges > 0;
-  tell(tree.file + ": notice: " + count(certificate.places - kTold, "more place") +
-       " where curved surfaces may not cross as their facets do; --certify tells of ten");
-  return true;
+  const Certificate certificate = certificate_in_view(evaluation, quiet);
+  print(certificate.notices(tree, kTold), quiet);
+  if (certificate.places.size() > kTold) {
+    tell(tree.file + ": notice: " + count(certificate.places.size() - kTold, "more place") +
+         " where curved surfaces may not meet as their facets do; --certify tells of ten");
+  }
+  return certificate.asked > 0;
 }
 
 bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
   constexpr std::size_t kTold = 10;
-  const Certificate certificate = certificate_in_view(tree, evaluation, kTold, true, quiet);
-  if (certificate.places == 0) {
-    if (quiet) return false;
-    tell(tree.file + ": notice: certified: " +
-         (certificate.edges == 0 ? std::string("no curved patch meets a patch of another leaf")
-                                 : "where curved patches meet others, along " + count(certificate.edges, "edge") +
-                                       ", the surfaces cross as their facets do"));
-    return certificate.edges > 0;
+  const Certificate certificate = certificate_in_view(evaluation, quiet);
+  if (certificate.places.empty()) {
+    if (!quiet) {
+      tell(tree.file + ": notice: certified: surfaces meet as their facets do; of " +
+           count(certificate.asked, "pair") + " of facets near each other " + std::to_string(certificate.apart) +
+           " are apart and " + std::to_string(certificate.crossing) + " cross");
+    }
+    return certificate.asked > 0;
   }
-  for (std::size_t i = 1; i < certificate.notices.size(); ++i) print({certificate.notices[i]}, quiet);
-  const Diagnostic& first = certificate.notices.front();
+  const std::vector<Diagnostic> notices = certificate.notices(tree, kTold);
+  for (std::size_t i = 1; i < notices.size(); ++i) print({notices[i]}, quiet);
+  const Diagnostic& first = notices.front();
   throw TreeError(first.file, first.at,
-                  first.message + "; --certify found " + count(certificate.places, "such place") +
+                  first.message + "; --certify found " + count(certificate.places.size(), "such place") +
                       ": make the leaves finer, move them apart or together, or leave it out");
 }
 

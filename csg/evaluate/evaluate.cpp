@@ -194,6 +194,8 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});
   result.raw = options.raw;
   result.instances = unfolding.instances;
+  result.placed = std::make_shared<const PlacedLeaves>(placed);
+  result.reach = options.reach;
   if (options.keep_all) result.values = values.take();
   return result;
 }

@@ -28,6 +28,7 @@ namespace cnrg {
 
 class LeafNumbers;
 class NodeValue;
+struct PlacedLeaves;
 class SurfaceParameters;
 
 /// What is refined in one (csg/evaluate/sections.h). What else it changes than costs: csg/README.md, Refined
@@ -107,6 +108,8 @@ struct Evaluation {
   std::vector<JoinedNode> joined;  ///< below the roots, those below others first
   std::vector<KeptValue> kept;     ///< the result, then `EvaluateOptions::nodes` in their order; each once
   std::shared_ptr<const LeafNumbers> leaves;            ///< which leaf of which node has which number
+  std::shared_ptr<const PlacedLeaves> placed;           ///< the leaves as they are drawn
+  std::vector<RationalPoint> reach;                     ///< EvaluateOptions::reach
   std::vector<std::string> leaf_names;                  ///< by LeafId; empty for the frame
   std::vector<Diagnostic> diagnostics;                  ///< notices of leaves, conflicts of materials
   double refine_seconds = 0;                            ///< soup and complex

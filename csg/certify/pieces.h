@@ -1,0 +1,108 @@
+// The pieces of which a proof speaks: what facets are and what they stand for, side by side.
+//
+// A curved leaf has a map F from the parameters of its cells to its facets, and S to its true surfaces. The proof
+// (proof.h) moves one into the other: H = (1 - t) F + t S for t from 0 to 1. A *piece* is a cell of a curved patch,
+// a flat face or an edge of a curve, with boxes that hold all its H, and the derivatives of all its H. PieceParts of a
+// piece, by parameters, have smaller ones.
+//
+// Pieces lie on *sheets*. Sheets have one number where they are one surface in truth: planes where they are equal,
+// curved patches by csg/carriers/surface_numbers.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "csg/curves/surface_placed.h"
+#include "csg/leaves/leaf.h"
+#include "kernel/refine/box.h"
+
+namespace cnrg {
+
+using Interval3 = Vector3<Interval>;
+
+inline double middle_of(const Interval& x) { return x.inf() / 2 + x.sup() / 2; }
+inline Vector3<double> middle_of(const Interval3& x) {
+  return {middle_of(x[0]), middle_of(x[1]), middle_of(x[2])};
+}
+
+struct Piece {
+  enum class Kind : std::uint8_t { cell, flat, curve };
+  Kind kind = Kind::cell;
+  bool grid = false;   ///< of a cell: four corners, those of `range` in u and v
+  bool blind = false;  ///< its directions are not known: a net at its pole
+  std::uint8_t corner_count = 0;
+  LeafId leaf;
+  std::uint32_t patch = 0;  ///< Soup::Face::patch; of a wire Soup::Wire::leaf_edge
+  std::uint32_t sheet = 0;  ///< of a curve: a number of its own, equal along one curve
+  std::array<std::uint32_t, 4> points{};        ///< corners by number, equal ones of one leaf are one
+  std::array<std::array<double, 2>, 4> at{};    ///< their parameters, in the middle of `bounds`
+  std::array<Interval3, 4> corners{};           ///< where they are
+  std::array<Interval, 2> range{0, 0};          ///< of u and v; of a curve the first, from 0 to 1
+  Interval3 along_u{}, along_v{};               ///< of F, hulls; of a curve the first
+  const PlacedSurface* surface = nullptr;       ///< of a cell, or of a curve that is a side of one
+  std::shared_ptr<const Curve> curve{};         ///< of a curved wire
+  std::array<std::array<Interval, 2>, 2> side{};  ///< of a curve: parameters of its ends on `surface` or `curve`
+  /// Of a flat piece: its plane and its outline, counter-clockwise about the normal where it is convex.
+  Interval3 normal{}, point{};
+  std::vector<Interval3> outline{};
+  std::vector<std::uint32_t> corner_numbers{};  ///< of a flat piece, ascending
+  /// Of a curve: the sheets that it lies in, ascending.
+  std::vector<std::uint32_t> in_sheets{};
+  /// Cells of the same patch that share corners, and which (bits); curves that go on from its ends.
+  std::vector<std::pair<std::uint32_t, std::uint8_t>> neighbours{};
+  /// Pieces that continue the surface smoothly and are of another patch or leaf.
+  std::vector<std::uint32_t> foreign{};
+  Box box{};
+  bool exact() const { return kind == Kind::flat || (kind == Kind::curve && surface == nullptr && !curve); }
+};
+
+/// All pieces of leaves as they are drawn. `surfaces` as of `make_soup`.
+class Pieces {
+ public:
+  Pieces(const std::vector<LeafInstance>& instances, std::span<const std::vector<std::uint32_t>> surfaces,
+         std::span<const RationalPoint> reach);
+  const std::vector<Piece>& all() const { return pieces_; }
+  /// True if the pieces, of one leaf, have a corner in common.
+  bool adjacent(std::uint32_t a, std::uint32_t b) const;
+  /// Says that one goes on smoothly as the other.
+  void join(std::uint32_t a, std::uint32_t b);
+  /// True if two cells of one surface, of different leaves, are drawn so that they do not cross: they are equal,
+  /// lie in one plane, or one is on one side of the other.
+  bool drawn_alike(std::uint32_t a, std::uint32_t b) const;
+  std::size_t curved() const { return curved_; }  ///< how many cells and curves are not exact
+
+ private:
+  std::vector<std::shared_ptr<const LeafSurfaces>> leaf_surfaces_;
+  std::map<std::pair<LeafId, std::uint32_t>, std::unique_ptr<const PlacedSurface>> placed_;
+  std::vector<Piece> pieces_;
+  std::map<LeafId, std::vector<RationalPoint>> points_;  // of leaves with cells, by number, placed
+  std::size_t curved_ = 0;
+  friend class PieceMaker;
+};
+
+/// What a part is of: facets and surfaces and all between, or surfaces alone.
+enum class Between : std::uint8_t { facets_and_surfaces, surfaces };
+
+/// A part of a piece: what its parameters are limited to, a box around it for all t, and what is at right angles to
+/// it there (of a curve: along it), for all t, up to positive factors.
+struct PiecePart {
+  const Piece* piece = nullptr;
+  std::array<Interval, 2> range{0, 0};
+  Interval3 box{}, cone{};
+  Interval3 along_u{}, along_v{};  ///< of S
+  bool blind = false;              ///< `cone` says nothing
+};
+/// Of all pieces of `all`; who calls keeps an enclosure::RoundOutward alive, here and below.
+PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
+             Between between = Between::facets_and_surfaces);
+/// Two halves, across the longer way.
+std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, Between between);
+/// What holds d . x for all x of a part.
+Interval extent(const PiecePart& part, const Vector3<double>& d, Between between);
+
+}  // namespace cnrg

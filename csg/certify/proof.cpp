@@ -1,0 +1,354 @@
+// Pairs, triples and quadruples of pieces; see the header.
+#include "csg/certify/proof.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <map>
+#include <set>
+
+#include "kernel/base/parallel.h"
+#include "kernel/refine/box_pairs.h"
+
+namespace cnrg {
+
+using namespace surface_math;
+
+namespace {
+
+using Index = std::uint32_t;
+using PieceParts = std::vector<PiecePart>;
+
+constexpr std::size_t kMostSteps = 1000;    // of one question
+constexpr std::size_t kMostTold = 4;        // places of the same patches of which it is asked whether facets are to blame
+constexpr std::size_t kMostOpen = 1000;     // places of the same patches, after which no more are looked for
+
+bool holds_zero(const Interval& x) { return !(x.inf() > 0 || x.sup() < 0); }
+double size_of(const Interval3& x) {
+  double size = 0;
+  for (const Interval& c : x) size = std::max(size, c.sup() - c.inf());
+  return size;
+}
+Interval3 thin(const Vector3<double>& x) { return {Interval(x[0]), Interval(x[1]), Interval(x[2])}; }
+std::optional<Vector3<double>> direction(const Vector3<double>& x) {
+  const double length = std::sqrt(dot(x, x));
+  if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+  return scaled(1 / length, x);
+}
+
+/// What is asked of some pieces.
+enum class Question : std::uint8_t {
+  none,   ///< answered by what is asked of fewer, or of the leaf itself
+  angle,  ///< apart, or independent
+  apart,
+};
+
+/// True if the cones of normals, two or three, hold no dependent vectors.
+bool independent(const Interval3& a, const Interval3& b) {
+  const Interval3 n = cross(a, b);
+  if (std::ranges::any_of(n, [](const Interval& x) { return !holds_zero(x); })) return true;
+  const auto d = direction(cross(middle_of(a), middle_of(b)));
+  if (!d) return false;
+  // In the frame of the middle vectors the cones are as narrow as they can be.
+  const Vector3<double> x = middle_of(a), y = cross(*d, x);
+  const Interval3 ex = thin(x), ey = thin(y);
+  return !holds_zero(dot(ex, a) * dot(ey, b) - dot(ey, a) * dot(ex, b));
+}
+bool independent(const Interval3& a, const Interval3& b, const Interval3& c) {
+  if (!holds_zero(dot(cross(a, b), c))) return true;
+  // Rows of the inverse of the middle: then each cone is near to an axis.
+  const Vector3<double> x = middle_of(a), y = middle_of(b), z = middle_of(c);
+  const double det = dot(cross(x, y), z);
+  if (!(std::abs(det) > 0) || !std::isfinite(det)) return false;
+  const std::array<Vector3<double>, 3> rows{scaled(1 / det, cross(y, z)), scaled(1 / det, cross(z, x)),
+                                            scaled(1 / det, cross(x, y))};
+  const std::array<Interval3, 3> cones{a, b, c};
+  std::array<Interval3, 3> m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] = dot(thin(rows[j]), cones[i]);
+  }
+  return !holds_zero(dot(m[0], cross(m[1], m[2])));
+}
+
+class Prover {
+ public:
+  Prover(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for)
+      : pieces_(pieces), all_(pieces.all()), asked_for_(asked_for) {}
+
+  Proof run() {
+    find_pairs();
+    const enclosure::RoundOutward outward;
+    together_.resize(all_.size());
+    thickness_.assign(all_.size(), -1);
+    relate_leaves();
+    for (const auto& [a, b] : pairs_) ask_pair(a, b);
+    for (std::vector<Index>& near : together_) std::sort(near.begin(), near.end());
+    for (Index i = 0; i < all_.size(); ++i) {
+      if (!all_[i].exact()) ask_more(i);
+    }
+    return std::move(proof_);
+  }
+
+ private:
+  void find_pairs() {
+    std::vector<Box> boxes;
+    for (const Piece& piece : all_) boxes.push_back(piece.box);
+    const BoxPairs finder(boxes);
+    for (std::size_t part = 0; part < finder.part_count(); ++part) {
+      finder.find(part, [&](Index x, Index y) {
+        const Index a = std::min(finder.item(x), finder.item(y)), b = std::max(finder.item(x), finder.item(y));
+        if (a == b || (all_[a].exact() && all_[b].exact()) || !boxes[a].meets(boxes[b])) return;
+        if (all_[a].leaf != all_[b].leaf && !asked_for_(all_[a].leaf, all_[b].leaf)) return;
+        pairs_.emplace_back(a, b);
+      });
+    }
+    std::sort(pairs_.begin(), pairs_.end());
+  }
+
+  bool is_cell(Index i) const { return all_[i].kind != Piece::Kind::curve; }
+  bool lies_in(Index curve, Index cell) const {
+    return std::ranges::binary_search(all_[curve].in_sheets, all_[cell].sheet);
+  }
+
+  /// What goes on smoothly as what: before anything is asked, for it makes cones wider.
+  void relate_leaves() {
+    std::vector<std::pair<Index, Index>> joined;
+    for (const auto& [a, b] : pairs_) {
+      if (!is_cell(a) || !is_cell(b)) continue;
+      const bool one_sheet = all_[a].sheet == all_[b].sheet;
+      if (all_[a].leaf != all_[b].leaf) {
+        if (!one_sheet) continue;
+        if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, middle_of(all_[a].corners[0]), 0, false});
+        joined.emplace_back(a, b);
+      } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b)) {
+        const PiecePart x = part_of(all_, all_[a], all_[a].range), y = part_of(all_, all_[b], all_[b].range);
+        if (!one_sheet && !x.blind && !y.blind && independent(x.cone, y.cone)) continue;
+        joined.emplace_back(a, b);
+        smooth_.emplace(a, b);
+      }
+    }
+    for (const auto& [a, b] : joined) pieces_.join(a, b);
+  }
+
+  void ask_pair(Index a, Index b) {
+    const bool one_leaf = all_[a].leaf == all_[b].leaf;
+    if (is_cell(a) && is_cell(b) && all_[a].sheet == all_[b].sheet) return;
+    if (is_cell(a) != is_cell(b) && lies_in(is_cell(a) ? b : a, is_cell(a) ? a : b)) return;
+    if (one_leaf && pieces_.adjacent(a, b)) return meet(a, b);
+    const Question question = one_leaf ? Question::angle : question_of({a, b});
+    if (question == Question::none) return;
+    ++proof_.asked;
+    bool some = false;
+    if (!ask({a, b}, question, some)) return;  // what is asked of more pieces is open with it
+    if (some) ++proof_.crossing, meet(a, b);
+    else ++proof_.apart;
+  }
+  void meet(Index a, Index b) {
+    together_[a].push_back(b);
+    together_[b].push_back(a);
+  }
+
+  /// Triples and quadruples whose first piece that is not exact is i.
+  void ask_more(Index i) {
+    const std::vector<Index>& near = together_[i];
+    const auto counts = [&](Index j) { return all_[j].exact() || j > i; };
+    for (std::size_t x = 0; x < near.size(); ++x) {
+      if (!counts(near[x])) continue;
+      for (std::size_t y = x + 1; y < near.size(); ++y) {
+        if (!counts(near[y]) || !may_meet(near[x], near[y]) || !boxes_meet({i, near[x], near[y]})) continue;
+        const std::vector<Index> triple{i, near[x], near[y]};
+        const Question question = question_of(triple);
+        bool some = true;
+        if (question != Question::none && !ask(triple, question, some)) continue;
+        if (!some) continue;
+        for (std::size_t z = y + 1; z < near.size(); ++z) {
+          const std::vector<Index> four{i, near[x], near[y], near[z]};
+          if (!counts(near[z]) || !may_meet(near[x], near[z]) || !may_meet(near[y], near[z]) ||
+              !boxes_meet(four))
+            continue;
+          const Question last = question_of(four);
+          bool any = true;
+          if (last != Question::none) ask(four, last, any);
+        }
+      }
+    }
+  }
+  bool may_meet(Index a, Index b) const {
+    if (all_[a].exact() && all_[b].exact()) return true;
+    return std::ranges::binary_search(together_[a], b);
+  }
+  bool boxes_meet(const std::vector<Index>& tuple) const {
+    for (std::size_t i = 0; i < tuple.size(); ++i) {
+      for (std::size_t j = i + 1; j < tuple.size(); ++j) {
+        if (!all_[tuple[i]].box.meets(all_[tuple[j]].box)) return false;
+      }
+    }
+    return true;
+  }
+
+  Question question_of(const std::vector<Index>& tuple) const {
+    bool one_leaf = true, exact = true;
+    std::size_t cells = 0;
+    std::vector<Index> curves;
+    for (std::size_t i = 0; i < tuple.size(); ++i) {
+      const Piece& piece = all_[tuple[i]];
+      one_leaf = one_leaf && piece.leaf == all_[tuple[0]].leaf;
+      exact = exact && piece.exact();
+      if (is_cell(tuple[i])) ++cells;
+      else curves.push_back(tuple[i]);
+      for (std::size_t j = 0; j < i; ++j) {
+        const Piece& other = all_[tuple[j]];
+        if (piece.sheet == other.sheet && is_cell(tuple[i]) == is_cell(tuple[j])) return Question::none;
+        if (is_cell(tuple[i]) != is_cell(tuple[j]) &&
+            lies_in(is_cell(tuple[i]) ? tuple[j] : tuple[i], is_cell(tuple[i]) ? tuple[i] : tuple[j]))
+          return Question::none;
+        if (smooth_.contains(std::minmax(tuple[i], tuple[j]))) return Question::none;
+        if (piece.leaf != other.leaf && !asked_for_(piece.leaf, other.leaf)) return Question::none;
+      }
+    }
+    if (one_leaf || exact) return Question::none;
+    if (curves.empty()) return cells <= 3 ? Question::angle : Question::apart;
+    if (curves.size() == 1) return cells == 1 ? Question::angle : Question::apart;
+    if (curves.size() > 2) return Question::apart;
+    std::vector<Index> common;
+    std::ranges::set_intersection(all_[curves[0]].in_sheets, all_[curves[1]].in_sheets, std::back_inserter(common));
+    if (common.size() > 1) return Question::none;  // the curve in which these sheets cross
+    return common.size() == 1 && cells == 0 ? Question::angle : Question::apart;
+  }
+
+  /// True if it is proven. `some`: whether they may have a point in common.
+  bool ask(const std::vector<Index>& tuple, Question question, bool& some) {
+    std::vector<std::pair<LeafId, std::uint32_t>> patches;
+    for (const Index i : tuple) patches.emplace_back(all_[i].leaf, all_[i].patch);
+    std::sort(patches.begin(), patches.end());
+    std::size_t& open = open_[patches];
+    if (open >= kMostOpen) return false;
+    Interval3 left{};
+    some = false;
+    if (answer(tuple, question, Between::facets_and_surfaces, some, left)) return true;
+    some = true;
+    OpenPlace place{tuple, middle_of(left), size_of(left), true};
+    if (++open <= kMostTold) {
+      bool any = false;
+      place.by_facets = answer(tuple, question, Between::surfaces, any, left);
+      if (!place.by_facets) place.at = middle_of(left), place.size = size_of(left);
+    }
+    proof_.open.push_back(std::move(place));
+    return false;
+  }
+  bool answer(const std::vector<Index>& tuple, Question question, Between between, bool& some, Interval3& left) {
+    std::size_t steps = kMostSteps;
+    PieceParts parts;
+    for (const Index i : tuple) parts.push_back(part_of(all_, all_[i], all_[i].range, between));
+    return answer(parts, question, between, steps, some, left);
+  }
+
+  bool answer(const PieceParts& parts, Question question, Between between, std::size_t& steps, bool& some,
+              Interval3& left) {
+    Interval3 common = parts[0].box;
+    for (const PiecePart& part : parts) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double low = std::max(common[k].inf(), part.box[k].inf()),
+                     high = std::min(common[k].sup(), part.box[k].sup());
+        if (low > high) return true;
+        common[k] = Interval(low, high);
+      }
+    }
+    for (const PiecePart& part : parts) {
+      if (part.piece->kind == Piece::Kind::flat && misses(*part.piece, common)) return true;
+    }
+    if (question == Question::angle && at_angle(parts)) {
+      some = true;
+      return true;
+    }
+    if (parted(parts, between)) return true;
+    left = common;
+    std::size_t widest = parts.size();
+    double most = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i].piece->kind == Piece::Kind::flat) continue;
+      const double size = size_of(parts[i].box);
+      if (size > most && size > least_size(*parts[i].piece, between)) most = size, widest = i;
+    }
+    if (widest == parts.size() || steps == 0) return false;
+    --steps;
+    PieceParts next = parts;
+    for (const PiecePart& half : halves(all_, parts[widest], between)) {
+      next[widest] = half;
+      if (!answer(next, question, between, steps, some, left)) return false;
+    }
+    return true;
+  }
+
+  /// Below this a part of a piece is not halved: it gets no thinner.
+  double least_size(const Piece& piece, Between between) {
+    double& thickness = thickness_[static_cast<std::size_t>(&piece - all_.data())];
+    if (thickness < 0) {
+      const PiecePart whole = part_of(all_, piece, piece.range);
+      const auto d = piece.kind == Piece::Kind::cell && !whole.blind ? direction(middle_of(whole.cone)) : std::nullopt;
+      thickness = 0;
+      if (d) {
+        const Interval wide = extent(whole, *d, Between::facets_and_surfaces);
+        thickness = wide.sup() - wide.inf();
+      }
+    }
+    double far = 0;
+    for (std::size_t k = 0; k < 3; ++k) far = std::max({far, std::abs(piece.box.lo[k]), std::abs(piece.box.hi[k])});
+    return std::max(between == Between::surfaces ? 0 : thickness / 2, 1e-14 * far);
+  }
+
+  static bool at_angle(const PieceParts& parts) {
+    for (const PiecePart& part : parts) {
+      if (part.blind) return false;
+    }
+    if (parts.size() == 3) return independent(parts[0].cone, parts[1].cone, parts[2].cone);
+    const bool first = parts[0].piece->kind == Piece::Kind::curve, second = parts[1].piece->kind == Piece::Kind::curve;
+    if (first != second) return !holds_zero(dot(parts[0].cone, parts[1].cone));
+    return independent(parts[0].cone, parts[1].cone);
+  }
+
+  /// True if the box has no point of the flat piece.
+  static bool misses(const Piece& flat, const Interval3& box) {
+    if (!holds_zero(dot(flat.normal, difference(box, flat.point)))) return true;
+    for (std::size_t i = 0; i < flat.outline.size(); ++i) {
+      const Interval3 &a = flat.outline[i], &b = flat.outline[(i + 1) % flat.outline.size()];
+      const Interval3 out = cross(difference(b, a), flat.normal);
+      if (dot(out, difference(box, a)).inf() > 0) return true;
+    }
+    return false;
+  }
+
+  /// True if two of the parts are on different sides of a plane.
+  static bool parted(const PieceParts& parts, Between between) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i].blind || parts[i].piece->kind == Piece::Kind::curve) continue;
+      const auto d = direction(middle_of(parts[i].cone));
+      if (!d) continue;
+      const Interval own = extent(parts[i], *d, between);
+      for (std::size_t j = 0; j < parts.size(); ++j) {
+        if (j == i) continue;
+        const Interval other = extent(parts[j], *d, between);
+        if (own.sup() < other.inf() || other.sup() < own.inf()) return true;
+      }
+    }
+    return false;
+  }
+
+  Pieces& pieces_;
+  const std::vector<Piece>& all_;
+  const std::function<bool(LeafId, LeafId)>& asked_for_;
+  std::vector<std::pair<Index, Index>> pairs_;
+  std::vector<std::vector<Index>> together_;
+  std::set<std::pair<Index, Index>> smooth_;
+  std::vector<double> thickness_;  // of pieces; below 0 where it is not known yet
+  std::map<std::vector<std::pair<LeafId, std::uint32_t>>, std::size_t> open_;  // how many places, by patches
+  Proof proof_;
+};
+
+}  // namespace
+
+Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for) {
+  return Prover(pieces, asked_for).run();
+}
+
+}  // namespace cnrg

@@ -1,0 +1,47 @@
+// Whether the complex of facets has the incidence of the arrangement of the true surfaces: a proof, or the places
+// where there is none.
+//
+// H moves facets into surfaces (pieces.h). While all strata of all leaves are in general position for every t, the
+// arrangement at t = 1 is that at t = 0 up to a homeomorphism of space (siebenmann1972, Corollary 6.14: what is
+// locally a product over t, and proper, is a product). General position is asked of generalized normals
+// (clarke1976), for H has kinks where facets meet:
+//   two sheets      no normals of one are parallel to one of the other, where they meet;
+//   three           no normals of them lie in a plane;
+//   four            have no point in common;
+//   curve, sheet    the tangent is not at right angles to the normal; with two sheets: no point in common;
+//   two curves      no common point, but on a sheet in which both lie, where they cross at an angle.
+// Where a curve of a leaf is where two of its sheets cross, it is no stratum of its own: the sheets decide. Sheets
+// that are one surface in truth are asked whether they are drawn alike.
+//
+// All is decided by intervals on parts of pieces, which are halved until it is, or a number of steps is reached.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "csg/certify/pieces.h"
+
+namespace cnrg {
+
+/// Pieces of which it is not proven that they are in general position.
+struct OpenPlace {
+  std::vector<std::uint32_t> pieces;
+  std::array<double, 3> at{};
+  double size = 0;  ///< of what was left undecided there, a length
+  /// The surfaces alone are in general position there: finer facets would do.
+  bool by_facets = false;
+};
+
+struct Proof {
+  std::size_t asked = 0;     ///< pairs of pieces whose boxes meet
+  std::size_t apart = 0;     ///< of them: proven to have no point in common
+  std::size_t crossing = 0;  ///< proven to cross at an angle, if they do
+  std::vector<OpenPlace> open;
+};
+
+/// `asked_for`: whether leaves are below one node that matters.
+Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for);
+
+}  // namespace cnrg
