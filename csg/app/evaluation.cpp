@@ -102,7 +102,8 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
     if (!quiet) {
       tell(tree.file + ": notice: certified: surfaces meet as their facets do; of " +
            count(certificate.asked, "pair") + " of facets near each other " + std::to_string(certificate.apart) +
-           " are apart and " + std::to_string(certificate.crossing) + " cross");
+           " are apart, " + std::to_string(certificate.crossing) + " cross and " +
+           std::to_string(certificate.contacts) + " touch");
     }
     return certificate.asked > 0;
   }

@@ -104,6 +104,20 @@ bool on_a_line(const ControlRow& net) {
 
 class Numbers {
  public:
+  void add_quadrics(std::map<std::uint32_t, Quadric>& out) const {
+    for (const auto& [keys, number] : known_) {
+      const Key& key = *keys.begin();
+      if (keys.size() != 1 || key[0] != kQuadric) continue;
+      Quadric& q = out[number];
+      std::size_t next = 1;
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = i; j < 3; ++j) q[i][j] = q[j][i] = key[next++];
+      }
+      for (std::size_t i = 0; i < 3; ++i) q[i][3] = q[3][i] = key[next++];
+      q[3][3] = key[next];
+    }
+  }
+
   std::vector<std::uint32_t> of(const LeafInstance& instance) {
     keys_.clear();
     unknown_.clear();
@@ -235,7 +249,8 @@ class Numbers {
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafInstance>& instances) {
+std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafInstance>& instances,
+                                                        std::map<std::uint32_t, Quadric>* quadrics) {
   Numbers numbers;
   std::vector<std::vector<std::uint32_t>> result;
   for (const LeafInstance& instance : instances) {
@@ -243,6 +258,7 @@ std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafIn
       result.push_back(numbers.of(instance));
     else result.emplace_back();
   }
+  if (quadrics != nullptr) numbers.add_quadrics(*quadrics);
   return result;
 }
 

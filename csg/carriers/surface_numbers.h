@@ -8,16 +8,23 @@
 // polynomials of their nets (net_carriers.h).
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "csg/leaves/leaf.h"
 
 namespace cnrg {
 
+/// Symmetric.
+using Quadric = std::array<std::array<Rational, 4>, 4>;
+
 /// Of each instance, by the number of the patch: that of its surface, from 1. 0, also beyond the end: the patch is
 /// flat, or what it lies on is not known. A patch of several nets lies on one surface with another one only if it
 /// lies on all of its surfaces.
-std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafInstance>& instances);
+/// `quadrics`, if given, gets the equations of those that are quadrics: x' A x = 0 for x = (x, y, z, 1).
+std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafInstance>& instances,
+                                                        std::map<std::uint32_t, Quadric>* quadrics = nullptr);
 
 }  // namespace cnrg

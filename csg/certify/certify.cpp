@@ -76,7 +76,7 @@ std::vector<UncertainPlace> places_of(const Evaluation& evaluation, const std::v
 
 void add(Certificate& all, const Evaluation& evaluation) {
   if (!evaluation.placed) return;
-  Pieces pieces(evaluation.placed->instances, evaluation.placed->surfaces, evaluation.reach);
+  Pieces pieces(*evaluation.placed, evaluation.reach);
   if (pieces.curved() == 0) return;
   std::vector<std::vector<char>> below;
   for (const KeptValue& kept : evaluation.kept) {
@@ -89,6 +89,7 @@ void add(Certificate& all, const Evaluation& evaluation) {
   all.asked += proof.asked;
   all.apart += proof.apart;
   all.crossing += proof.crossing;
+  all.contacts += proof.contacts;
   for (UncertainPlace& place : places_of(evaluation, pieces.all(), proof.open)) all.places.push_back(std::move(place));
 }
 

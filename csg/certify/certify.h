@@ -20,7 +20,7 @@ struct UncertainPlace {
 };
 
 struct Certificate {
-  std::size_t asked = 0, apart = 0, crossing = 0;  ///< pairs of facets: in all, and what was proven of them
+  std::size_t asked = 0, apart = 0, crossing = 0, contacts = 0;  ///< pairs of facets: in all, and what was proven of them
   std::vector<UncertainPlace> places;
   std::vector<Diagnostic> notices(const Tree& tree, std::size_t most) const;  ///< of the first places
 };

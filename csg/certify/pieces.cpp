@@ -143,9 +143,9 @@ PlaneKey plane_key(const RationalPoint& normal, const RationalPoint& on) {
 
 class PieceMaker {
  public:
-  PieceMaker(Pieces& out, const std::vector<LeafInstance>& instances,
-             std::span<const std::vector<std::uint32_t>> surfaces, std::span<const RationalPoint> reach)
-      : out_(out), surfaces_(surfaces) {
+  PieceMaker(Pieces& out, const PlacedLeaves& leaves, std::span<const RationalPoint> reach)
+      : out_(out), leaves_(leaves) {
+    const std::vector<LeafInstance>& instances = leaves.instances;
     for (std::size_t i = 0; i < instances.size(); ++i) {
       const PreparedLeaf* leaf = instances[i].leaf.get();
       if (leaf->unbounded()) continue;
@@ -154,6 +154,11 @@ class PieceMaker {
       add(LeafId(i), *it->second, instances[i].transform);
     }
     add_unbounded(instances, reach);
+    for (const auto& [plane, sheet] : planes_) out_.planes_[sheet] = plane;
+    for (const auto& [key, sheet] : sheets_) {
+      const auto it = leaves.quadrics.find(key[1]);
+      if (key[0] == 0 && it != leaves.quadrics.end()) out_.quadrics_[sheet] = it->second;
+    }
   }
 
  private:
@@ -167,7 +172,7 @@ class PieceMaker {
   };
 
   std::uint32_t sheet_of(LeafId leaf, std::uint32_t patch) {
-    const std::vector<std::uint32_t>* known = surfaces_.empty() ? nullptr : &surfaces_[leaf.index()];
+    const std::vector<std::uint32_t>* known = leaves_.surfaces.empty() ? nullptr : &leaves_.surfaces[leaf.index()];
     const std::uint32_t number = known != nullptr && patch < known->size() ? (*known)[patch] : 0;
     if (number != 0) return sheet_number({0, number, 0});
     return sheet_number({1, static_cast<std::uint32_t>(leaf.index()), patch});
@@ -194,7 +199,7 @@ class PieceMaker {
       }
     }
     if (identity) exact_ = mould.numbers.points();
-    if (!mould.cells.empty()) out_.points_[leaf] = exact_;
+    out_.points_[leaf] = exact_;
     const std::size_t first = out_.pieces_.size();
     if (mould.surfaces) out_.leaf_surfaces_.push_back(mould.surfaces);
     for (const Mould::Cell& cell : mould.cells) add_cell(place, cell);
@@ -487,7 +492,7 @@ class PieceMaker {
     for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
       const LeafId leaf = soup.face(f).leaf;
       if (leaf.index() >= instances.size() || !instances[leaf.index()].leaf->unbounded()) continue;
-      std::vector<RationalPoint> corners;
+      std::vector<RationalPoint>& corners = out_.points_[leaf];
       for (const PointId p : soup.corners(f)) corners.push_back(exact_value(soup, p));
       Piece piece;
       piece.kind = Piece::Kind::flat;
@@ -504,7 +509,7 @@ class PieceMaker {
   }
 
   Pieces& out_;
-  std::span<const std::vector<std::uint32_t>> surfaces_;
+  const PlacedLeaves& leaves_;
   std::map<const PreparedLeaf*, std::unique_ptr<Mould>> moulds_;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> sheets_;
   std::map<PlaneKey, std::uint32_t> planes_;
@@ -515,11 +520,10 @@ class PieceMaker {
   std::uint32_t next_ = 1;
 };
 
-Pieces::Pieces(const std::vector<LeafInstance>& instances, std::span<const std::vector<std::uint32_t>> surfaces,
-               std::span<const RationalPoint> reach) {
+Pieces::Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach) {
   {
     const enclosure::RoundOutward outward;
-    PieceMaker(*this, instances, surfaces, reach);
+    PieceMaker(*this, leaves, reach);
   }
   const enclosure::RoundOutward outward;
   for (Piece& piece : pieces_) {
@@ -545,26 +549,118 @@ void Pieces::join(std::uint32_t a, std::uint32_t b) {
   }
 }
 
-bool Pieces::drawn_alike(std::uint32_t a, std::uint32_t b) const {
-  const auto corners = [&](std::uint32_t i) {
-    std::vector<const RationalPoint*> result;
-    for (std::size_t k = 0; k < pieces_[i].corner_count; ++k)
-      result.push_back(&points_.at(pieces_[i].leaf)[pieces_[i].points[k]]);
-    return result;
-  };
-  // The sides of one on which corners of the other are: 1 in front, 2 behind.
-  const auto sides = [&](const auto& plane, const auto& others) {
-    RationalPoint normal = cross(*plane[1] - *plane[0], *plane[2] - *plane[0]);
-    if (is_zero(normal)) normal = cross(*plane[2] - *plane[0], *plane.back() - *plane[0]);
-    int result = 0;
-    for (const RationalPoint* p : others) {
-      const int side = sgn(dot(normal, *p - *plane[0]));
-      result |= side > 0 ? 1 : side < 0 ? 2 : 0;
+const RationalPoint& Pieces::corner(std::uint32_t piece, std::size_t k) const {
+  return points_.at(pieces_[piece].leaf)[pieces_[piece].points[k]];
+}
+
+RationalPoint Pieces::normal_of(std::uint32_t cell) const {
+  const RationalPoint& first = corner(cell, 0);
+  const RationalPoint normal = cross(corner(cell, 1) - first, corner(cell, 2) - first);
+  if (!is_zero(normal)) return normal;
+  return cross(corner(cell, 2) - first, corner(cell, pieces_[cell].corner_count - 1u) - first);
+}
+
+PlaneEquation Pieces::equation_of(std::uint32_t piece) const {
+  if (pieces_[piece].kind == Piece::Kind::flat) return planes_.at(pieces_[piece].sheet);
+  const RationalPoint normal = normal_of(piece);
+  return {normal[0], normal[1], normal[2], Rational(-dot(normal, corner(piece, 0)))};
+}
+
+/// True if one of the points is in the closed hull of the corners of a piece, which are in one plane with it.
+bool Pieces::holds(std::uint32_t piece, const std::vector<const RationalPoint*>& points) const {
+  const RationalPoint normal = normal_of(piece);
+  const std::size_t n = pieces_[piece].corner_count;
+  return std::ranges::any_of(points, [&](const RationalPoint* p) {
+    int seen = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const RationalPoint& from = corner(piece, k);
+      const int side = sgn(dot(normal, cross(corner(piece, (k + 1) % n) - from, *p - from)));
+      seen |= side > 0 ? 1 : side < 0 ? 2 : 0;
     }
-    return result;
+    return seen != 3 && dot(normal, *p - corner(piece, 0)) == 0;
+  });
+}
+
+int Pieces::sides(const PlaneEquation& equation, std::uint32_t of, std::vector<const RationalPoint*>& on) const {
+  int result = 0;
+  for (std::size_t k = 0; k < pieces_[of].corner_count; ++k) {
+    const RationalPoint& p = corner(of, k);
+    const int side = sgn(equation[0] * p[0] + equation[1] * p[1] + equation[2] * p[2] + equation[3]);
+    result |= side > 0 ? 1 : side < 0 ? 2 : 0;
+    if (side == 0) on.push_back(&p);
+  }
+  return result;
+}
+
+bool Pieces::drawn_alike(std::uint32_t a, std::uint32_t b) const {
+  std::vector<const RationalPoint*> on;
+  return sides(equation_of(a), b, on) != 3 || sides(equation_of(b), a, on) != 3;
+}
+
+const std::optional<Contact>& Pieces::contact_of(std::uint32_t sheet, std::uint32_t other) {
+  const auto [it, fresh] = contacts_.try_emplace(std::minmax(sheet, other));
+  if (!fresh) return it->second;
+  const auto first = quadrics_.find(sheet), second = quadrics_.find(other);
+  const auto plane = planes_.find(first == quadrics_.end() ? sheet : other);
+  if (first != quadrics_.end() && second != quadrics_.end()) it->second = contact(first->second, second->second);
+  else if ((first != quadrics_.end() || second != quadrics_.end()) && plane != planes_.end())
+    it->second = contact(plane->second, (first != quadrics_.end() ? first : second)->second);
+  return it->second;
+}
+
+namespace {
+
+Rational row_times(const Quadric& q, std::size_t row, const RationalPoint& p) {
+  return q[row][0] * p[0] + q[row][1] * p[1] + q[row][2] * p[2] + q[row][3];
+}
+RationalPoint gradient(const Quadric& q, const RationalPoint& p) {
+  return {row_times(q, 0, p), row_times(q, 1, p), row_times(q, 2, p)};
+}
+
+}  // namespace
+
+bool Pieces::on_true_side(std::uint32_t plane, std::uint32_t of, const Contact& contact) const {
+  const Quadric& q = quadrics_.at(pieces_[plane].sheet);
+  const RationalPoint& at = corner(plane, 0);
+  const RationalPoint normal = normal_of(plane);
+  const int turned = sgn(dot(normal, gradient(q, at)));
+  for (std::size_t k = 0; k < pieces_[of].corner_count; ++k) {
+    const RationalPoint& p = corner(of, k);
+    if (contact.has(p)) continue;  // on both surfaces, but for what is rounded
+    const int of_facet = sgn(dot(normal, p - at));
+    const int of_surface = sgn(dot(p, gradient(q, p)) + row_times(q, 3, p));
+    if (of_facet != 0 && of_facet * turned != of_surface) return false;
+  }
+  return turned != 0;
+}
+
+// A plane that has all of one on one side and all of the other on the other side: that of one of them, or where
+// surfaces touch from outside, the one in which both are tangent.
+Pieces::Meeting Pieces::facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const {
+  const auto at_contact = [&](const std::vector<const RationalPoint*>& on) {
+    return std::ranges::all_of(on, [&](const RationalPoint* p) { return contact.has(*p); });
   };
-  const auto of_a = corners(a), of_b = corners(b);
-  return sides(of_a, of_b) != 3 || sides(of_b, of_a) != 3;
+  for (const auto& [plane, of] : {std::pair(a, b), std::pair(b, a)}) {
+    if (pieces_[of].kind == Piece::Kind::flat) continue;
+    std::vector<const RationalPoint*> on;
+    const int side = sides(equation_of(plane), of, on);
+    if (side == 3 || side == 0 || !at_contact(on)) continue;
+    if (pieces_[plane].kind == Piece::Kind::cell && !on_true_side(plane, of, contact)) continue;
+    // What is not flat has the common points as corners, too.
+    const bool met = !on.empty() && (pieces_[plane].kind == Piece::Kind::flat || holds(plane, on));
+    return met ? Meeting::at_contact : Meeting::apart;
+  }
+  if (pieces_[a].kind == Piece::Kind::flat || pieces_[b].kind == Piece::Kind::flat ||
+      (contact.kind != Contact::Kind::point && contact.kind != Contact::Kind::line))
+    return Meeting::otherwise;
+  const RationalPoint normal = gradient(quadrics_.at(pieces_[a].sheet), contact.point);
+  if (is_zero(normal)) return Meeting::otherwise;
+  const PlaneEquation tangent{normal[0], normal[1], normal[2], Rational(-dot(normal, contact.point))};
+  std::vector<const RationalPoint*> on_a, on_b;
+  const int of_a = sides(tangent, a, on_a), of_b = sides(tangent, b, on_b);
+  if (of_a == 0 || of_b == 0 || (of_a | of_b) != 3 || of_a == of_b || !at_contact(on_a) || !at_contact(on_b))
+    return Meeting::otherwise;
+  return !on_a.empty() && holds(b, on_a) ? Meeting::at_contact : Meeting::apart;
 }
 
 namespace {

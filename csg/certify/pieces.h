@@ -17,8 +17,9 @@
 #include <utility>
 #include <vector>
 
+#include "csg/certify/contact.h"
 #include "csg/curves/surface_placed.h"
-#include "csg/leaves/leaf.h"
+#include "csg/evaluate/drawings.h"
 #include "kernel/refine/box.h"
 
 namespace cnrg {
@@ -61,11 +62,10 @@ struct Piece {
   bool exact() const { return kind == Kind::flat || (kind == Kind::curve && surface == nullptr && !curve); }
 };
 
-/// All pieces of leaves as they are drawn. `surfaces` as of `make_soup`.
+/// All pieces of leaves as they are drawn.
 class Pieces {
  public:
-  Pieces(const std::vector<LeafInstance>& instances, std::span<const std::vector<std::uint32_t>> surfaces,
-         std::span<const RationalPoint> reach);
+  Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach);
   const std::vector<Piece>& all() const { return pieces_; }
   /// True if the pieces, of one leaf, have a corner in common.
   bool adjacent(std::uint32_t a, std::uint32_t b) const;
@@ -74,13 +74,34 @@ class Pieces {
   /// True if two cells of one surface, of different leaves, are drawn so that they do not cross: they are equal,
   /// lie in one plane, or one is on one side of the other.
   bool drawn_alike(std::uint32_t a, std::uint32_t b) const;
+  /// What two sheets have in common, if one is on one side of the other, exactly.
+  const std::optional<Contact>& contact_of(std::uint32_t sheet, std::uint32_t other);
+  /// How the facets of two cells, or of a cell and a flat piece, meet.
+  enum class Meeting : std::uint8_t {
+    apart,      ///< one is on one side of the other, without a common point
+    at_contact, ///< the same, and what they have in common is on the contact
+    otherwise,
+  };
+  Meeting facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const;
   std::size_t curved() const { return curved_; }  ///< how many cells and curves are not exact
 
  private:
+  /// Of a piece that is not flat.
+  const RationalPoint& corner(std::uint32_t piece, std::size_t k) const;
+  RationalPoint normal_of(std::uint32_t cell) const;
+  /// True if corners of a cell are on the side of a facet on which they are of its quadric.
+  bool on_true_side(std::uint32_t plane, std::uint32_t of, const Contact& contact) const;
+  PlaneEquation equation_of(std::uint32_t piece) const;
+  bool holds(std::uint32_t piece, const std::vector<const RationalPoint*>& points) const;
+  /// The sides of a plane on which corners of a piece are: 1 in front, 2 behind; and those on it.
+  int sides(const PlaneEquation& plane, std::uint32_t of, std::vector<const RationalPoint*>& on) const;
   std::vector<std::shared_ptr<const LeafSurfaces>> leaf_surfaces_;
   std::map<std::pair<LeafId, std::uint32_t>, std::unique_ptr<const PlacedSurface>> placed_;
   std::vector<Piece> pieces_;
-  std::map<LeafId, std::vector<RationalPoint>> points_;  // of leaves with cells, by number, placed
+  std::map<LeafId, std::vector<RationalPoint>> points_;  // by number, placed
+  std::map<std::uint32_t, PlaneEquation> planes_;        // by sheet
+  std::map<std::uint32_t, Quadric> quadrics_;            // by sheet
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<Contact>> contacts_;
   std::size_t curved_ = 0;
   friend class PieceMaker;
 };

@@ -39,7 +39,8 @@ std::optional<Vector3<double>> direction(const Vector3<double>& x) {
 /// What is asked of some pieces.
 enum class Question : std::uint8_t {
   none,   ///< answered by what is asked of fewer, or of the leaf itself
-  angle,  ///< apart, or independent
+  angle,    ///< apart, or independent
+  contact,  ///< apart, or what two have in common, along a curve, crosses the third at an angle
   apart,
 };
 
@@ -140,7 +141,8 @@ class Prover {
     ++proof_.asked;
     bool some = false;
     if (!ask({a, b}, question, some)) return;  // what is asked of more pieces is open with it
-    if (some) ++proof_.crossing, meet(a, b);
+    if (contacts_.contains({a, b})) ++proof_.contacts;
+    else if (some) ++proof_.crossing, meet(a, b);
     else ++proof_.apart;
   }
   void meet(Index a, Index b) {
@@ -207,6 +209,11 @@ class Prover {
       }
     }
     if (one_leaf || exact) return Question::none;
+    std::size_t touching = 0;
+    for (std::size_t i = 0; i < tuple.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) touching += contacts_.contains(std::minmax(tuple[i], tuple[j])) ? 1 : 0;
+    }
+    if (touching > 0) return touching == 1 && tuple.size() == 3 ? Question::contact : Question::apart;
     if (curves.empty()) return cells <= 3 ? Question::angle : Question::apart;
     if (curves.size() == 1) return cells == 1 ? Question::angle : Question::apart;
     if (curves.size() > 2) return Question::apart;
@@ -226,6 +233,12 @@ class Prover {
     Interval3 left{};
     some = false;
     if (answer(tuple, question, Between::facets_and_surfaces, some, left)) return true;
+    if (tuple.size() == 2 && is_cell(tuple[0]) && is_cell(tuple[1])) {
+      if (const auto known = touch(tuple[0], tuple[1])) {
+        some = *known;
+        return true;
+      }
+    }
     some = true;
     OpenPlace place{tuple, middle_of(left), size_of(left), true};
     if (++open <= kMostTold) {
@@ -236,6 +249,24 @@ class Prover {
     proof_.open.push_back(std::move(place));
     return false;
   }
+  /// Nothing, unless one sheet is on one side of the other, and so are the facets. Then whether they have points of
+  /// the contact in common: facets and surfaces both.
+  std::optional<bool> touch(Index a, Index b) {
+    const std::optional<Contact>& contact = pieces_.contact_of(all_[a].sheet, all_[b].sheet);
+    if (!contact) return std::nullopt;
+    const Pieces::Meeting meeting = pieces_.facets_meet(a, b, *contact);
+    if (meeting == Pieces::Meeting::otherwise) return std::nullopt;
+    if (meeting == Pieces::Meeting::at_contact) {
+      contacts_.emplace(a, b);
+      return true;
+    }
+    if (contact->kind == Contact::Kind::none) return false;
+    bool some = false;
+    Interval3 left{};
+    if (answer({a, b}, Question::apart, Between::surfaces, some, left)) return false;
+    return std::nullopt;
+  }
+
   bool answer(const std::vector<Index>& tuple, Question question, Between between, bool& some, Interval3& left) {
     std::size_t steps = kMostSteps;
     PieceParts parts;
@@ -257,7 +288,8 @@ class Prover {
     for (const PiecePart& part : parts) {
       if (part.piece->kind == Piece::Kind::flat && misses(*part.piece, common)) return true;
     }
-    if (question == Question::angle && at_angle(parts)) {
+    if ((question == Question::angle && at_angle(parts)) ||
+        (question == Question::contact && contact_at_angle(parts))) {
       some = true;
       return true;
     }
@@ -278,6 +310,23 @@ class Prover {
       if (!answer(next, question, between, steps, some, left)) return false;
     }
     return true;
+  }
+
+  /// Of two parts in contact and a third piece, a sheet.
+  bool contact_at_angle(const PieceParts& parts) {
+    std::array<std::size_t, 3> order{0, 1, 2};
+    const auto number = [&](std::size_t i) { return static_cast<Index>(parts[i].piece - all_.data()); };
+    while (!contacts_.contains(std::minmax(number(order[0]), number(order[1]))))
+      std::rotate(order.begin(), order.begin() + 1, order.end());
+    const PiecePart &a = parts[order[0]], &b = parts[order[1]], &c = parts[order[2]];
+    if (c.blind || c.piece->kind == Piece::Kind::curve) return false;
+    const Contact& contact = *pieces_.contact_of(a.piece->sheet, b.piece->sheet);
+    const Interval3 direction{enclose(contact.direction[0]), enclose(contact.direction[1]),
+                              enclose(contact.direction[2])};
+    if (contact.kind == Contact::Kind::line) return !holds_zero(dot(direction, c.cone));
+    const PiecePart& one = a.blind ? b : a;
+    return contact.kind == Contact::Kind::conic && !one.blind &&
+           !holds_zero(dot(cross(direction, one.cone), c.cone));
   }
 
   /// Below this a part of a piece is not halved: it gets no thinner.
@@ -339,7 +388,7 @@ class Prover {
   const std::function<bool(LeafId, LeafId)>& asked_for_;
   std::vector<std::pair<Index, Index>> pairs_;
   std::vector<std::vector<Index>> together_;
-  std::set<std::pair<Index, Index>> smooth_;
+  std::set<std::pair<Index, Index>> smooth_, contacts_;
   std::vector<double> thickness_;  // of pieces; below 0 where it is not known yet
   std::map<std::vector<std::pair<LeafId, std::uint32_t>>, std::size_t> open_;  // how many places, by patches
   Proof proof_;

@@ -38,6 +38,7 @@ struct Proof {
   std::size_t asked = 0;     ///< pairs of pieces whose boxes meet
   std::size_t apart = 0;     ///< of them: proven to have no point in common
   std::size_t crossing = 0;  ///< proven to cross at an angle, if they do
+  std::size_t contacts = 0;  ///< proven to touch as their surfaces do (contact.h)
   std::vector<OpenPlace> open;
 };
 

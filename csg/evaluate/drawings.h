@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "csg/carriers/surface_numbers.h"
 #include "csg/evaluate/prepared_leaves.h"
 
 namespace cnrg {
@@ -18,6 +19,7 @@ namespace cnrg {
 struct PlacedLeaves {
   std::vector<LeafInstance> instances;
   std::vector<std::vector<std::uint32_t>> surfaces;  ///< as `make_soup` has it
+  std::map<std::uint32_t, Quadric> quadrics;         ///< of `surfaces`, as `surface_numbers` has them
 };
 
 class Drawings {

@@ -1,0 +1,287 @@
+// Pencils of quadrics; see the header.
+#include "csg/certify/contact.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "kernel/exact/exact_vectors.h"
+
+namespace cnrg {
+namespace {
+
+using Row = std::vector<Rational>;
+using Matrix = std::vector<Row>;  // rows
+using Polynomial = Row;           // the constant first; no zero at the end
+
+Matrix transposed(const Matrix& m) {
+  Matrix t(m.empty() ? 0 : m[0].size(), Row(m.size()));
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    for (std::size_t j = 0; j < m[i].size(); ++j) t[j][i] = m[i][j];
+  }
+  return t;
+}
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix c(a.size(), Row(b.empty() ? 0 : b[0].size(), 0));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      if (a[i][k] == 0) continue;
+      for (std::size_t j = 0; j < b[k].size(); ++j) c[i][j] += a[i][k] * b[k][j];
+    }
+  }
+  return c;
+}
+/// The form on the space that the columns of `basis` span.
+Matrix on(const Matrix& form, const Matrix& basis) { return product(product(transposed(basis), form), basis); }
+
+/// Columns that span the kernel.
+Matrix kernel(Matrix m, std::size_t n) {
+  std::vector<std::size_t> pivots;
+  std::size_t row = 0;
+  for (std::size_t col = 0; col < n && row < m.size(); ++col) {
+    std::size_t at = row;
+    while (at < m.size() && m[at][col] == 0) ++at;
+    if (at == m.size()) continue;
+    std::swap(m[at], m[row]);
+    const Rational pivot = m[row][col];
+    for (Rational& x : m[row]) x /= pivot;
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      if (i == row || m[i][col] == 0) continue;
+      const Rational factor = m[i][col];
+      for (std::size_t j = 0; j < n; ++j) m[i][j] -= factor * m[row][j];
+    }
+    pivots.push_back(col);
+    ++row;
+  }
+  Matrix columns(n);
+  for (std::size_t col = 0; col < n; ++col) {
+    if (std::find(pivots.begin(), pivots.end(), col) != pivots.end()) continue;
+    for (std::size_t i = 0; i < n; ++i) columns[i].push_back(i == col ? 1 : 0);
+    for (std::size_t r = 0; r < pivots.size(); ++r) columns[pivots[r]].back() = -m[r][col];
+  }
+  return columns;
+}
+
+/// True if no two values of the form have opposite signs: by Gauss's elimination of a symmetric matrix.
+bool semidefinite(Matrix m) {
+  int sign = 0;
+  const std::size_t n = m.size();
+  std::vector<char> done(n);
+  for (std::size_t step = 0; step < n; ++step) {
+    std::size_t pivot = n;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!done[i] && m[i][i] != 0) pivot = i;
+    }
+    if (pivot == n) break;
+    const int own = sgn(m[pivot][pivot]);
+    if (sign != 0 && own != sign) return false;
+    sign = own;
+    done[pivot] = 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (done[i] || m[i][pivot] == 0) continue;
+      const Rational factor = m[i][pivot] / m[pivot][pivot];
+      for (std::size_t j = 0; j < n; ++j) m[i][j] -= factor * m[pivot][j];
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      if (!done[i] && !done[j] && m[i][j] != 0) return false;  // a zero on the diagonal alone
+    }
+  }
+  return true;
+}
+
+Rational determinant(Matrix m) {
+  Rational result = 1;
+  const std::size_t n = m.size();
+  for (std::size_t col = 0; col < n; ++col) {
+    std::size_t at = col;
+    while (at < n && m[at][col] == 0) ++at;
+    if (at == n) return 0;
+    if (at != col) {
+      std::swap(m[at], m[col]);
+      result = -result;
+    }
+    result *= m[col][col];
+    for (std::size_t i = col + 1; i < n; ++i) {
+      const Rational factor = m[i][col] / m[col][col];
+      for (std::size_t j = col; j < n; ++j) m[i][j] -= factor * m[col][j];
+    }
+  }
+  return result;
+}
+
+void trim(Polynomial& p) {
+  while (!p.empty() && p.back() == 0) p.pop_back();
+}
+Polynomial derivative(const Polynomial& p) {
+  Polynomial d;
+  for (std::size_t i = 1; i < p.size(); ++i) d.push_back(p[i] * Rational(static_cast<long>(i)));
+  return d;
+}
+Polynomial remainder(Polynomial p, const Polynomial& q) {
+  while (p.size() >= q.size()) {
+    const Rational factor = p.back() / q.back();
+    const std::size_t shift = p.size() - q.size();
+    for (std::size_t i = 0; i < q.size(); ++i) p[i + shift] -= factor * q[i];
+    p.pop_back();
+    trim(p);
+  }
+  return p;
+}
+Polynomial common_divisor(Polynomial p, Polynomial q) {
+  while (!q.empty()) {
+    Polynomial r = remainder(std::move(p), q);
+    p = std::move(q);
+    q = std::move(r);
+  }
+  return p;
+}
+
+/// det(a - l b) as a polynomial in l, from its values at 0, 1, ... n.
+Polynomial characteristic(const Matrix& a, const Matrix& b) {
+  const std::size_t n = a.size();
+  Polynomial result, basis{1};
+  std::vector<Rational> values;
+  for (std::size_t x = 0; x <= n; ++x) {
+    Matrix m = a;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) m[i][j] -= Rational(static_cast<long>(x)) * b[i][j];
+    }
+    values.push_back(determinant(std::move(m)));
+  }
+  // Newton's divided differences.
+  for (std::size_t level = 1; level <= n; ++level) {
+    for (std::size_t i = n; i >= level; --i)
+      values[i] = (values[i] - values[i - 1]) / Rational(static_cast<long>(level));
+  }
+  result.assign(n + 1, 0);
+  for (std::size_t k = 0; k <= n; ++k) {
+    for (std::size_t i = 0; i < basis.size(); ++i) result[i] += values[k] * basis[i];
+    Polynomial next(basis.size() + 1, 0);
+    for (std::size_t i = 0; i < basis.size(); ++i) {
+      next[i + 1] += basis[i];
+      next[i] -= Rational(static_cast<long>(k)) * basis[i];
+    }
+    basis = std::move(next);
+  }
+  trim(result);
+  return result;
+}
+
+std::optional<Rational> square_root(const Rational& x) {
+  if (x < 0) return std::nullopt;
+  Integer p, q;
+  mpz_sqrt(p.get_mpz_t(), x.get_num_mpz_t());
+  mpz_sqrt(q.get_mpz_t(), x.get_den_mpz_t());
+  const Rational root(p, q);
+  if (root * root != x) return std::nullopt;
+  return root;
+}
+
+/// Rational roots of more than one multiplicity, as far as they are found: of what p and its derivative have in
+/// common, if that is of degree 1 or 2 when each factor counts once.
+std::vector<Rational> double_roots(const Polynomial& p) {
+  Polynomial g = common_divisor(p, derivative(p));
+  if (g.size() < 2) return {};
+  const Polynomial repeated = common_divisor(g, derivative(g));
+  if (repeated.size() > 1) {  // each factor once: g / repeated
+    Polynomial quotient(g.size() - repeated.size() + 1, 0), rest = g;
+    while (rest.size() >= repeated.size()) {
+      const std::size_t shift = rest.size() - repeated.size();
+      quotient[shift] = rest.back() / repeated.back();
+      for (std::size_t i = 0; i < repeated.size(); ++i) rest[i + shift] -= quotient[shift] * repeated[i];
+      rest.pop_back();
+      trim(rest);
+    }
+    g = std::move(quotient);
+  }
+  if (g.size() == 2) return {Rational(-g[0] / g[1])};
+  if (g.size() != 3) return {};
+  const auto root = square_root(g[1] * g[1] - 4 * g[0] * g[2]);
+  if (!root) return {};
+  return {Rational((-g[1] + *root) / (2 * g[2])), Rational((-g[1] - *root) / (2 * g[2]))};
+}
+
+RationalPoint point_of(const Matrix& columns, std::size_t k) {
+  const Rational& w = columns[3][k];
+  return {Rational(columns[0][k] / w), Rational(columns[1][k] / w), Rational(columns[2][k] / w)};
+}
+
+/// What a form whose zeros are the space spanned by columns (of 4 rows) leaves in common with a surface; nothing
+/// where these are two points of a line.
+std::optional<Contact> contact_in(const Matrix& zeros, const Matrix& surface) {
+  const std::size_t dimension = zeros[0].size();
+  Contact result;
+  std::size_t proper = dimension;  // a column that is no direction
+  for (std::size_t k = 0; k < dimension; ++k) {
+    if (zeros[3][k] != 0) proper = k;
+  }
+  if (proper == dimension) return result;  // nothing, or at infinity
+  const Matrix there = on(surface, zeros);
+  const bool all = std::ranges::all_of(there, [](const Row& row) {
+    return std::ranges::all_of(row, [](const Rational& x) { return x == 0; });
+  });
+  result.point = point_of(zeros, proper);
+  if (dimension == 1) {
+    if (all) result.kind = Contact::Kind::point;
+    return result;
+  }
+  if (dimension == 2) {
+    if (!all) return std::nullopt;
+    result.kind = Contact::Kind::line;
+    const Matrix ahead = product(zeros, kernel({{zeros[3][0], zeros[3][1]}}, 2));
+    result.direction = {ahead[0][0], ahead[1][0], ahead[2][0]};
+    return result;
+  }
+  if (dimension > 3) return std::nullopt;
+  result.kind = Contact::Kind::conic;
+  const Matrix covector = kernel(transposed(zeros), 4);
+  result.direction = {covector[0][0], covector[1][0], covector[2][0]};
+  return result;
+}
+
+Matrix matrix_of(const Quadric& q) {
+  Matrix m;
+  for (const auto& row : q) m.emplace_back(row.begin(), row.end());
+  return m;
+}
+
+}  // namespace
+
+bool Contact::has(const RationalPoint& p) const {
+  if (kind == Kind::point) return p == point;
+  if (kind == Kind::line) return is_zero(cross(p - point, direction));
+  return kind == Kind::conic && dot(p - point, direction) == 0;
+}
+
+std::optional<Contact> contact(const Quadric& first, const Quadric& second) {
+  const Matrix a = matrix_of(first), b = matrix_of(second);
+  // Without what both have in their kernels, such as the direction of parallel cylinders.
+  Matrix both = a;
+  both.insert(both.end(), b.begin(), b.end());
+  const Matrix idle = kernel(both, 4);
+  Matrix basis = idle.empty() || idle[0].empty() ? Matrix{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}
+                                                 : kernel(transposed(idle), 4);
+  const Matrix small_a = on(a, basis), small_b = on(b, basis);
+  for (const Rational& root : double_roots(characteristic(small_a, small_b))) {
+    Matrix m = a;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) m[i][j] -= root * b[i][j];
+    }
+    if (!semidefinite(m)) continue;
+    const Matrix zeros = kernel(m, 4);
+    return zeros[0].empty() ? Contact{} : contact_in(zeros, b);
+  }
+  return std::nullopt;
+}
+
+std::optional<Contact> contact(const PlaneEquation& plane, const Quadric& quadric) {
+  const Matrix a = matrix_of(quadric);
+  const Matrix basis = kernel({Row(plane.begin(), plane.end())}, 4), small = on(a, basis);
+  if (!semidefinite(small)) return std::nullopt;
+  const Matrix zeros = kernel(small, basis[0].size());
+  if (zeros[0].empty()) return Contact{};
+  return contact_in(product(basis, zeros), a);
+}
+
+}  // namespace cnrg

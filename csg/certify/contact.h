@@ -1,0 +1,32 @@
+// Planes and quadrics that touch and do not cross, decided exactly.
+//
+// A quadric is x' A x = 0 for x = (x, y, z, 1). If some A - l B has no negative eigenvalue, or no positive one, then
+// all points of B's surface are on one side of A's, and both have in common what is in the kernel of A - l B alone:
+// nothing, a point, a line, or a conic in a plane (or two points, which are not looked for) (the S-lemma: polik2007, Section 2). Where the surfaces
+// touch so, l is a double root of det(A - l B), or of the same where both have no common kernel. A plane and a
+// quadric: the same of A on the plane.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "csg/carriers/surface_numbers.h"
+
+namespace cnrg {
+
+/// a x + b y + c z + d = 0.
+using PlaneEquation = std::array<Rational, 4>;
+
+struct Contact {
+  enum class Kind : std::uint8_t { none, point, line, conic };
+  Kind kind = Kind::none;
+  RationalPoint direction{0, 0, 0};  ///< of a line: along it; of a conic: at right angles to its plane
+  RationalPoint point{0, 0, 0};      ///< on the line, in the plane, or the only point
+  bool has(const RationalPoint& p) const;
+};
+
+/// Nothing where they may cross: it is not proven that one is on one side of the other.
+std::optional<Contact> contact(const Quadric& a, const Quadric& b);
+std::optional<Contact> contact(const PlaneEquation& plane, const Quadric& quadric);
+
+}  // namespace cnrg
