@@ -2,6 +2,8 @@
 #include "csg/certify/contact.h"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <vector>
 
 #include "kernel/exact/exact_vectors.h"
@@ -207,6 +209,34 @@ RationalPoint point_of(const Matrix& columns, std::size_t k) {
   return {Rational(columns[0][k] / w), Rational(columns[1][k] / w), Rational(columns[2][k] / w)};
 }
 
+/// Nearly the real roots of the derivative: between two roots of p in which it keeps its sign there is one.
+std::vector<Rational> turning_points(const Polynomial& p) {
+  const Polynomial exact = derivative(p);
+  if (exact.size() < 2) return {};
+  std::vector<std::complex<double>> roots, c;
+  for (const Rational& x : exact) c.emplace_back(to_double(x / exact.back()));
+  const std::size_t n = c.size() - 1;
+  double bound = 1;
+  for (const auto& x : c) bound = std::max(bound, 1 + std::abs(x));
+  for (std::size_t i = 0; i < n; ++i) roots.push_back(std::polar(bound, 0.4 + 2.4 * static_cast<double>(i)));
+  for (int step = 0; step < 200; ++step) {  // Durand and Kerner's
+    for (std::size_t i = 0; i < n; ++i) {
+      std::complex<double> value = 0, others = 1;
+      for (std::size_t k = n + 1; k-- > 0;) value = value * roots[i] + c[k];
+      for (std::size_t j = 0; j < n; ++j) {
+        if (j != i) others *= roots[i] - roots[j];
+      }
+      if (others != 0.0) roots[i] -= value / others;
+    }
+  }
+  std::vector<Rational> result;
+  for (const auto& root : roots) {
+    if (std::isfinite(root.real()) && std::abs(root.imag()) <= 1e-6 * (1 + std::abs(root.real())))
+      result.push_back(from_double(root.real()));
+  }
+  return result;
+}
+
 /// What a form whose zeros are the space spanned by columns (of 4 rows) leaves in common with a surface; nothing
 /// where these are two points of a line.
 std::optional<Contact> contact_in(const Matrix& zeros, const Matrix& surface) {
@@ -263,7 +293,10 @@ std::optional<Contact> contact(const Quadric& first, const Quadric& second) {
   Matrix basis = idle.empty() || idle[0].empty() ? Matrix{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}
                                                  : kernel(transposed(idle), 4);
   const Matrix small_a = on(a, basis), small_b = on(b, basis);
-  for (const Rational& root : double_roots(characteristic(small_a, small_b))) {
+  const Polynomial p = characteristic(small_a, small_b);
+  std::vector<Rational> roots = double_roots(p);
+  for (Rational& x : turning_points(p)) roots.push_back(std::move(x));
+  for (const Rational& root : roots) {
     Matrix m = a;
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = 0; j < 4; ++j) m[i][j] -= root * b[i][j];

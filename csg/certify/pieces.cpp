@@ -307,10 +307,7 @@ class PieceMaker {
     }
     std::sort(piece.corner_numbers.begin(), piece.corner_numbers.end());
     piece.box = box_of(all);
-    if (flat.loops.size() == 1) {
-      for (const std::uint32_t p : outer) piece.outline.push_back(place.points[p]);
-      if (!is_convex(piece)) piece.outline.clear();
-    }
+    add_limits(place, piece, outer);
     const auto number = static_cast<std::uint32_t>(out_.pieces_.size());
     for (const auto& loop : flat.loops) {
       for (std::size_t i = 0; i < loop.size(); ++i)
@@ -318,19 +315,42 @@ class PieceMaker {
     }
     out_.pieces_.push_back(std::move(piece));
   }
-  static bool is_convex(Piece& piece) {
-    const std::size_t n = piece.outline.size();
-    for (int turn = 0; turn < 2; ++turn) {
-      bool convex = true;
-      for (std::size_t i = 0; i < n && convex; ++i) {
-        const Interval3 &a = piece.outline[i], &b = piece.outline[(i + 1) % n], &c = piece.outline[(i + 2) % n];
-        const Interval side = dot(piece.normal, cross(difference(b, a), difference(c, b)));
-        convex = side.sup() >= 0;
+  /// Half-planes that hold the face, also where it ends in a curve of a patch.
+  void add_limits(const Place& place, Piece& piece, const std::vector<std::uint32_t>& outer) {
+    constexpr std::size_t kMost = 16;
+    std::vector<PiecePart> rims;
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+      const auto it = place.sides.find(std::minmax(outer[i], outer[(i + 1) % outer.size()]));
+      if (it == place.sides.end()) continue;
+      for (const auto& [number, side] : it->second) {
+        const Piece& cell = out_.pieces_[number];
+        if (cell.kind == Piece::Kind::cell) rims.push_back(part_of(out_.pieces_, cell, range_of_side(cell, side)));
       }
-      if (convex) return true;
-      std::reverse(piece.outline.begin(), piece.outline.end());
     }
-    return false;
+    Interval3 all{Interval(piece.box.lo[0], piece.box.hi[0]), Interval(piece.box.lo[1], piece.box.hi[1]),
+                  Interval(piece.box.lo[2], piece.box.hi[2])};
+    for (const PiecePart& rim : rims) all = hull(all, rim.box);
+    piece.box = box_of(all);
+    const std::size_t step = (outer.size() + kMost - 1) / kMost;
+    for (std::size_t i = 0; i < outer.size(); i += step) {
+      const Interval3& from = place.points[outer[i]];
+      Vector3<double> out = cross(middle_of(difference(place.points[outer[(i + 1) % outer.size()]], from)),
+                                  middle_of(piece.normal));
+      const double length = std::sqrt(dot(out, out));
+      if (!(length > 0) || !std::isfinite(length)) continue;
+      out = scaled(1 / length, out);
+      const Interval3 along{Interval(out[0]), Interval(out[1]), Interval(out[2])};
+      Interval wide = dot(along, from);
+      for (const std::uint32_t p : outer) wide = hull(wide, dot(along, place.points[p]));
+      for (const PiecePart& rim : rims) wide = hull(wide, extent(rim, out, Between::facets_and_surfaces));
+      piece.limits.emplace_back(out, wide);
+    }
+  }
+  static std::array<Interval, 2> range_of_side(const Piece& cell, std::size_t side) {
+    std::array<Interval, 2> range;
+    const std::size_t next = (side + 1) % cell.corner_count;
+    for (std::size_t k = 0; k < 2; ++k) range[k] = hull(Interval(cell.at[side][k]), Interval(cell.at[next][k]));
+    return range;
   }
 
   /// Cells of one patch that share corners.
@@ -408,10 +428,7 @@ class PieceMaker {
         continue;
       }
       if (piece.blind) return false;
-      std::array<Interval, 2> range;
-      const std::size_t a = side, b = (side + 1u) % piece.corner_count;
-      for (std::size_t k = 0; k < 2; ++k) range[k] = hull(Interval(piece.at[a][k]), Interval(piece.at[b][k]));
-      const PiecePart part = part_of(all, piece, range);
+      const PiecePart part = part_of(all, piece, range_of_side(piece, side));
       if (part.blind) return false;
       cones.push_back(part.cone);
     }
@@ -531,16 +548,34 @@ Pieces::Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach)
   }
 }
 
+namespace {
+
+std::span<const std::uint32_t> corner_numbers(const Piece& piece) {
+  if (piece.kind == Piece::Kind::flat) return piece.corner_numbers;
+  return {piece.points.data(), piece.kind == Piece::Kind::curve ? 2u : piece.corner_count};
+}
+bool has_corner(const Piece& piece, std::uint32_t number) {
+  const auto numbers = corner_numbers(piece);
+  return piece.kind == Piece::Kind::flat ? std::binary_search(numbers.begin(), numbers.end(), number)
+                                         : std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
+
+}  // namespace
+
 bool Pieces::adjacent(std::uint32_t a, std::uint32_t b) const {
-  const auto points = [](const Piece& piece) -> std::span<const std::uint32_t> {
-    if (piece.kind == Piece::Kind::flat) return piece.corner_numbers;
-    return {piece.points.data(), piece.kind == Piece::Kind::curve ? 2u : piece.corner_count};
-  };
-  return std::ranges::any_of(points(pieces_[a]), [&](std::uint32_t p) {
-    const auto others = points(pieces_[b]);
-    return pieces_[b].kind == Piece::Kind::flat ? std::binary_search(others.begin(), others.end(), p)
-                                                : std::find(others.begin(), others.end(), p) != others.end();
-  });
+  return std::ranges::any_of(corner_numbers(pieces_[a]), [&](std::uint32_t p) { return has_corner(pieces_[b], p); });
+}
+
+std::array<Interval, 2> Pieces::range_beside(std::uint32_t cell, std::uint32_t other) const {
+  const Piece& piece = pieces_[cell];
+  std::array<Interval, 2> range = piece.range;
+  bool any = false;
+  for (std::size_t i = 0; i < piece.corner_count; ++i) {
+    if (!has_corner(pieces_[other], piece.points[i])) continue;
+    for (std::size_t k = 0; k < 2; ++k) range[k] = any ? hull(range[k], Interval(piece.at[i][k])) : piece.at[i][k];
+    any = true;
+  }
+  return range;
 }
 
 void Pieces::join(std::uint32_t a, std::uint32_t b) {
@@ -634,6 +669,34 @@ bool Pieces::on_true_side(std::uint32_t plane, std::uint32_t of, const Contact& 
   return turned != 0;
 }
 
+// The plane through the contact and at right angles to the surfaces has the cell on one side, as far as it is near.
+bool Pieces::along_border(std::uint32_t cell, std::uint32_t other, const Contact& contact) const {
+  if (contact.kind == Contact::Kind::point) return true;
+  RationalPoint normal = contact.direction;
+  if (contact.kind == Contact::Kind::line) {
+    const auto quadric = quadrics_.find(pieces_[cell].sheet);
+    const RationalPoint out = gradient(quadric != quadrics_.end() ? quadric->second : quadrics_.at(pieces_[other].sheet),
+                                       contact.point);
+    // The plane of the facet's pole, if the contact passes through it, and its two sides from there.
+    for (std::size_t k = 0; k < pieces_[cell].corner_count; ++k) {
+      const std::size_t n = pieces_[cell].corner_count, next = (k + 1) % n;
+      if (pieces_[cell].points[k] != pieces_[cell].points[next] || !contact.has(corner(cell, k))) continue;
+      const RationalPoint& pole = corner(cell, k);
+      const RationalPoint first = corner(cell, (next + 1) % n) - pole, second = corner(cell, (k + n - 1) % n) - pole,
+                          across = cross(first, second);
+      RationalPoint way = contact.direction;
+      if (dot(way, first + second) < 0) way = Rational(-1) * way;
+      // way = x first + y second + z across
+      const Rational x = dot(cross(way, second), across), y = dot(cross(first, way), across);
+      return !(x > 0 && y > 0);
+    }
+    normal = cross(contact.direction, out);
+    if (is_zero(normal)) return false;  // at the apex of a cone
+  }
+  std::vector<const RationalPoint*> on;
+  return sides({normal[0], normal[1], normal[2], Rational(-dot(normal, contact.point))}, cell, on) != 3;
+}
+
 // A plane that has all of one on one side and all of the other on the other side: that of one of them, or where
 // surfaces touch from outside, the one in which both are tangent.
 Pieces::Meeting Pieces::facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const {
@@ -648,7 +711,10 @@ Pieces::Meeting Pieces::facets_meet(std::uint32_t a, std::uint32_t b, const Cont
     if (pieces_[plane].kind == Piece::Kind::cell && !on_true_side(plane, of, contact)) continue;
     // What is not flat has the common points as corners, too.
     const bool met = !on.empty() && (pieces_[plane].kind == Piece::Kind::flat || holds(plane, on));
-    return met ? Meeting::at_contact : Meeting::apart;
+    if (!met) return Meeting::apart;
+    return along_border(of, plane, contact) || (pieces_[plane].kind == Piece::Kind::cell && along_border(plane, of, contact))
+               ? Meeting::at_contact
+               : Meeting::otherwise;
   }
   if (pieces_[a].kind == Piece::Kind::flat || pieces_[b].kind == Piece::Kind::flat ||
       (contact.kind != Contact::Kind::point && contact.kind != Contact::Kind::line))
@@ -660,7 +726,8 @@ Pieces::Meeting Pieces::facets_meet(std::uint32_t a, std::uint32_t b, const Cont
   const int of_a = sides(tangent, a, on_a), of_b = sides(tangent, b, on_b);
   if (of_a == 0 || of_b == 0 || (of_a | of_b) != 3 || of_a == of_b || !at_contact(on_a) || !at_contact(on_b))
     return Meeting::otherwise;
-  return !on_a.empty() && holds(b, on_a) ? Meeting::at_contact : Meeting::apart;
+  if (on_a.empty() || !holds(b, on_a)) return Meeting::apart;
+  return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact : Meeting::otherwise;
 }
 
 namespace {
@@ -893,11 +960,16 @@ Interval extent(const PiecePart& part, const Vector3<double>& d, Between between
     return all;
   };
   const Interval of_box = dot(along, part.box);
-  if (piece.kind == Piece::Kind::flat) return piece.outline.empty() ? of_box : all_of(piece.outline);
   const auto narrowed = [](const Interval& a, const Interval& b) {
     const double low = std::max(a.inf(), b.inf()), high = std::min(a.sup(), b.sup());
     return low <= high ? Interval(low, high) : a;
   };
+  if (piece.kind == Piece::Kind::flat) {
+    // Along the normal, where it has one value, and the rest.
+    const Interval share = dot(along, piece.normal) / dot(piece.normal, piece.normal);
+    const Interval3 rest = difference(along, scaled(share, piece.normal));
+    return narrowed(of_box, share * dot(piece.normal, piece.point) + dot(rest, part.box));
+  }
   // Of the surface by the mean value theorem, from the middle of its part.
   const Interval middle_u(middle_of(part.range[0])), middle_v(middle_of(part.range[1]));
   const Interval away_u = part.range[0] - middle_u, away_v = part.range[1] - middle_v;

@@ -48,9 +48,9 @@ struct Piece {
   const PlacedSurface* surface = nullptr;       ///< of a cell, or of a curve that is a side of one
   std::shared_ptr<const Curve> curve{};         ///< of a curved wire
   std::array<std::array<Interval, 2>, 2> side{};  ///< of a curve: parameters of its ends on `surface` or `curve`
-  /// Of a flat piece: its plane and its outline, counter-clockwise about the normal where it is convex.
+  /// Of a flat piece: its plane, and d . x for some d in it and all points x of it.
   Interval3 normal{}, point{};
-  std::vector<Interval3> outline{};
+  std::vector<std::pair<Vector3<double>, Interval>> limits{};
   std::vector<std::uint32_t> corner_numbers{};  ///< of a flat piece, ascending
   /// Of a curve: the sheets that it lies in, ascending.
   std::vector<std::uint32_t> in_sheets{};
@@ -69,6 +69,8 @@ class Pieces {
   const std::vector<Piece>& all() const { return pieces_; }
   /// True if the pieces, of one leaf, have a corner in common.
   bool adjacent(std::uint32_t a, std::uint32_t b) const;
+  /// Parameters of a cell that hold the corners which it has in common with another piece of its leaf.
+  std::array<Interval, 2> range_beside(std::uint32_t cell, std::uint32_t other) const;
   /// Says that one goes on smoothly as the other.
   void join(std::uint32_t a, std::uint32_t b);
   /// True if two cells of one surface, of different leaves, are drawn so that they do not cross: they are equal,
@@ -89,6 +91,8 @@ class Pieces {
   /// Of a piece that is not flat.
   const RationalPoint& corner(std::uint32_t piece, std::size_t k) const;
   RationalPoint normal_of(std::uint32_t cell) const;
+  /// True if the contact, a line or conic, runs along the border of the cell, or not through it.
+  bool along_border(std::uint32_t cell, std::uint32_t other, const Contact& contact) const;
   /// True if corners of a cell are on the side of a facet on which they are of its quadric.
   bool on_true_side(std::uint32_t plane, std::uint32_t of, const Contact& contact) const;
   PlaneEquation equation_of(std::uint32_t piece) const;

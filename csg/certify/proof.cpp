@@ -122,13 +122,18 @@ class Prover {
         if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, middle_of(all_[a].corners[0]), 0, false});
         joined.emplace_back(a, b);
       } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b)) {
-        const PiecePart x = part_of(all_, all_[a], all_[a].range), y = part_of(all_, all_[b], all_[b].range);
+        const PiecePart x = part_beside(a, b), y = part_beside(b, a);
         if (!one_sheet && !x.blind && !y.blind && independent(x.cone, y.cone)) continue;
         joined.emplace_back(a, b);
         smooth_.emplace(a, b);
       }
     }
     for (const auto& [a, b] : joined) pieces_.join(a, b);
+  }
+
+  /// Of a piece, where it has corners in common with another one of its leaf.
+  PiecePart part_beside(Index a, Index b) const {
+    return part_of(all_, all_[a], all_[a].kind == Piece::Kind::cell ? pieces_.range_beside(a, b) : all_[a].range);
   }
 
   void ask_pair(Index a, Index b) {
@@ -359,10 +364,9 @@ class Prover {
   /// True if the box has no point of the flat piece.
   static bool misses(const Piece& flat, const Interval3& box) {
     if (!holds_zero(dot(flat.normal, difference(box, flat.point)))) return true;
-    for (std::size_t i = 0; i < flat.outline.size(); ++i) {
-      const Interval3 &a = flat.outline[i], &b = flat.outline[(i + 1) % flat.outline.size()];
-      const Interval3 out = cross(difference(b, a), flat.normal);
-      if (dot(out, difference(box, a)).inf() > 0) return true;
+    for (const auto& [d, wide] : flat.limits) {
+      const Interval there = dot(thin(d), box);
+      if (there.inf() > wide.sup() || there.sup() < wide.inf()) return true;
     }
     return false;
   }
