@@ -43,9 +43,15 @@ void Family::add_marks(std::size_t member, const TangencyMarks& marks) {
   for (const MeridianPoint& p : marks.circles) add_circle(member, p);
 }
 
+void Family::add_lines(std::size_t member, const RevolvedLines& lines) {
+  lines_.insert(lines.directions.begin(), lines.directions.end());
+  for (const auto& [piece, way] : lines.rows) plane_.add_row(first_[member] + piece, way);
+}
+
 void Family::solve_turns(const std::vector<RationalPoint>& others) {
   std::vector<RationalPoint> all = others_;
   all.insert(all.end(), others.begin(), others.end());
+  all.insert(all.end(), lines_.begin(), lines_.end());
   turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks_, all);
 }
 

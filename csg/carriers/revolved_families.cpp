@@ -41,8 +41,8 @@ class Space {
  public:
   /// `finer`: by how much banded leaves are drawn finer than they ask for.
   Space(std::vector<LeafInstance>& instances, const RoundSpace& of, const std::map<Index, int>& finer,
-        std::vector<LeafWords>& notices)
-      : instances_(instances), of_(of), finer_(finer), banded_(notices) {
+        const ExtraOfInstances& extra, std::set<Index>& drawn, std::vector<LeafWords>& notices)
+      : instances_(instances), of_(of), finer_(finer), extra_(extra), drawn_(drawn), banded_(notices) {
     for (const Index i : of.instances) add(i);
   }
 
@@ -264,6 +264,12 @@ class Space {
     });
   }
 
+  bool needs_lines(const Member& member) const {
+    return member.arc == nullptr && !member.band &&
+           std::any_of(member.instances.begin(), member.instances.end(),
+                       [&](Index i) { return extra_.contains(i); });
+  }
+
   /// Leaves that are drawn alike as they are.
   bool alike(const std::vector<Index>& of) const {
     const Member& first = nodes_[of[0]];
@@ -355,7 +361,18 @@ class Space {
     for (const auto& [first, of] : families) {
       const bool marked = std::any_of(of.begin(), of.end(), [&](Index n) { return needs_marks(nodes_[n]); });
       const bool nested = std::any_of(of.begin(), of.end(), [&](Index n) { return nested_nodes_.contains(n); });
-      if (marked || nested || !alike(of)) make_family(of, nested);
+      if (marked || nested || !alike(of)) {
+        make_family(of, nested);
+      } else if (std::any_of(of.begin(), of.end(), [&](Index n) { return needs_lines(nodes_[n]); })) {
+        // A ball keeps the parameters of its leaf.
+        Member& member = nodes_[first];
+        if (member.ball) {
+          const Index i = member.instances.front();
+          member.placed = place(form_of(i), relative_.at(i), *stretch(relative_.at(i)));
+          member.ball = false;
+        }
+        make_family(of, false);
+      }
     }
     solve_turns();
     for (const auto& [ball, of] : balls_) {
@@ -406,9 +423,24 @@ class Space {
       for (const Index i : nodes_[of[m]].instances) {
         const auto marks = of_.contacts.marks.find(i);
         if (marks != of_.contacts.marks.end()) family->add_marks(m, marks->second);
+        const auto extra = extra_.find(i);
+        if (extra == extra_.end()) continue;
+        family->add_lines(m, lines_of(i, family->members()[m], extra->second));
+        if (!nodes_[of[m]].band) drawn_.insert(i);
       }
     }
     families_.emplace_back(family, of);
+  }
+
+  RevolvedLines lines_of(Index i, const Member& member, const ExtraLines& extra) const {
+    if (member.arc != nullptr) {
+      const auto& extrusion = dynamic_cast<const ExtrudeForm&>(*instances_[i].leaf->form());
+      return revolved_lines(extra, extrusion, *member.arc);
+    }
+    if (member.band) return {};
+    if (member.ball)
+      return revolved_lines(extra, sphere_about(ball_of(i), member.placed.axis.direction, form_of(i)), {}, 1);
+    return revolved_lines(extra, form_of(i), relative_.at(i), *stretch(relative_.at(i)));
   }
 
   /// Draws what is inside before what is around it, and balls about several axes.
@@ -486,6 +518,8 @@ class Space {
   std::vector<LeafInstance>& instances_;
   const RoundSpace& of_;
   const std::map<Index, int>& finer_;
+  const ExtraOfInstances& extra_;
+  std::set<Index>& drawn_;
   BandedLeaves banded_;
   std::set<Index> too_coarse_;
   std::map<Index, std::shared_ptr<const RevolvedForm>> forms_;  // as the leaves were
@@ -511,10 +545,11 @@ class Space {
 
 /// Replaces what `share_axes` does, with banded leaves as much finer as `finer` says; gives those that need more.
 std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInstance>& instances,
-                         const std::vector<RoundSpace>& spaces, std::vector<LeafWords>& notices) {
+                         const std::vector<RoundSpace>& spaces, const ExtraOfInstances& extra,
+                         std::set<Index>& drawn, std::vector<LeafWords>& notices) {
   std::set<Index> too_coarse;
   for (const RoundSpace& of : spaces) {
-    Space space(instances, of, finer, notices);
+    Space space(instances, of, finer, extra, drawn, notices);
     too_coarse.merge(space.run());
   }
   return too_coarse;
@@ -523,14 +558,14 @@ std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInst
 }  // namespace
 
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<RoundSpace>& spaces,
-                std::vector<LeafWords>& notices) {
+                const ExtraOfInstances& extra, std::set<Index>& drawn, std::vector<LeafWords>& notices) {
   constexpr int kFinest = 8;
   const std::vector<LeafInstance> given = instances;
   std::map<Index, int> finer;
   for (;;) {
     std::vector<LeafWords> told;
     bool again = false;
-    for (const Index i : share_at(finer, instances, spaces, told)) {
+    for (const Index i : share_at(finer, instances, spaces, extra, drawn, told)) {
       int& factor = finer.try_emplace(i, 1).first->second;
       again = again || factor < kFinest;
       factor = std::min(2 * factor, kFinest);

@@ -151,7 +151,7 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   append(result.diagnostics, leaves.notices());
 
   options.watch.begin("refine");
-  Drawings drawings(tree, unfolding, leaves, result.diagnostics);
+  Drawings drawings(tree, unfolding, leaves, options.lines.get(), result.diagnostics);
   const PlacedLeaves& placed = drawings.whole();
   options.watch.check();
   const bool all_alone = !options.drawn_together && !options.keep_all && !options.raw && !options.validate;
@@ -164,6 +164,7 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
     EvaluateOptions alone;
     alone.threads = options.threads;
     alone.watch = options.watch;
+    alone.lines = options.lines;
     alone.rows = Rows::none;
     return evaluate_roots(tree, {node}, alone, false);
   });
@@ -193,6 +194,7 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   }
   for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});
   result.raw = options.raw;
+  for (const std::uint32_t leaf : drawings.with_lines()) result.with_lines.emplace_back(leaf);
   result.instances = unfolding.instances;
   if (options.keep_all) result.values = values.take();
   return result;

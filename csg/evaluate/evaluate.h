@@ -26,6 +26,7 @@
 
 namespace cnrg {
 
+struct LeafLines;
 class LeafNumbers;
 class NodeValue;
 class SurfaceParameters;
@@ -52,7 +53,8 @@ struct EvaluateOptions {
   /// Draw all leaves below the roots as one drawing (csg/evaluate/drawings.h), so that all values are on one
   /// complex; also with `raw`, `keep_all` and `validate`. Otherwise each node is said of as it is alone.
   bool drawn_together = false;
-  NodeId result;                     ///< in the place of the tree's, if valid
+  std::shared_ptr<const LeafLines> lines{};  ///< further lines of curved leaves (csg/evaluate/leaf_lines.h)
+  NodeId result;                             ///< in the place of the tree's, if valid
   std::vector<NodeId> nodes;         ///< kept besides the result
   std::vector<RationalPoint> reach;  ///< points that will be asked for: planes and half-spaces are cut beyond them
   Watch watch;                       ///< told of the stages, and may stop them (throws Stopped)
@@ -117,6 +119,8 @@ struct Evaluation {
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
   std::vector<ResultNames::Material> materials;  ///< of the tree
   bool raw = false;                              ///< EvaluateOptions::raw
+  /// Which of its leaves have their lines of EvaluateOptions::lines, ascending; others cannot (common_lines.h).
+  std::vector<LeafId> with_lines;
   /// Of the nodes asked for besides the result, where one is drawn otherwise when it stands alone: each on a
   /// complex of its own, and `kept` has the result alone.
   std::vector<Evaluation> others;

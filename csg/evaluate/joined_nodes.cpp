@@ -25,6 +25,7 @@ EvaluateOptions options_below(const EvaluateOptions& options) {
   below.rows = options.rows == Rows::all ? Rows::all : Rows::none;
   below.region_volumes = options.region_volumes;
   below.refining = options.refining;
+  below.lines = options.lines;
   below.watch = part_of(options.watch, "join");
   return below;
 }
