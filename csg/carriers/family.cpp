@@ -160,6 +160,7 @@ RationalPoint Family::first_direction() const {
     }
     return r;
   };
+  const auto start = [](const Member& member) { return member.even ? *member.even : member.placed.start; };
   const Member* best = nullptr;
   for (const Member& member : members_) {
     if (best != nullptr) {
@@ -169,13 +170,13 @@ RationalPoint Family::first_direction() const {
         if (member.segments < best->segments) continue;
       } else if (const Rational r = widest(member), s = widest(*best); r != s) {
         if (r < s) continue;
-      } else if (!(member.placed.start < best->placed.start)) {
+      } else if (!(start(member) < start(*best))) {
         continue;
       }
     }
     best = &member;
   }
-  return best->placed.start;
+  return start(*best);
 }
 
 Rational Family::smallest() const {

@@ -28,6 +28,7 @@ struct Member {
   std::optional<std::size_t> band{};         ///< which one it is of a banded leaf, if it is of one
   bool whole = true;                         ///< of a band
   std::vector<RationalPoint> marks{};        ///< directions that it must have
+  std::optional<RationalPoint> even{};       ///< where even steps begin, if that is not the start of its turn
 };
 
 /// The part of the turn that a band covers.

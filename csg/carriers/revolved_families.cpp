@@ -351,7 +351,7 @@ class Space {
       const Transform& relative = relative_.at(finest);
       const PlacedForm own = place(form_of(finest), relative, *stretch(relative));
       Member member = ball_on(ball, own.axis);
-      member.placed.start = member.placed.end = own.start;
+      member.even = own.start;
       ball_node(ball, own.axis, std::move(member));
     }
     UnionFind sets(nodes_.size());
@@ -423,24 +423,33 @@ class Space {
       for (const Index i : nodes_[of[m]].instances) {
         const auto marks = of_.contacts.marks.find(i);
         if (marks != of_.contacts.marks.end()) family->add_marks(m, marks->second);
-        const auto extra = extra_.find(i);
-        if (extra == extra_.end()) continue;
-        family->add_lines(m, lines_of(i, family->members()[m], extra->second));
-        if (!nodes_[of[m]].band) drawn_.insert(i);
       }
     }
     families_.emplace_back(family, of);
   }
 
-  RevolvedLines lines_of(Index i, const Member& member, const ExtraLines& extra) const {
-    if (member.arc != nullptr) {
-      const auto& extrusion = dynamic_cast<const ExtrudeForm&>(*instances_[i].leaf->form());
-      return revolved_lines(extra, extrusion, *member.arc);
+  void add_lines(Family& family, std::size_t m) {
+    const Member& member = family.members()[m];
+    if (member.band) return;
+    for (const Index i : member.instances) {
+      const auto extra = extra_.find(i);
+      if (extra == extra_.end()) continue;
+      drawn_.insert(i);
+      if (member.arc != nullptr) {
+        const auto& extrusion = dynamic_cast<const ExtrudeForm&>(*instances_[i].leaf->form());
+        family.add_lines(m, revolved_lines(extra->second, extrusion, *member.arc));
+      } else if (!member.ball) {
+        family.add_lines(m, revolved_lines(extra->second, form_of(i), relative_.at(i), *stretch(relative_.at(i))));
+      } else if (shared_.is_hull(ball_of(i))) {
+        shared_.add_lines(ball_of(i), extra->second);
+      } else {
+        family.add_lines(m, revolved_lines(extra->second, ball_about(i, family.axis()), {}, 1));
+      }
     }
-    if (member.band) return {};
-    if (member.ball)
-      return revolved_lines(extra, sphere_about(ball_of(i), member.placed.axis.direction, form_of(i)), {}, 1);
-    return revolved_lines(extra, form_of(i), relative_.at(i), *stretch(relative_.at(i)));
+  }
+  /// A sphere is turned with all its parameters to the axis that it shares.
+  RevolvedForm ball_about(Index i, const AxisLine& axis) const {
+    return sphere_about(ball_of(i), axis.direction, form_of(i));
   }
 
   /// Draws what is inside before what is around it, and balls about several axes.
@@ -462,6 +471,10 @@ class Space {
       }
       families.push_back(family);
     }
+    shared_.choose();
+    for (const auto& [family, of] : families_) {
+      for (std::size_t m = 0; m < of.size(); ++m) add_lines(*family, m);
+    }
     std::vector<NestedFamilies> nested;
     for (const auto& [inner, outer, direction] : inside_)
       nested.push_back({family_of.at(inner), family_of.at(outer), direction});
@@ -482,9 +495,8 @@ class Space {
   }
 
   void replace(Index i, const std::shared_ptr<Family>& family, std::size_t m) {
-    // A sphere is turned with all its parameters to the axis that it shares.
     const auto form = std::make_shared<const RevolvedForm>(
-        family->members()[m].ball ? sphere_about(ball_of(i), family->axis().direction, form_of(i)) : form_of(i));
+        family->members()[m].ball ? ball_about(i, family->axis()) : form_of(i));
     const auto grid = std::make_shared<const RevolvedGrid>(family->grid(m, *form));
     const auto make = [form, grid, family](LeafParameters* record) {
       return tessellate(
