@@ -197,6 +197,7 @@ int run_eval(const EvalArguments& arguments) {
   options.raw = arguments.raw;
   options.refining = arguments.refining;
   const bool in_files = std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
+  options.proof = arguments.certify ? AskedProof::with_lines : arguments.quiet ? AskedProof::none : AskedProof::as_drawn;
   options.rows = !arguments.quiet || in_files ? Rows::all : Rows::none;
   options.region_volumes = arguments.trace;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));
@@ -210,7 +211,6 @@ int run_eval(const EvalArguments& arguments) {
 
   // Kept to the end, when the system takes all memory back at once: to free it cell by cell takes long.
   static const Evaluation& evaluation = *new Evaluation(evaluate_in_view(tree, options, arguments.quiet, &clock));
-  clock.begin("crossings");
   const bool crosses = arguments.certify ? require_certain(tree, evaluation, arguments.quiet)
                                          : tell_uncertain(tree, evaluation, arguments.quiet);
   clock.begin("results");

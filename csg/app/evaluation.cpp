@@ -11,7 +11,7 @@
 
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
-#include "csg/certify/certify.h"
+#include "csg/certify/certificate.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/text/input_file.h"
 #include "csg/tree/read_from_input.h"
@@ -27,12 +27,17 @@ std::string count(std::size_t n, const std::string& what) {
 struct Stage {
   std::string_view begin, row;
 };
-constexpr std::array<Stage, 3> kStages{{{"leaves", "leaves"}, {"refine", "refinement"}, {"nodes", "nodes"}}};
+constexpr std::array<Stage, 4> kStages{
+    {{"leaves", "leaves"}, {"crossings", "crossings"}, {"refine", "refinement"}, {"nodes", "nodes"}}};
 
-Certificate certificate_in_view(const Evaluation& evaluation, bool quiet) {
-  ProgressBar bar(quiet);
-  bar.show("crossings");
-  return certify(evaluation);
+/// Of the result and of the nodes that were asked for besides.
+Certificate certificate_of(const Evaluation& evaluation) {
+  Certificate all;
+  if (evaluation.certificate) all = *evaluation.certificate;
+  for (const Evaluation& other : evaluation.others) {
+    if (other.certificate) all.add(*other.certificate);
+  }
+  return all;
 }
 
 }  // namespace
@@ -86,7 +91,7 @@ Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quie
 bool tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
   if (quiet) return false;
   constexpr std::size_t kTold = 3;
-  const Certificate certificate = certificate_in_view(evaluation, quiet);
+  const Certificate certificate = certificate_of(evaluation);
   print(certificate.notices(tree, kTold), quiet);
   if (certificate.places.size() > kTold) {
     tell(tree.file + ": notice: " + count(certificate.places.size() - kTold, "more place") +
@@ -97,7 +102,7 @@ bool tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) 
 
 bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
   constexpr std::size_t kTold = 10;
-  const Certificate certificate = certificate_in_view(evaluation, quiet);
+  const Certificate certificate = certificate_of(evaluation);
   if (certificate.places.empty()) {
     if (!quiet) {
       tell(tree.file + ": notice: certified: surfaces meet as their facets do; of " +

@@ -50,13 +50,11 @@ StageRows stage_rows(const StageClock& clock, const Evaluation& evaluation, bool
   }
   StageRows out;
   out.leaves = std::max(0.0, clock.seconds("leaves") - below);
-  out.refinement = clock.seconds("refinement");
-  const double crossings = clock.seconds("crossings");
-  if (crosses) out.crossings = crossings;
+  out.refinement = clock.seconds("refinement") + (crosses ? 0 : clock.seconds("crossings"));
+  if (crosses) out.crossings = clock.seconds("crossings");
   // The cells of what is shown are simplified among the nodes.
   if (whole) {
-    out.results =
-        clock.seconds("results") + std::max(0.0, clock.seconds("nodes") - of_rows) + (crosses ? 0 : crossings);
+    out.results = clock.seconds("results") + std::max(0.0, clock.seconds("nodes") - of_rows);
   }
   return out;
 }

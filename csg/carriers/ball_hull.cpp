@@ -80,15 +80,19 @@ class Keepout {
 };
 
 /// The points of the grid about z.
-std::vector<RationalPoint> grid(const Ball& ball, int segments, int rings) {
+std::vector<RationalPoint> grid(const Ball& ball, const CurveSteps& around, const CurveSteps& up) {
   std::vector<RationalPoint> result;
-  for (int j = 0; j <= rings; ++j) {
-    const Rational latitude = fraction(std::int64_t{180} * j, rings) - 90;
+  std::vector<Rational> meridians{0}, rows{0};
+  for (const Rational& turn : around.inside()) meridians.push_back(turn);
+  for (const Rational& way : up.inside()) rows.push_back(way);
+  rows.push_back(1);
+  for (const Rational& way : rows) {
+    const Rational latitude = 180 * way - 90;
     const Rational out = ball.radius * from_double(cosine_degrees(latitude));
     RationalPoint p = ball.center;
     p[2] = rounded_for(p[2] + ball.radius * from_double(sine_degrees(latitude)), ball.radius);
-    for (int i = 0; i < (out == 0 ? 1 : segments); ++i) {
-      const Rational longitude = fraction(std::int64_t{360} * i, segments);
+    for (std::size_t i = 0; i < (out == 0 ? 1 : meridians.size()); ++i) {
+      const Rational longitude = 360 * meridians[i];
       p[0] = rounded_for(ball.center[0] + out * from_double(cosine_degrees(longitude)), ball.radius);
       p[1] = rounded_for(ball.center[1] + out * from_double(sine_degrees(longitude)), ball.radius);
       result.push_back(p);
@@ -100,8 +104,8 @@ std::vector<RationalPoint> grid(const Ball& ball, int segments, int rings) {
 }  // namespace
 
 BallHull hull_of(const Ball& ball, const std::vector<SphereCircle>& circles,
-                 const std::vector<RationalPoint>& points, const std::vector<RationalPoint>& others, int segments,
-                 int rings) {
+                 const std::vector<RationalPoint>& points, const std::vector<RationalPoint>& others,
+                 const CurveSteps& around, const CurveSteps& up) {
   std::set<RationalPoint> all(points.begin(), points.end());
   for (const SphereCircle& circle : circles) all.insert(circle.begin(), circle.end());
   std::vector<RationalPoint> single = points;
@@ -114,9 +118,9 @@ BallHull hull_of(const Ball& ball, const std::vector<SphereCircle>& circles,
       single.push_back(p);
     }
   }
-  const double step = to_double(ball.radius) * std::numbers::pi / rings;
+  const double step = to_double(ball.radius) * std::numbers::pi / up.even;
   const Keepout keepout(circles, single, step / 4);
-  for (const RationalPoint& p : grid(ball, segments, rings)) {
+  for (const RationalPoint& p : grid(ball, around, up)) {
     if (!keepout.holds(to_doubles(p))) all.insert(p);
   }
   BallHull hull;

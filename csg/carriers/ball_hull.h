@@ -21,10 +21,11 @@ struct BallHull {
 };
 
 /// `points`: further ones to have, exactly, and `others`, but for those next to one that is there already. Between
-/// all of these lie those of `segments` meridians and `rings` rows about the z axis that keep their distance.
+/// all of these lie those of meridians and rows about the z axis, at parts of a turn and of the way from pole to
+/// pole, that keep their distance.
 BallHull hull_of(const Ball& ball, const std::vector<SphereCircle>& circles,
-                 const std::vector<RationalPoint>& points, const std::vector<RationalPoint>& others, int segments,
-                 int rings);
+                 const std::vector<RationalPoint>& points, const std::vector<RationalPoint>& others,
+                 const CurveSteps& around, const CurveSteps& up);
 
 /// The hull as a leaf, with the parameters of a sphere about the z axis.
 std::unique_ptr<PreparedLeaf> tessellate(const Ball& ball, const BallHull& hull, LeafParameters* record);

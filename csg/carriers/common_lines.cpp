@@ -27,8 +27,11 @@ bool in_range_of_doubles(const RationalPoint& axis, const Transform& transform) 
 }  // namespace
 
 std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near,
-                                            std::vector<LeafWords>* apart, const std::vector<Index>& anew) {
-  instances = with_common_nets(instances);
+                                            std::vector<LeafWords>* apart, const std::vector<Index>& anew,
+                                            const ExtraOfInstances& extra, std::set<Index>* drawn) {
+  std::set<Index> have_lines;
+  if (drawn == nullptr) drawn = &have_lines;
+  instances = with_common_nets(instances, extra, drawn);
   const std::map<Index, LeafInstance> stretched = replace_axial(instances);
   std::vector<RevolvedInstance> revolved;
   std::vector<Index> round;
@@ -63,7 +66,8 @@ std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
   const std::vector<std::array<Index, 2>> about_one_axis = near_axes(instances, pairs);
   if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
   std::vector<LeafWords> told;
-  share_axes(instances, round_spaces(instances, revolved, pairs, about_one_axis, anew), told);
+  share_axes(instances, round_spaces(instances, revolved, pairs, about_one_axis, anew, extra), extra, *drawn,
+             told);
   restore_axial(stretched, instances);
   if (apart != nullptr) *apart = std::move(told);
   return instances;

@@ -8,9 +8,11 @@
 // on their order.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
+#include "csg/carriers/extra_lines.h"
 #include "csg/carriers/near_surfaces.h"
 #include "csg/leaves/leaf.h"
 #include "kernel/base/leaf_words.h"
@@ -21,10 +23,15 @@ namespace cnrg {
 /// parameters, too). What they are not is said by `LeafInstance`: the transform of one may have changed.
 /// `near`, if given, gets the surfaces that are nearly one; `apart` the leaves that share something and yet stay
 /// as they are, and why. `anew`: leaves of revolution that are to be drawn in any case, for
-/// they are not drawn on the surfaces that they say they have.
+/// they are not drawn on the surfaces that they say they have. `extra`: instances with further lines, which all
+/// leaves that share the surface have, too; `drawn`, if given, gets those that have them. The others cannot:
+/// meshes, extrusions with `twist` or `scale`, faces of CAD models, leaves of revolution that are stretched by a
+/// number that is not rational.
 std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
                                             std::vector<NearSurfaces>* near = nullptr,
                                             std::vector<LeafWords>* apart = nullptr,
-                                            const std::vector<std::uint32_t>& anew = {});
+                                            const std::vector<std::uint32_t>& anew = {},
+                                            const ExtraOfInstances& extra = {},
+                                            std::set<std::uint32_t>* drawn = nullptr);
 
 }  // namespace cnrg

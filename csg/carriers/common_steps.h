@@ -7,6 +7,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -17,11 +18,12 @@ namespace cnrg {
 
 class CommonSteps {
  public:
-  /// A leaf has the curve and asks for a fineness. Returns its number.
-  std::size_t ask(const BezierCurve& curve, const Fineness& fineness);
+  /// A leaf has the curve and asks for a fineness and further lines, at parameters between 0 and 1. Returns its
+  /// number.
+  std::size_t ask(const BezierCurve& curve, const Fineness& fineness, const std::vector<Rational>& lines);
   /// A number for what is no curve of a leaf: a projected one; those of different `kind`, from 1, are different.
   std::size_t number(const BezierCurve& curve, std::size_t kind);
-  /// Both get the same steps.
+  /// Both get the same even steps.
   void tie(std::size_t a, std::size_t b) { classes_.join(a, b); }
   /// Steps of all curves that were asked for.
   AgreedSteps agree();
@@ -30,6 +32,7 @@ class CommonSteps {
   struct Asked {
     BezierCurve curve;  // canonical
     std::optional<Fineness> fineness;
+    std::set<Rational> lines{};
   };
   std::map<std::pair<std::size_t, ControlRow>, std::size_t> numbers_;
   std::vector<Asked> asked_;

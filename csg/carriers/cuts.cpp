@@ -10,7 +10,7 @@
 namespace cnrg {
 
 std::size_t Cuts::add_strand(std::size_t owner) {
-  strands_.push_back({owner, {}});
+  strands_.emplace_back().owner = owner;
   return strands_.size() - 1;
 }
 
@@ -31,20 +31,26 @@ void Cuts::link(std::size_t a, const std::array<Rational, 2>& of_a, std::size_t 
 }
 
 void Cuts::spread() {
-  std::vector<std::pair<std::size_t, Rational>> open;
+  std::vector<std::pair<std::size_t, Rational>> ends, lines;
   for (std::size_t s = 0; s < strands_.size(); ++s) {
+    for (const Rational& t : strands_[s].lines) lines.emplace_back(s, t);
     if (strands_[s].links.empty() || !concerned_.contains(strands_[s].owner)) continue;
-    open.emplace_back(s, 0);
-    open.emplace_back(s, 1);
+    ends.emplace_back(s, 0);
+    ends.emplace_back(s, 1);
   }
+  spread(std::move(ends), &Strand::cuts);
+  spread(std::move(lines), &Strand::lines);
+}
+
+void Cuts::spread(std::vector<std::pair<std::size_t, Rational>> open, std::set<Rational> Strand::*marks) {
   while (!open.empty()) {
     const auto [from, t] = std::move(open.back());
     open.pop_back();
     for (const Link& link : strands_[from].links) {
       Strand& to = strands_[link.to];
       Rational image = link.scale * t + link.shift;
-      if (sgn(image) <= 0 || image >= 1 || !to.cuts.insert(image).second) continue;
-      if (to.cuts.size() > kMostCuts) {
+      if (sgn(image) <= 0 || image >= 1 || !(to.*marks).insert(image).second) continue;
+      if ((to.*marks).size() > kMostCuts) {
         throw LeafError(
             LeafWords(LeafPlace{static_cast<std::uint32_t>(to.owner)}) +
             ": curves that it shares with other leaves cut each other into more than " +
@@ -54,6 +60,14 @@ void Cuts::spread() {
       open.emplace_back(link.to, std::move(image));
     }
   }
+}
+
+std::vector<Rational> Cuts::lines(std::size_t strand, const Rational& low, const Rational& high) const {
+  std::vector<Rational> result;
+  const std::set<Rational>& all = strands_[strand].lines;
+  for (auto t = all.upper_bound(low); t != all.end() && *t < high; ++t)
+    result.push_back((*t - low) / (high - low));
+  return result;
 }
 
 }  // namespace cnrg

@@ -89,6 +89,7 @@ std::unique_ptr<PreparedLeaf> extrude_anew(const ExtrudeForm& form, const Transf
   sweep->shape = shape_image(form.shape, transform);
   sweep->mirrored = form.mirrored != (transform.determinant() < 0);
   sweep->steps = form.steps;
+  sweep->heights = form.heights;
   sweep->fixed = std::move(fixed);
   return tessellate(sweep);
 }

@@ -43,9 +43,15 @@ void Family::add_marks(std::size_t member, const TangencyMarks& marks) {
   for (const MeridianPoint& p : marks.circles) add_circle(member, p);
 }
 
+void Family::add_lines(std::size_t member, const RevolvedLines& lines) {
+  lines_.insert(lines.directions.begin(), lines.directions.end());
+  for (const auto& [piece, way] : lines.rows) plane_.add_row(first_[member] + piece, way);
+}
+
 void Family::solve_turns(const std::vector<RationalPoint>& others) {
   std::vector<RationalPoint> all = others_;
   all.insert(all.end(), others.begin(), others.end());
+  all.insert(all.end(), lines_.begin(), lines_.end());
   turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks_, all);
 }
 
@@ -154,6 +160,7 @@ RationalPoint Family::first_direction() const {
     }
     return r;
   };
+  const auto start = [](const Member& member) { return member.even ? *member.even : member.placed.start; };
   const Member* best = nullptr;
   for (const Member& member : members_) {
     if (best != nullptr) {
@@ -163,13 +170,13 @@ RationalPoint Family::first_direction() const {
         if (member.segments < best->segments) continue;
       } else if (const Rational r = widest(member), s = widest(*best); r != s) {
         if (r < s) continue;
-      } else if (!(member.placed.start < best->placed.start)) {
+      } else if (!(start(member) < start(*best))) {
         continue;
       }
     }
     best = &member;
   }
-  return best->placed.start;
+  return start(*best);
 }
 
 Rational Family::smallest() const {

@@ -3,11 +3,13 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "csg/carriers/axes.h"
 #include "csg/carriers/ball_hull.h"
 #include "csg/carriers/banded_leaves.h"
+#include "csg/carriers/extra_lines.h"
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/meridians.h"
 #include "csg/carriers/revolved_families.h"
@@ -26,6 +28,7 @@ struct Member {
   std::optional<std::size_t> band{};         ///< which one it is of a banded leaf, if it is of one
   bool whole = true;                         ///< of a band
   std::vector<RationalPoint> marks{};        ///< directions that it must have
+  std::optional<RationalPoint> even{};       ///< where even steps begin, if that is not the start of its turn
 };
 
 /// The part of the turn that a band covers.
@@ -41,6 +44,8 @@ class Family {
 
   /// Points and circles that `member` must have as vertices.
   void add_marks(std::size_t member, const TangencyMarks& marks);
+  /// Further lines of `member`.
+  void add_lines(std::size_t member, const RevolvedLines& lines);
   /// Contacts first, then directions: what must be one may be added between.
   void solve_meridians() { plane_.solve(); }
   /// With `others` (turns.h), which are not kept.
@@ -95,6 +100,7 @@ class Family {
   Rational size_;
   MeridianPlane plane_;
   std::vector<RationalPoint> marks_, others_;
+  std::set<RationalPoint> lines_;   // directions that give way to all of these
   std::vector<std::size_t> first_;  // piece of each member
   std::size_t pieces_ = 0;
   int segments_ = 0;

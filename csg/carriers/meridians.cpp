@@ -183,7 +183,7 @@ std::size_t MeridianPlane::add(const MeridianPiece& piece) {
     for (const Point& end : {piece.from, piece.to}) arc.marks.push_back(end);
   }
   if (piece.kind == Kind::net) {
-    int& steps = nets_[canonical(piece.net).curve.net];
+    int& steps = nets_[canonical(piece.net).curve.net].even;
     steps = std::max(steps, piece.steps);
   }
   std::vector<Point> points{piece.from, piece.to};
@@ -214,6 +214,28 @@ void MeridianPlane::add_vertex(std::size_t i, const MeridianPoint& at) {
   const Point off = at - piece.middle;
   if (std::abs(std::sqrt(to_double(meridian_dot(off, off, square_))) - radius) > kNearAngle * radius) return;
   arcs_.at({piece.middle, piece.radius}).marks.push_back(at);
+}
+
+void MeridianPlane::add_row(std::size_t i, const Rational& way) {
+  const MeridianPiece& piece = pieces_[i];
+  if (piece.kind == Kind::line) {
+    lines_[i].insert(way);
+  } else if (piece.kind == Kind::net) {
+    const CanonicalCurve of = canonical(piece.net);
+    nets_.at(of.curve.net).lines.insert(of.reversed ? Rational(1 - way) : way);
+  } else {
+    Arc& arc = arcs_.at({piece.middle, piece.radius});
+    if (piece.net.net.empty()) {
+      Rational degrees = piece.start + way * piece.sweep;
+      while (degrees > 180) degrees -= 360;
+      while (degrees <= -180) degrees += 360;
+      arc.rows.insert({on_arc(arc, degrees), degrees});
+    } else {
+      const RationalPoint p = piece.net.at(way);
+      const Point at{p[0], p[2]};
+      arc.rows.insert({at, from_double(angle_of(arc, at))});
+    }
+  }
 }
 
 void MeridianPlane::solve() {
@@ -284,6 +306,12 @@ void MeridianPlane::sample(Arc& arc) const {
     if (next != marked.end() && *next <= angle + near) return true;
     return !marked.empty() && (marked.front() + 360 - angle <= near || angle + 360 - marked.back() <= near);
   };
+  for (const Vertex& row : arc.rows) {
+    const double angle = to_double(row.degrees);
+    if (is_marked(angle)) continue;
+    marked.insert(std::upper_bound(marked.begin(), marked.end(), angle), angle);
+    arc.vertices.push_back(row);
+  }
   for (int j = 0; j < arc.steps; ++j) {
     Rational degrees = fraction(std::int64_t{360} * j, arc.steps) - (sphere ? 90 : 0);
     if (degrees > 180) degrees -= 360;
@@ -311,11 +339,15 @@ std::vector<RevolvedGrid::Row> MeridianPlane::rows(std::size_t i) const {
   const MeridianPiece& piece = pieces_[i];
   std::vector<RevolvedGrid::Row> result{{piece.from, piece.parameters[0]}};
   if (piece.kind == Kind::net) {
-    const int n = nets_.at(canonical(piece.net).curve.net);
-    for (int k = 1; k < n; ++k) {
-      const RationalPoint p = piece.net.at(fraction(k, n));
-      result.push_back({{p[0], p[2]}, in_span(piece.parameters, fraction(k, n))});
+    const CanonicalCurve of = canonical(piece.net);
+    for (const Rational& way : nets_.at(of.curve.net).inside(of.reversed)) {
+      const RationalPoint p = piece.net.at(way);
+      result.push_back({{p[0], p[2]}, in_span(piece.parameters, way)});
     }
+  }
+  if (const auto rows = lines_.find(i); rows != lines_.end()) {
+    for (const Rational& way : rows->second)
+      result.push_back({piece.from + way * (piece.to - piece.from), in_span(piece.parameters, way)});
   }
   if (piece.kind == Kind::arc) {
     const Arc& arc = arcs_.at({piece.middle, piece.radius});

@@ -9,8 +9,10 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <tuple>
 
+#include "csg/curves/boundary_curves.h"
 #include "csg/curves/revolved.h"
 
 namespace cnrg {
@@ -33,6 +35,8 @@ class MeridianPlane {
   std::size_t add(const MeridianPiece& piece);
   /// A vertex of the arc that piece i is on, if it is on one and the point, nearly, too.
   void add_vertex(std::size_t i, const MeridianPoint& at);
+  /// A row of piece i at a fraction of the way of its parameter, from 0 to 1; all pieces on its circle have it.
+  void add_row(std::size_t i, const Rational& way);
   /// After all is added: contacts of all pieces, vertices of all arcs.
   void solve();
   /// The rows of piece i.
@@ -53,6 +57,9 @@ class MeridianPlane {
   struct Vertex {
     MeridianPoint at;
     Rational degrees;  ///< of a mark as a double
+    friend bool operator<(const Vertex& a, const Vertex& b) {
+      return std::tie(a.degrees, a.at) < std::tie(b.degrees, b.at);
+    }
   };
   struct Arc {
     MeridianPoint middle;
@@ -60,6 +67,7 @@ class MeridianPlane {
     int steps = 0;                        ///< of a whole circle
     std::vector<MeridianPoint> marks;     ///< ends and contacts
     std::vector<MeridianPoint> halvings;  ///< of chords
+    std::set<Vertex> rows;                ///< of `add_row`; but next to others they are left out
     std::vector<Vertex> vertices;
   };
   using ArcKey = std::tuple<MeridianPoint, Rational>;
@@ -75,7 +83,8 @@ class MeridianPlane {
   std::vector<MeridianPiece> pieces_;
   std::vector<Bounds> bounds_;  // of these
   std::map<ArcKey, Arc> arcs_;
-  std::map<ControlRow, int> nets_;  // steps
+  std::map<std::size_t, std::set<Rational>> lines_;  // of `add_row`, by straight piece
+  std::map<ControlRow, CurveSteps> nets_;
 };
 
 }  // namespace cnrg

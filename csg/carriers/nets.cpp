@@ -83,11 +83,15 @@ struct Sheet {
 
 class CommonNetsOfLeaves {
  public:
-  explicit CommonNetsOfLeaves(const std::vector<LeafInstance>& instances) : instances_(instances) { gather(); }
+  CommonNetsOfLeaves(const std::vector<LeafInstance>& instances, const ExtraOfInstances& extra)
+      : instances_(instances), extra_(extra) {
+    gather();
+  }
 
-  std::vector<LeafInstance> run() {
+  std::vector<LeafInstance> run(std::set<std::uint32_t>* drawn) {
     for (PlacedNets& leaf : leaves_) place(leaf);
     link();
+    for (PlacedNets& leaf : leaves_) add_lines(leaf, drawn);
     if (cuts_.concerned().empty()) return instances_;
     cuts_.spread();
     for (const PlacedNets& leaf : leaves_) {
@@ -131,7 +135,19 @@ class CommonNetsOfLeaves {
           touching.insert({a.owner, b.owner});
         });
     for (PlacedNets& leaf : all) {
-      if (touching.contains(leaf.owner)) leaves_.push_back(std::move(leaf));
+      const bool has_lines = std::any_of(leaf.instances.begin(), leaf.instances.end(), [&](std::size_t i) {
+        return extra_.contains(static_cast<std::uint32_t>(i));
+      });
+      if (has_lines || touching.contains(leaf.owner)) leaves_.push_back(std::move(leaf));
+    }
+  }
+
+  void add_lines(PlacedNets& leaf, std::set<std::uint32_t>* drawn) {
+    for (const std::size_t i : leaf.instances) {
+      const auto extra = extra_.find(static_cast<std::uint32_t>(i));
+      if (extra == extra_.end()) continue;
+      leaf.add_lines(extra->second, cuts_);
+      if (drawn != nullptr) drawn->insert(extra->first);
     }
   }
 
@@ -220,29 +236,36 @@ class CommonNetsOfLeaves {
   /// What the cut pieces of a leaf ask for.
   void ask(const PlacedNets& leaf) {
     for (const PlacedPiece& piece : leaf.pieces) {
-      for (const NetPiece& part : piece.parts(cuts_)) {
+      for (const CutPiece& part : piece.parts(cuts_)) {
         const auto [it, is_new] = finest_.try_emplace(canonical(part.patch).patch.net, leaf.fineness());
         if (!is_new) it->second.join(leaf.fineness());
-        for (std::size_t k = 0; k < 4; ++k) common_steps_.ask(part.patch.side(k), leaf.fineness());
+        for (std::size_t k = 0; k < 4; ++k) {
+          std::vector<Rational> lines = part.lines[k % 2];
+          if (k >= 2) {  // it runs backward
+            for (Rational& t : lines) t = 1 - t;
+          }
+          common_steps_.ask(part.patch.side(k), leaf.fineness(), lines);
+        }
         for (std::size_t d = 0; d < 2; ++d) {
           const BezierPatch way = d == 0 ? part.patch : transposed(part.patch);
           if (const std::optional<Sweep> sweep = sweep_of(way))
-            tie({way.net[0]}, *sweep, piece.strand[d], leaf.fineness());
+            tie({way.net[0]}, *sweep, piece.strand[d], leaf.fineness(), part.lines[d]);
         }
       }
     }
     for (const PlacedCurve& curve : leaf.curves) {
-      for (const CurvePiece& part : curve.parts(cuts_)) {
-        if (leaf.sweep()) tie(part.curve, *leaf.sweep(), curve.strand, leaf.fineness());
-        else common_steps_.ask(part.curve, leaf.fineness());
+      for (const CutCurve& part : curve.parts(cuts_)) {
+        if (leaf.sweep()) tie(part.curve, *leaf.sweep(), curve.strand, leaf.fineness(), part.lines);
+        else common_steps_.ask(part.curve, leaf.fineness(), part.lines);
       }
     }
   }
 
   /// The rims of a wall have the steps of all walls on the same surface.
-  void tie(const BezierCurve& rim, const Sweep& sweep, std::size_t strand, const Fineness& fineness) {
-    const std::size_t near = common_steps_.ask(rim, fineness);
-    common_steps_.tie(near, common_steps_.ask({sweep.far_rim(rim.net)}, fineness));
+  void tie(const BezierCurve& rim, const Sweep& sweep, std::size_t strand, const Fineness& fineness,
+           const std::vector<Rational>& lines) {
+    const std::size_t near = common_steps_.ask(rim, fineness, lines);
+    common_steps_.tie(near, common_steps_.ask({sweep.far_rim(rim.net)}, fineness, lines));
     const auto wall = wall_of_.find(strand);
     if (wall == wall_of_.end()) return;  // flat
     const std::size_t kind = 1 + walls_alike_.first_of(wall->second);
@@ -258,6 +281,7 @@ class CommonNetsOfLeaves {
   }
 
   const std::vector<LeafInstance>& instances_;
+  const ExtraOfInstances& extra_;
   std::vector<PlacedNets> leaves_;
   CurveCarriers curves_;
   SurfaceCarriers surfaces_;
@@ -274,8 +298,9 @@ class CommonNetsOfLeaves {
 
 }  // namespace
 
-std::vector<LeafInstance> with_common_nets(const std::vector<LeafInstance>& instances) {
-  return CommonNetsOfLeaves(instances).run();
+std::vector<LeafInstance> with_common_nets(const std::vector<LeafInstance>& instances,
+                                           const ExtraOfInstances& extra, std::set<std::uint32_t>* drawn) {
+  return CommonNetsOfLeaves(instances, extra).run(drawn);
 }
 
 }  // namespace cnrg

@@ -10,15 +10,20 @@
 // Their rims are curves in space like the sides of patches.
 #pragma once
 
+#include <set>
 #include <vector>
 
+#include "csg/carriers/extra_lines.h"
 #include "csg/leaves/leaf.h"
 
 namespace cnrg {
 
 /// The same instances. Those that share a surface or a curve with another one, by more than points, are replaced
 /// by leaves in the place of the given ones, with the identity as transform; all others stay as they are. Nothing
-/// depends on their order. Throws InputError, the message names the instance as `leaf N`.
-std::vector<LeafInstance> with_common_nets(const std::vector<LeafInstance>& instances);
+/// depends on their order. `extra`: further lines, and `drawn`, if given, gets who has them. Throws InputError,
+/// the message names the instance as `leaf N`.
+std::vector<LeafInstance> with_common_nets(const std::vector<LeafInstance>& instances,
+                                           const ExtraOfInstances& extra = {},
+                                           std::set<std::uint32_t>* drawn = nullptr);
 
 }  // namespace cnrg

@@ -64,7 +64,7 @@ PlacedNets::Extent image(const Transform& t, const PlacedNets::Extent& e) {
 }
 
 /// A curve in pieces as one B-spline, with knots where the pieces meet.
-CurveNet joined(const std::vector<CurvePiece>& parts) {
+CurveNet joined(const std::vector<CutCurve>& parts) {
   CurveNet net;
   const std::size_t degree = parts[0].curve.degree();
   net.degree = static_cast<int>(degree);
@@ -130,27 +130,29 @@ std::optional<Sweep> sweep_of(const BezierPatch& patch) {
   return Sweep(*vector);
 }
 
-std::vector<NetPiece> PlacedPiece::parts(const Cuts& cuts) const {
-  std::vector<NetPiece> result;
+std::vector<CutPiece> PlacedPiece::parts(const Cuts& cuts) const {
+  std::vector<CutPiece> result;
   const auto &in_u = cuts.of(strand[0]), &in_v = cuts.of(strand[1]);
-  if (in_u.size() == 2 && in_v.size() == 2) return {{patch, span}};
+  if (in_u.size() == 2 && in_v.size() == 2)
+    return {{{patch, span}, {cuts.lines(strand[0], 0, 1), cuts.lines(strand[1], 0, 1)}}};
   for (auto v = in_v.begin(); std::next(v) != in_v.end(); ++v) {
     for (auto u = in_u.begin(); std::next(u) != in_u.end(); ++u) {
       const Rational &u0 = *u, &u1 = *std::next(u), &v0 = *v, &v1 = *std::next(v);
       result.push_back(
-          {reduced(part(patch, {u0, u1}, {v0, v1})),
-           {{{in_span(span[0], u0), in_span(span[0], u1)}, {in_span(span[1], v0), in_span(span[1], v1)}}}});
+          {{reduced(part(patch, {u0, u1}, {v0, v1})),
+            {{{in_span(span[0], u0), in_span(span[0], u1)}, {in_span(span[1], v0), in_span(span[1], v1)}}}},
+           {cuts.lines(strand[0], u0, u1), cuts.lines(strand[1], v0, v1)}});
     }
   }
   return result;
 }
 
-std::vector<CurvePiece> PlacedCurve::parts(const Cuts& cuts) const {
-  std::vector<CurvePiece> result;
+std::vector<CutCurve> PlacedCurve::parts(const Cuts& cuts) const {
+  std::vector<CutCurve> result;
   const auto& at = cuts.of(strand);
   for (auto t = at.begin(); std::next(t) != at.end(); ++t) {
     const Rational &t0 = *t, &t1 = *std::next(t);
-    result.push_back({{part(net, t0, t1)}, {in_span(span, t0), in_span(span, t1)}});
+    result.push_back({{{part(net, t0, t1)}, {in_span(span, t0), in_span(span, t1)}}, cuts.lines(strand, t0, t1)});
   }
   return result;
 }
@@ -218,6 +220,28 @@ void PlacedNets::place() {
   }
 }
 
+void PlacedNets::add_lines(const ExtraLines& lines, Cuts& cuts) {
+  cuts.concern(owner);
+  const auto add = [&](const std::vector<Rational>& values, const Span& span, std::size_t strand) {
+    each_between(values, span, [&](const Rational& t) { cuts.add_line(strand, t); });
+  };
+  if (nets_) {
+    for (const PlacedPiece& piece : pieces) {
+      const auto of = lines.of.find(static_cast<std::uint32_t>(piece.number));
+      if (of == lines.of.end()) continue;
+      for (std::size_t d = 0; d < 2; ++d) add(of->second[d], piece.span[d], piece.strand[d]);
+    }
+    return;
+  }
+  const std::size_t first = extrusion_->shape.profile.closed ? 2 : 0;
+  for (const PlacedCurve& curve : curves) {
+    const auto of = lines.of.find(static_cast<std::uint32_t>(first + curve.number));
+    if (of == lines.of.end()) continue;
+    add(of->second[0], curve.span, curve.strand);
+    each_between(of->second[1], {0, 1}, [&](const Rational& t) { heights_.insert(t); });
+  }
+}
+
 std::shared_ptr<const PreparedLeaf> PlacedNets::tessellated(const Cuts& cuts, const FinestPatches& finest,
                                                             std::shared_ptr<const AgreedSteps> steps) const {
   return nets_ ? nets_anew(cuts, finest, std::move(steps)) : extrusion_anew(cuts, std::move(steps));
@@ -235,15 +259,15 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::nets_anew(const Cuts& cuts, cons
   for (NetForm::Curve& curve : form->curves) curve.pieces.clear();
   for (const PlacedPiece& piece : pieces) {
     form->patches[piece.number].pieces.push_back({piece.patch, piece.span});
-    for (NetPiece& part : piece.parts(cuts)) {
+    for (CutPiece& part : piece.parts(cuts)) {
       Fineness fineness = nets_->fineness;
       fineness.join(finest.at(canonical(part.patch).patch.net));
-      common->patches[piece.number].push_back({std::move(part), std::move(fineness)});
+      common->patches[piece.number].push_back({std::move(part), std::move(fineness), std::move(part.lines)});
     }
   }
   for (const PlacedCurve& curve : curves) {
     form->curves[curve.number].pieces.push_back({{curve.net}, curve.span});
-    for (CurvePiece& part : curve.parts(cuts)) common->curves[curve.number].push_back(std::move(part));
+    for (CutCurve& part : curve.parts(cuts)) common->curves[curve.number].push_back(std::move(part));
   }
   std::shared_ptr<PreparedLeaf> leaf = tessellate(*nets_, common.get(), nullptr);
   leaf->set_form(std::move(form));
@@ -264,13 +288,14 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::extrusion_anew(const Cuts& cuts,
   sweep->shape.center.reset();
   sweep->mirrored = transform_.determinant() < 0;
   sweep->steps = std::move(steps);
+  sweep->heights = heights_;
   auto curve = curves.begin();
   std::size_t number = 0;
   for (ProfileLine& line : sweep->shape.profile.lines) {
     for (CurveNet& net : line.segments) {
-      std::vector<CurvePiece> parts;
+      std::vector<CutCurve> parts;
       for (; curve != curves.end() && curve->number == number; ++curve) {
-        for (CurvePiece& part : curve->parts(cuts)) parts.push_back(std::move(part));
+        for (CutCurve& part : curve->parts(cuts)) parts.push_back(std::move(part));
       }
       net = joined(parts);
       ++number;
@@ -280,6 +305,7 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::extrusion_anew(const Cuts& cuts,
   const auto form = std::make_shared<ExtrudeForm>(sweep->shape);
   form->mirrored = sweep->mirrored;
   form->steps = sweep->steps;
+  form->heights = sweep->heights;
   leaf->set_form(form);
   leaf->set_surfaces(moved(leaf_->surfaces(), transform_));
   return leaf;

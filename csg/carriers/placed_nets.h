@@ -5,21 +5,31 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "csg/carriers/cuts.h"
+#include "csg/carriers/extra_lines.h"
 #include "csg/curves/extrude.h"
 #include "csg/curves/parametric.h"
 #include "csg/leaves/leaf.h"
 
 namespace cnrg {
 
+/// A piece between cuts, with lines along u and along v as parameters of it.
+struct CutPiece : NetPiece {
+  PatchLines lines;
+};
+struct CutCurve : CurvePiece {
+  std::vector<Rational> lines;
+};
+
 struct PlacedPiece {
   std::size_t number;  ///< of the patch
   BezierPatch patch;   ///< of least degree
   std::array<Span, 2> span;
   std::array<std::size_t, 2> strand{};  ///< of `Cuts`, along u and along v
-  std::vector<NetPiece> parts(const Cuts& cuts) const;
+  std::vector<CutPiece> parts(const Cuts& cuts) const;
 };
 
 /// A wire, or a segment of a profile.
@@ -28,7 +38,7 @@ struct PlacedCurve {
   ControlRow net;
   Span span;
   std::size_t strand = 0;
-  std::vector<CurvePiece> parts(const Cuts& cuts) const;
+  std::vector<CutCurve> parts(const Cuts& cuts) const;
 };
 
 /// The finenesses that are asked for of patches, by their canonical nets.
@@ -61,6 +71,8 @@ class PlacedNets {
 
   /// Fills `pieces` and `curves`.
   void place();
+  /// Further lines of it, for `cuts`; after `place`.
+  void add_lines(const ExtraLines& lines, Cuts& cuts);
   const Fineness& fineness() const { return nets_ ? nets_->fineness : extrusion_->fineness; }
   /// Of an extrusion.
   const std::optional<Sweep>& sweep() const { return sweep_; }
@@ -84,6 +96,7 @@ class PlacedNets {
   std::shared_ptr<const PreparedLeaf> leaf_;  // as it was prepared
   Transform transform_;
   std::optional<Sweep> sweep_;
+  std::set<Rational> heights_;  // of an extrusion: further lines, parts of its vector
 };
 
 }  // namespace cnrg

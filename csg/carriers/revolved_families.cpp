@@ -41,8 +41,8 @@ class Space {
  public:
   /// `finer`: by how much banded leaves are drawn finer than they ask for.
   Space(std::vector<LeafInstance>& instances, const RoundSpace& of, const std::map<Index, int>& finer,
-        std::vector<LeafWords>& notices)
-      : instances_(instances), of_(of), finer_(finer), banded_(notices) {
+        const ExtraOfInstances& extra, std::set<Index>& drawn, std::vector<LeafWords>& notices)
+      : instances_(instances), of_(of), finer_(finer), extra_(extra), drawn_(drawn), banded_(notices) {
     for (const Index i : of.instances) add(i);
   }
 
@@ -264,6 +264,12 @@ class Space {
     });
   }
 
+  bool needs_lines(const Member& member) const {
+    return member.arc == nullptr && !member.band &&
+           std::any_of(member.instances.begin(), member.instances.end(),
+                       [&](Index i) { return extra_.contains(i); });
+  }
+
   /// Leaves that are drawn alike as they are.
   bool alike(const std::vector<Index>& of) const {
     const Member& first = nodes_[of[0]];
@@ -345,7 +351,7 @@ class Space {
       const Transform& relative = relative_.at(finest);
       const PlacedForm own = place(form_of(finest), relative, *stretch(relative));
       Member member = ball_on(ball, own.axis);
-      member.placed.start = member.placed.end = own.start;
+      member.even = own.start;
       ball_node(ball, own.axis, std::move(member));
     }
     UnionFind sets(nodes_.size());
@@ -355,7 +361,18 @@ class Space {
     for (const auto& [first, of] : families) {
       const bool marked = std::any_of(of.begin(), of.end(), [&](Index n) { return needs_marks(nodes_[n]); });
       const bool nested = std::any_of(of.begin(), of.end(), [&](Index n) { return nested_nodes_.contains(n); });
-      if (marked || nested || !alike(of)) make_family(of, nested);
+      if (marked || nested || !alike(of)) {
+        make_family(of, nested);
+      } else if (std::any_of(of.begin(), of.end(), [&](Index n) { return needs_lines(nodes_[n]); })) {
+        // A ball keeps the parameters of its leaf.
+        Member& member = nodes_[first];
+        if (member.ball) {
+          const Index i = member.instances.front();
+          member.placed = place(form_of(i), relative_.at(i), *stretch(relative_.at(i)));
+          member.ball = false;
+        }
+        make_family(of, false);
+      }
     }
     solve_turns();
     for (const auto& [ball, of] : balls_) {
@@ -411,6 +428,30 @@ class Space {
     families_.emplace_back(family, of);
   }
 
+  void add_lines(Family& family, std::size_t m) {
+    const Member& member = family.members()[m];
+    if (member.band) return;
+    for (const Index i : member.instances) {
+      const auto extra = extra_.find(i);
+      if (extra == extra_.end()) continue;
+      drawn_.insert(i);
+      if (member.arc != nullptr) {
+        const auto& extrusion = dynamic_cast<const ExtrudeForm&>(*instances_[i].leaf->form());
+        family.add_lines(m, revolved_lines(extra->second, extrusion, *member.arc));
+      } else if (!member.ball) {
+        family.add_lines(m, revolved_lines(extra->second, form_of(i), relative_.at(i), *stretch(relative_.at(i))));
+      } else if (shared_.is_hull(ball_of(i))) {
+        shared_.add_lines(ball_of(i), extra->second);
+      } else {
+        family.add_lines(m, revolved_lines(extra->second, ball_about(i, family.axis()), {}, 1));
+      }
+    }
+  }
+  /// A sphere is turned with all its parameters to the axis that it shares.
+  RevolvedForm ball_about(Index i, const AxisLine& axis) const {
+    return sphere_about(ball_of(i), axis.direction, form_of(i));
+  }
+
   /// Draws what is inside before what is around it, and balls about several axes.
   void solve_turns() {
     std::vector<std::shared_ptr<Family>> families;
@@ -429,6 +470,10 @@ class Space {
         shared_.add(ball_of(nodes_[of[m]].instances[0]), *family, m, points);
       }
       families.push_back(family);
+    }
+    shared_.choose();
+    for (const auto& [family, of] : families_) {
+      for (std::size_t m = 0; m < of.size(); ++m) add_lines(*family, m);
     }
     std::vector<NestedFamilies> nested;
     for (const auto& [inner, outer, direction] : inside_)
@@ -450,9 +495,8 @@ class Space {
   }
 
   void replace(Index i, const std::shared_ptr<Family>& family, std::size_t m) {
-    // A sphere is turned with all its parameters to the axis that it shares.
     const auto form = std::make_shared<const RevolvedForm>(
-        family->members()[m].ball ? sphere_about(ball_of(i), family->axis().direction, form_of(i)) : form_of(i));
+        family->members()[m].ball ? ball_about(i, family->axis()) : form_of(i));
     const auto grid = std::make_shared<const RevolvedGrid>(family->grid(m, *form));
     const auto make = [form, grid, family](LeafParameters* record) {
       return tessellate(
@@ -486,6 +530,8 @@ class Space {
   std::vector<LeafInstance>& instances_;
   const RoundSpace& of_;
   const std::map<Index, int>& finer_;
+  const ExtraOfInstances& extra_;
+  std::set<Index>& drawn_;
   BandedLeaves banded_;
   std::set<Index> too_coarse_;
   std::map<Index, std::shared_ptr<const RevolvedForm>> forms_;  // as the leaves were
@@ -511,10 +557,11 @@ class Space {
 
 /// Replaces what `share_axes` does, with banded leaves as much finer as `finer` says; gives those that need more.
 std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInstance>& instances,
-                         const std::vector<RoundSpace>& spaces, std::vector<LeafWords>& notices) {
+                         const std::vector<RoundSpace>& spaces, const ExtraOfInstances& extra,
+                         std::set<Index>& drawn, std::vector<LeafWords>& notices) {
   std::set<Index> too_coarse;
   for (const RoundSpace& of : spaces) {
-    Space space(instances, of, finer, notices);
+    Space space(instances, of, finer, extra, drawn, notices);
     too_coarse.merge(space.run());
   }
   return too_coarse;
@@ -523,14 +570,14 @@ std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInst
 }  // namespace
 
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<RoundSpace>& spaces,
-                std::vector<LeafWords>& notices) {
+                const ExtraOfInstances& extra, std::set<Index>& drawn, std::vector<LeafWords>& notices) {
   constexpr int kFinest = 8;
   const std::vector<LeafInstance> given = instances;
   std::map<Index, int> finer;
   for (;;) {
     std::vector<LeafWords> told;
     bool again = false;
-    for (const Index i : share_at(finer, instances, spaces, told)) {
+    for (const Index i : share_at(finer, instances, spaces, extra, drawn, told)) {
       int& factor = finer.try_emplace(i, 1).first->second;
       again = again || factor < kFinest;
       factor = std::min(2 * factor, kFinest);

@@ -1,8 +1,9 @@
 // Leaves of revolution that touch one another about one axis, tessellated together.
 #pragma once
 
-#include <map>
+#include <set>
 
+#include "csg/carriers/extra_lines.h"
 #include "csg/carriers/round_spaces.h"
 #include "csg/leaves/leaf.h"
 #include "kernel/base/leaf_words.h"
@@ -13,9 +14,10 @@ namespace cnrg {
 std::vector<std::array<std::uint32_t, 2>> near_axes(const std::vector<LeafInstance>& instances,
                                                     const std::vector<std::array<std::uint32_t, 2>>& pairs);
 
-/// Replaces the instances of these spaces. `notices`: of banded leaves that stay as they are, `leaf 2, face 3
+/// Replaces the instances of these spaces. `extra`: further lines, and `drawn` gets who has them. `notices`: of
+/// banded leaves that stay as they are, `leaf 2, face 3
 /// ...`.
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<RoundSpace>& spaces,
-                std::vector<LeafWords>& notices);
+                const ExtraOfInstances& extra, std::set<std::uint32_t>& drawn, std::vector<LeafWords>& notices);
 
 }  // namespace cnrg

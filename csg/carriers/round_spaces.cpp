@@ -47,7 +47,8 @@ Metric metric_of(const Transform& transform) {
 
 std::vector<RoundSpace> round_spaces(const std::vector<LeafInstance>& instances,
                                      const std::vector<RevolvedInstance>& revolved, const std::vector<Pair>& pairs,
-                                     const std::vector<Pair>& near, const std::vector<Index>& anew) {
+                                     const std::vector<Pair>& near, const std::vector<Index>& anew,
+                                     const ExtraOfInstances& extra) {
   std::set<Index> members, alone, banded;
   for (const RevolvedInstance& of : revolved) alone.insert(of.instance);
   members = alone;
@@ -129,7 +130,7 @@ std::vector<RoundSpace> round_spaces(const std::vector<LeafInstance>& instances,
       for (const HasCircle& one : all) concerned.insert(one.instance);
     }
     for (const Index i : of.members) {
-      if (banded.contains(i)) concerned.insert(i);
+      if (banded.contains(i) || extra.contains(i)) concerned.insert(i);
     }
     if (concerned.empty()) continue;
     space.instances.assign(concerned.begin(), concerned.end());

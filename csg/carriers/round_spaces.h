@@ -5,6 +5,7 @@
 // round in one space, which is that of the tree where they are not stretched at all.
 #pragma once
 
+#include "csg/carriers/extra_lines.h"
 #include "csg/carriers/tangency.h"
 
 namespace cnrg {
@@ -25,11 +26,12 @@ struct RoundSpace {
 };
 
 /// `revolved`: all revolved instances, with their transforms and boxes in the tree; `pairs`: those whose boxes
-/// meet, each once; `near`: those of `near_axes`; `anew`: revolved ones that are to be drawn in any case.
+/// meet, each once; `near`: those of `near_axes`; `anew`: revolved ones that are to be drawn in any case; `extra`:
+/// instances with further lines.
 std::vector<RoundSpace> round_spaces(const std::vector<LeafInstance>& instances,
                                      const std::vector<RevolvedInstance>& revolved,
                                      const std::vector<std::array<std::uint32_t, 2>>& pairs,
                                      const std::vector<std::array<std::uint32_t, 2>>& near,
-                                     const std::vector<std::uint32_t>& anew);
+                                     const std::vector<std::uint32_t>& anew, const ExtraOfInstances& extra);
 
 }  // namespace cnrg

@@ -74,7 +74,17 @@ std::shared_ptr<const BallHull> SharedBalls::hull(const Ball& ball) const {
   return found == hulls_.end() ? nullptr : found->second;
 }
 
-void SharedBalls::solve(const std::function<void()>& solve_turns) {
+void SharedBalls::add_lines(const Ball& ball, const ExtraLines& lines) {
+  const auto of = lines.of.find(0);
+  if (of == lines.of.end()) return;
+  for (std::size_t d = 0; d < 2; ++d) {
+    for (const Rational& at : of->second[d]) {
+      if (at > 0 && at < 1) balls_.at(ball).lines[d].insert(at);
+    }
+  }
+}
+
+void SharedBalls::choose() {
   std::sort(nested_.begin(), nested_.end(), [](const Nested& a, const Nested& b) {
     return a.inner.radius != b.inner.radius ? a.inner.radius < b.inner.radius : a.inner < b.inner;
   });
@@ -88,6 +98,9 @@ void SharedBalls::solve(const std::function<void()>& solve_turns) {
   by_size_.assign(hulls.begin(), hulls.end());
   std::stable_sort(by_size_.begin(), by_size_.end(),
                    [](const Ball& a, const Ball& b) { return a.radius < b.radius; });
+}
+
+void SharedBalls::solve(const std::function<void()>& solve_turns) {
   for (const Ball& ball : by_size_) cross_circles(balls_.at(ball).places, ball);
   constexpr int kMostRounds = 8;
   for (int round = 0;; ++round) {
@@ -96,7 +109,7 @@ void SharedBalls::solve(const std::function<void()>& solve_turns) {
     for (const Ball& ball : by_size_) {
       const Parts parts = parts_of(ball);
       auto hull = std::make_shared<const BallHull>(
-          hull_of(ball, parts.circles, parts.points, parts.others, parts.segments, parts.rings));
+          hull_of(ball, parts.circles, parts.points, parts.others, parts.around, parts.up));
       hulls_[ball] = hull;
       if (round == kMostRounds) continue;
       // A chord of a circle that is no edge of the hull is halved, for all leaves about this axis.
@@ -136,14 +149,16 @@ SharedBalls::Parts SharedBalls::parts_of(const Ball& ball) const {
   const Shared& shared = balls_.at(ball);
   Parts parts;
   parts.points = shared.points;
+  parts.around.lines = shared.lines[0];
+  parts.up.lines = shared.lines[1];
   for (const auto& [family, member] : shared.places) {
     for (const MeridianPoint& p : family->shared_circles(member)) {
       parts.circles.push_back(family->circle(p));
       parts.family.push_back(family);
     }
     const Member& of = family->members()[member];
-    parts.segments = std::max(parts.segments, of.segments);
-    parts.rings = std::max(parts.rings, of.placed.lines[0][0].steps);
+    parts.around.even = std::max(parts.around.even, of.segments);
+    parts.up.even = std::max(parts.up.even, of.placed.lines[0][0].steps);
   }
   for (const Nested& pair : nested_) {
     if (pair.inner != ball && pair.outer != ball) continue;

@@ -9,6 +9,7 @@
 // than any of these, so that the two hulls have this one point in common.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
@@ -22,6 +23,13 @@ class SharedBalls {
  public:
   /// A member of a family that is this ball; `points`: further ones that it must have.
   void add(const Ball& ball, Family& family, std::size_t member, const std::vector<RationalPoint>& points);
+  /// After all of these and `nest`, before `solve`: which balls are hulls.
+  void choose();
+  bool is_hull(const Ball& ball) const {
+    return std::find(by_size_.begin(), by_size_.end(), ball) != by_size_.end();
+  }
+  /// Further meridians and parallels of a hull, about the z axis, as points where they cross.
+  void add_lines(const Ball& ball, const ExtraLines& lines);
   /// The two touch in a point, `inner` from inside; both are in one family.
   void nest(const Ball& inner, const Ball& outer) { nested_.push_back({inner, outer}); }
   /// Calls `solve_turns`, which is to solve the directions of all families, as often as these grow.
@@ -37,6 +45,7 @@ class SharedBalls {
   struct Shared {
     std::vector<Place> places;
     std::vector<RationalPoint> points;
+    std::array<std::set<Rational>, 2> lines;
   };
   struct Nested {
     Ball inner, outer;
@@ -46,7 +55,7 @@ class SharedBalls {
     std::vector<SphereCircle> circles;
     std::vector<Family*> family;  ///< of each circle
     std::vector<RationalPoint> points, others;
-    int segments = 0, rings = 0;
+    CurveSteps around, up;
   };
 
   void cross_circles(const std::vector<Place>& places, const Ball& ball) const;

@@ -19,7 +19,7 @@
 
 #include "csg/certify/contact.h"
 #include "csg/curves/surface_placed.h"
-#include "csg/evaluate/drawings.h"
+#include "csg/carriers/placed_leaves.h"
 #include "kernel/refine/box.h"
 
 namespace cnrg {

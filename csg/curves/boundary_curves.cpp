@@ -74,16 +74,54 @@ int Fineness::steps_of_turn(double radius, double degrees) const {
   return static_cast<int>(std::ceil(n * turns));
 }
 
-int BoundaryCurves::steps(const BezierCurve& curve) {
-  const BezierCurve least = canonical(curve).curve;
-  const auto [place, is_new] = steps_.try_emplace(least.net, 1);
-  if (!is_new || least.degree() == 0 || least.is_point()) return place->second;
-  int& n = place->second;
-  if (agreed_ != nullptr) {
-    const auto found = agreed_->find(least.net);
-    if (found != agreed_->end()) return n = found->second;
+std::vector<Rational> CurveSteps::inside(bool backward) const {
+  std::vector<Rational> result(lines.begin(), lines.end());
+  const Rational near = fraction(1, even) / (std::int64_t{1} << 32);
+  for (int k = 1; k < even; ++k) {
+    const Rational at = fraction(k, even);
+    const auto next = lines.empty() ? lines.end() : lines.lower_bound(at - near);
+    if (next == lines.end() || *next > at + near) result.push_back(at);
   }
-  if (!fineness_.by_chord()) return n = least.degree() == 1 ? 1 : fineness_.segments();
+  if (!lines.empty()) std::sort(result.begin(), result.end());
+  if (!backward) return result;
+  std::reverse(result.begin(), result.end());
+  for (Rational& t : result) t = 1 - t;
+  return result;
+}
+
+std::set<Rational> rounded_lines(const std::set<Rational>& lines) {
+  const Rational whole = std::int64_t{1} << 40;
+  std::set<Rational> result;
+  for (const Rational& t : lines) {
+    const Rational up = t * whole + Rational(1, 2);
+    Integer near;
+    mpz_fdiv_q(near.get_mpz_t(), up.get_num_mpz_t(), up.get_den_mpz_t());
+    if (near > 0 && near < whole) result.insert(near / whole);
+  }
+  return result;
+}
+
+std::vector<Rational> BoundaryCurves::inside(const BezierCurve& curve) {
+  const CanonicalCurve least = canonical(curve);
+  return of(least).inside(least.reversed);
+}
+
+int BoundaryCurves::steps(const BezierCurve& curve) { return of(canonical(curve)).even; }
+
+const CurveSteps& BoundaryCurves::of(const CanonicalCurve& curve) {
+  const BezierCurve& least = curve.curve;
+  const auto [place, is_new] = steps_.try_emplace(least.net);
+  CurveSteps& found = place->second;
+  if (!is_new || least.degree() == 0 || least.is_point()) return found;
+  int& n = found.even;
+  if (agreed_ != nullptr) {
+    const auto agreed = agreed_->find(least.net);
+    if (agreed != agreed_->end()) return found = agreed->second;
+  }
+  if (!fineness_.by_chord()) {
+    n = least.degree() == 1 ? 1 : fineness_.segments();
+    return found;
+  }
   n = least.degree() == 1 ? 1 : fineness_.least();
   const PatchChord chord(BezierPatch{{least.net}});
   for (bool fine = false; !fine;) {
@@ -95,7 +133,7 @@ int BoundaryCurves::steps(const BezierCurve& curve) {
     if (!fine) n *= 2;
     if (n > Fineness::kMostSegments) fineness_.fail_too_fine();
   }
-  return n;
+  return found;
 }
 
 void BoundaryCurves::use(const BezierCurve& curve, const std::string& name) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,20 @@ class Fineness {
   int least_ = 1;
 };
 
+/// Where a curve has vertices.
+struct CurveSteps {
+  int even = 1;
+  std::set<Rational> lines{};  ///< parameters of further ones, between 0 and 1
+  /// The parameters of all but the ends, ascending, or those of the curve run backward. Of even steps next to
+  /// another one there are none.
+  std::vector<Rational> inside(bool backward = false) const;
+};
+
+/// Multiples of 2^-40 between 0 and 1, the nearest ones.
+std::set<Rational> rounded_lines(const std::set<Rational>& lines);
+
 /// Steps of curves, by their canonical nets, that leaves have agreed on (csg/carriers).
-using AgreedSteps = std::map<ControlRow, int>;
+using AgreedSteps = std::map<ControlRow, CurveSteps>;
 
 class BoundaryCurves {
  public:
@@ -59,6 +72,8 @@ class BoundaryCurves {
   /// Equal steps that keep segments within half of the chord (the other half is for the facets beside it: see
   /// patch_mesh.h). One for what is straight and for a point. Of a curve that leaves have agreed on, theirs.
   int steps(const BezierCurve& curve);
+  /// The parameters of these steps but for the ends, and of further lines that leaves have agreed on.
+  std::vector<Rational> inside(const BezierCurve& curve);
 
   /// Notes that a patch has `curve` as a side; `name` is for messages.
   void use(const BezierCurve& curve, const std::string& name);
@@ -75,7 +90,8 @@ class BoundaryCurves {
   };
   const Fineness& fineness_;
   const AgreedSteps* agreed_;
-  std::map<ControlRow, int> steps_;
+  const CurveSteps& of(const CanonicalCurve& curve);
+  std::map<ControlRow, CurveSteps> steps_;
   std::map<ControlRow, Uses> uses_;
 };
 

@@ -42,6 +42,7 @@ class Extrusion {
         record_(record),
         mirrored_(common != nullptr && common->mirrored),
         fixed_(common == nullptr ? FixedSamples() : common->fixed),
+        heights_(common == nullptr ? std::set<Rational>() : common->heights),
         fineness_("extrude", shape.tessellation),
         boundary_(fineness_, common == nullptr ? nullptr : common->steps.get()) {
     if (is_zero(shape.vector)) throw InputError("extrude: the vector is zero: give the way to go");
@@ -78,10 +79,12 @@ class Extrusion {
     }
     LeafBuilder builder(closed ? Fill::winding : Fill::none, record_);
     std::vector<std::vector<PointId>> lower = section(builder, lines, 0), bottom = lower;
-    for (int k = 1; k <= sections_; ++k) {
-      const std::vector<std::vector<PointId>> upper = section(builder, lines, k);
-      for (std::size_t l = 0; l < lines.size(); ++l) add_band(builder, lines[l], lower[l], upper[l], k);
+    Rational from = 0;
+    for (const Rational& to : heights()) {
+      const std::vector<std::vector<PointId>> upper = section(builder, lines, to);
+      for (std::size_t l = 0; l < lines.size(); ++l) add_band(builder, lines[l], lower[l], upper[l], from, to);
       lower = upper;
+      from = to;
     }
     if (!closed) {
       for (const auto& ids : {bottom[0], lower[0]}) {
@@ -133,7 +136,11 @@ class Extrusion {
   }
 
   /// Steps of a segment: those of its curve at the largest scale of the sweep, more where twist needs short edges.
-  int steps(const BezierCurve& curve) {
+  std::vector<Rational> steps(const BezierCurve& curve) {
+    if (shape_.twist == 0 && shape_.scale <= 1) return boundary_.inside(curve);
+    return CurveSteps{even_steps(curve)}.inside();
+  }
+  int even_steps(const BezierCurve& curve) {
     int n = 0;
     if (shape_.scale > 1) {
       BezierCurve larger = curve;
@@ -160,10 +167,15 @@ class Extrusion {
     return n;
   }
 
+  /// Of all sections but the first one.
+  std::vector<Rational> heights() const {
+    std::vector<Rational> result = CurveSteps{sections_, heights_}.inside();
+    result.push_back(1);
+    return result;
+  }
+
   std::vector<std::vector<PointId>> section(LeafBuilder& builder, const std::vector<SampledLine>& lines,
-                                            int k) const {
-    Rational t(k, sections_);
-    t.canonicalize();
+                                            const Rational& t) const {
     const Rational s = 1 + t * (shape_.scale - 1);
     Transform move = Transform::translation(t * shape_.vector);
     if (shape_.twist != 0) move = move * Transform::rotation(shape_.vector, t * shape_.twist, center_);
@@ -178,7 +190,7 @@ class Extrusion {
           continue;
         }
         RationalPoint q = move.apply(center_ + s * (p - center_));
-        if (shape_.twist != 0 && k > 0 && k < sections_) {
+        if (shape_.twist != 0 && t > 0 && t < 1) {
           for (Rational& x : q) x = rounded_for(x, size);
         }
         result.back().push_back(builder.point(q));
@@ -188,9 +200,8 @@ class Extrusion {
   }
 
   void add_band(LeafBuilder& builder, const SampledLine& line, const std::vector<PointId>& lower,
-                const std::vector<PointId>& upper, int k) const {
+                const std::vector<PointId>& upper, const Rational& v0, const Rational& v1) const {
     const std::uint32_t first = shape_.profile.closed ? 2 : 0;
-    const Rational v0 = fraction(k - 1, sections_), v1 = fraction(k, sections_);
     for (std::size_t i = 0; i < line.segment.size(); ++i) {
       const std::size_t j = (i + 1) % line.points.size();
       if (!shape_.profile.closed && is_zero(cross(line.points[j] - line.points[i], shape_.vector)) &&
@@ -214,6 +225,7 @@ class Extrusion {
   LeafParameters* record_;
   bool mirrored_;
   FixedSamples fixed_;
+  std::set<Rational> heights_;
   Fineness fineness_;
   BoundaryCurves boundary_;
   RationalPoint center_;

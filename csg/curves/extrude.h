@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "csg/curves/boundary_curves.h"
@@ -24,6 +25,7 @@ class ExtrudeForm final : public CurvedForm {
   // Of a leaf that has been tessellated together with others already; as of a CommonSweep.
   bool mirrored = false;
   std::shared_ptr<const AgreedSteps> steps;
+  std::set<Rational> heights;
 };
 
 /// How an extrusion is tessellated together with other leaves.
@@ -31,7 +33,8 @@ struct CommonSweep {
   ExtrudeShape shape;     ///< transformed, its curves cut: segments are B-splines with a knot at each cut
   bool mirrored = false;  ///< the front of a surface is then its back
   std::shared_ptr<const AgreedSteps> steps;
-  FixedSamples fixed{};  ///< of pieces of its profile that are arcs of cylinders which other leaves share
+  std::set<Rational> heights{};  ///< further sections, between 0 and 1
+  FixedSamples fixed{};          ///< of pieces of its profile that are arcs of cylinders which other leaves share
 };
 /// With its parameters, which are made when they are asked for.
 std::unique_ptr<PreparedLeaf> tessellate(const std::shared_ptr<const CommonSweep>& sweep);

@@ -59,9 +59,10 @@ class ParametricLeaf {
         boundary_.use(piece.patch.side(k), std::string("side ") + kSides[k] + " of " + patch.name);
     }
     if (common_ == nullptr) {
-      for (const NetPiece& piece : patch.pieces) add_piece(piece, form_.fineness, number);
+      for (const NetPiece& piece : patch.pieces) add_piece(piece, form_.fineness, {}, number);
     } else {
-      for (const CommonNets::Piece& piece : common_->patches[i]) add_piece(piece.net, piece.fineness, number);
+      for (const CommonNets::Piece& piece : common_->patches[i])
+        add_piece(piece.net, piece.fineness, piece.lines, number);
     }
     if (record_ != nullptr) record_->name_patch(number, label(patch.name));
     if (facets_.empty() || facets_.back().number != number) {
@@ -69,8 +70,8 @@ class ParametricLeaf {
     }
   }
 
-  void add_piece(const NetPiece& piece, const Fineness& fineness, std::uint32_t number) {
-    const PatchMesh mesh = mesh_patch(piece.patch, fineness, boundary_);
+  void add_piece(const NetPiece& piece, const Fineness& fineness, const PatchLines& lines, std::uint32_t number) {
+    const PatchMesh mesh = mesh_patch(piece.patch, fineness, boundary_, lines);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       const auto& t = mesh.triangles[i];
       const RationalPoint &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
@@ -86,11 +87,12 @@ class ParametricLeaf {
     const auto number = static_cast<std::uint32_t>(i);
     bool any = false;
     for (const CurvePiece& piece : common_ == nullptr ? curve.pieces : common_->curves[i]) {
-      const int n = boundary_.steps(piece.curve);
+      std::vector<Rational> steps = boundary_.inside(piece.curve);
+      steps.push_back(1);
       PointId last = point(piece.curve.at(0));
       Rational from = piece.span[0];
-      for (int k = 1; k <= n; ++k) {
-        const Rational t = fraction(k, n), to = in_span(piece.span, t);
+      for (const Rational& t : steps) {
+        const Rational to = in_span(piece.span, t);
         const PointId next = point(piece.curve.at(t));
         if (next == last) continue;
         builder_.soup().add_wire(builder_.leaf(), last, next, number);

@@ -15,6 +15,7 @@
 
 #include "csg/curves/boundary_curves.h"
 #include "csg/curves/control_nets.h"
+#include "csg/curves/patch_mesh.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/parameters.h"
 
@@ -56,6 +57,7 @@ struct CommonNets {
   struct Piece {
     NetPiece net;
     Fineness fineness;
+    PatchLines lines;
   };
   Transform transform;                      ///< that of the leaf
   std::vector<std::vector<Piece>> patches;  ///< pieces by patch, transformed and cut

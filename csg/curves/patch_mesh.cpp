@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <unordered_map>
 
 #include "csg/curves/chord.h"
@@ -102,11 +103,20 @@ void turn_flat_ones(PatchMesh& mesh) {
 
 class Mesher {
  public:
-  Mesher(const CanonicalPatch& canonical, const Fineness& fineness, BoundaryCurves& boundary)
+  Mesher(const CanonicalPatch& canonical, const Fineness& fineness, BoundaryCurves& boundary,
+         const PatchLines& lines)
       : canonical_(canonical), patch_(canonical.patch), fineness_(fineness), chord_(patch_) {
     for (std::size_t k = 0; k < 4; ++k) {
       const BezierCurve side = patch_.side(k);
-      if (!side.is_point()) side_[k] = static_cast<std::uint32_t>(boundary.steps(side));
+      if (side.is_point()) continue;
+      side_[k] = static_cast<std::uint32_t>(boundary.steps(side));
+      inside_[k] = boundary.inside(side);
+    }
+    for (std::size_t d = 0; d < 2; ++d) {
+      std::set<Rational> there;
+      for (const Rational& t : lines[canonical.transposed ? 1 - d : d])
+        there.insert((d == 0 ? canonical.backward_u : canonical.backward_v) ? Rational(1 - t) : t);
+      lines_[d] = rounded_lines(there);
     }
   }
 
@@ -135,8 +145,27 @@ class Mesher {
     for (std::size_t k = 0; k < 4; ++k) {
       if (side_[k] == 0) side_[k] = grid_[k % 2];
     }
+    // The ring needs a grid with two steps where a side has them.
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (grid_[k % 2] > 1) continue;
+      for (const Rational& t : inside_[k]) lines_[k % 2].insert(k < 2 ? t : Rational(1 - t));
+    }
     choose_unit();
+    for (std::size_t d = 0; d < 2; ++d) {
+      at_[d] = places_of(CurveSteps{static_cast<int>(grid_[d]), lines_[d]}.inside());
+    }
+    fineness_.check_facets(2.0 * cells(0) * cells(1));
   }
+
+  /// With both ends.
+  std::vector<std::uint64_t> places_of(const std::vector<Rational>& inside) const {
+    std::vector<std::uint64_t> result{0};
+    const Rational whole = whole_;
+    for (const Rational& t : inside) result.push_back(Integer(Rational(t * whole).get_num()).get_ui());
+    result.push_back(whole_);
+    return result;
+  }
+  std::uint32_t cells(std::size_t d) const { return static_cast<std::uint32_t>(at_[d].size() - 1); }
 
   /// With a chord all steps are powers of two, and bisection needs more of them. Without, sides may have steps
   /// that other patches ask for: all must be whole numbers of units.
@@ -146,6 +175,16 @@ class Mesher {
       whole_ = std::lcm(whole_, std::uint64_t{steps});
       if (whole_ > std::uint64_t{1} << 40) fineness_.fail_unlike();
     }
+    const bool even = std::all_of(inside_.begin(), inside_.end(), [&](const std::vector<Rational>& inside) {
+      return std::all_of(inside.begin(), inside.end(),
+                         [&](const Rational& t) { return Rational(t * Rational(whole_)).get_den() == 1; });
+    });
+    if (even && lines_[0].empty() && lines_[1].empty()) return;
+    // Lines are multiples of 2^-40; between them is room for twelve bisections.
+    const std::uint64_t fine = std::uint64_t{1} << (fineness_.by_chord() ? 52 : 40);
+    const std::uint64_t odd = whole_ / std::gcd(whole_, fine);
+    if (odd >= (std::uint64_t{1} << 60) / fine) fineness_.fail_unlike();
+    whole_ = odd * fine;
   }
 
   /// False if more than a quarter of the cells are above the chord; the grid then gets twice the steps in the
@@ -174,9 +213,7 @@ class Mesher {
     if (is_new) places_.push_back(place);
     return it->second;
   }
-  std::uint32_t at_step(std::uint32_t i, std::uint32_t j) {
-    return vertex({whole_ / grid_[0] * i, whole_ / grid_[1] * j});
-  }
+  std::uint32_t at_step(std::uint32_t i, std::uint32_t j) { return vertex({at_[0][i], at_[1][j]}); }
 
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles_.push_back({a, b, c}); }
 
@@ -203,10 +240,15 @@ class Mesher {
   std::vector<std::uint32_t> side_row(std::size_t k) {
     std::vector<std::uint32_t> row;
     const std::uint64_t across = k == 1 || k == 2 ? whole_ : 0;
-    for (std::uint32_t i = 0; i <= side_[k]; ++i) {
-      const std::uint64_t t = whole_ / side_[k] * i;
-      row.push_back(k % 2 == 0 ? vertex({t, across}) : vertex({across, t}));
+    std::vector<std::uint64_t> places = at_[k % 2];
+    if (!patch_.side(k).is_point()) {
+      places = places_of(inside_[k]);
+      if (k >= 2) {
+        std::reverse(places.begin(), places.end());
+        for (std::uint64_t& t : places) t = whole_ - t;
+      }
     }
+    for (const std::uint64_t t : places) row.push_back(k % 2 == 0 ? vertex({t, across}) : vertex({across, t}));
     return row;
   }
 
@@ -217,18 +259,18 @@ class Mesher {
     const auto back_v = [&](std::uint32_t v) { return -along_v(v); };
     std::vector<std::uint32_t> rows[4];
     for (std::size_t k = 0; k < 4; ++k) rows[k] = side_row(k);
-    if (grid_[1] == 1) return zip(rows[0], rows[2], along_u);
-    if (grid_[0] == 1) return zip(rows[1], rows[3], along_v);
+    if (cells(1) == 1) return zip(rows[0], rows[2], along_u);
+    if (cells(0) == 1) return zip(rows[1], rows[3], along_v);
     std::reverse(rows[2].begin(), rows[2].end());
     std::reverse(rows[3].begin(), rows[3].end());
     std::vector<std::uint32_t> inner[4];
-    for (std::uint32_t i = 1; i < grid_[0]; ++i) {
+    for (std::uint32_t i = 1; i < cells(0); ++i) {
       inner[0].push_back(at_step(i, 1));
-      inner[2].push_back(at_step(grid_[0] - i, grid_[1] - 1));
+      inner[2].push_back(at_step(cells(0) - i, cells(1) - 1));
     }
-    for (std::uint32_t j = 1; j < grid_[1]; ++j) {
-      inner[1].push_back(at_step(grid_[0] - 1, j));
-      inner[3].push_back(at_step(1, grid_[1] - j));
+    for (std::uint32_t j = 1; j < cells(1); ++j) {
+      inner[1].push_back(at_step(cells(0) - 1, j));
+      inner[3].push_back(at_step(1, cells(1) - j));
     }
     zip(rows[0], inner[0], along_u);
     zip(rows[1], inner[1], along_v);
@@ -237,8 +279,8 @@ class Mesher {
   }
 
   void add_inside() {
-    for (std::uint32_t j = 1; j + 1 < grid_[1]; ++j) {
-      for (std::uint32_t i = 1; i + 1 < grid_[0]; ++i) {
+    for (std::uint32_t j = 1; j + 1 < cells(1); ++j) {
+      for (std::uint32_t i = 1; i + 1 < cells(0); ++i) {
         const std::uint32_t a = at_step(i, j), b = at_step(i + 1, j), c = at_step(i + 1, j + 1),
                             d = at_step(i, j + 1);
         add_triangle(a, b, c);
@@ -367,7 +409,10 @@ class Mesher {
   PatchChord chord_;
   std::uint64_t whole_ = 1;
   std::array<std::uint32_t, 4> side_{0, 0, 0, 0};  // steps of each side; 0: a point
-  std::array<std::uint32_t, 2> grid_{1, 1};
+  std::array<std::uint32_t, 2> grid_{1, 1};        // even steps
+  std::array<std::vector<Rational>, 4> inside_;    // of each side, as it runs
+  std::array<std::set<Rational>, 2> lines_;
+  std::array<std::vector<std::uint64_t>, 2> at_;  // where the lines of the grid are
   bool cells_are_fine_ = true;
   std::map<Place, std::uint32_t> number_;
   std::vector<Place> places_;
@@ -377,9 +422,10 @@ class Mesher {
 
 }  // namespace
 
-PatchMesh mesh_patch(const BezierPatch& patch, const Fineness& fineness, BoundaryCurves& boundary) {
+PatchMesh mesh_patch(const BezierPatch& patch, const Fineness& fineness, BoundaryCurves& boundary,
+                     const PatchLines& lines) {
   const CanonicalPatch c = canonical(patch);
-  PatchMesh mesh = Mesher(c, fineness, boundary).run();
+  PatchMesh mesh = Mesher(c, fineness, boundary, lines).run();
   if (c.mirrored) {
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
     for (auto& t : mesh.places) std::swap(t[1], t[2]);

@@ -34,7 +34,11 @@ struct PatchMesh {
 /// pole agree on the edges between them.
 std::vector<PatchCorner> cell_of(const PatchMesh& mesh, std::size_t t, const BezierPatch& patch);
 
+/// Further lines of the grid, by their parameters u and v.
+using PatchLines = std::array<std::vector<Rational>, 2>;
+
 /// Throws InputError where the chord asks for too many facets.
-PatchMesh mesh_patch(const BezierPatch& patch, const Fineness& fineness, BoundaryCurves& boundary);
+PatchMesh mesh_patch(const BezierPatch& patch, const Fineness& fineness, BoundaryCurves& boundary,
+                     const PatchLines& lines = {});
 
 }  // namespace cnrg

@@ -18,7 +18,8 @@ void reverse(SampledLine& line) {
 }
 
 std::vector<SampledLine> sample(const Profile& profile, const std::string& shape,
-                                const std::function<int(const BezierCurve&)>& steps, const FixedSamples& fixed) {
+                                const std::function<std::vector<Rational>(const BezierCurve&)>& steps,
+                                const FixedSamples& fixed) {
   if (profile.lines.empty()) throw InputError(shape + ": the profile is empty: give its corners");
   std::vector<SampledLine> result;
   std::uint32_t number = 0;
@@ -51,8 +52,7 @@ std::vector<SampledLine> sample(const Profile& profile, const std::string& shape
         if (const auto given = fixed.find({number, k}); given != fixed.end()) {
           samples.insert(samples.end(), given->second.begin(), given->second.end());
         } else {
-          const int n = steps(piece);
-          for (int i = 1; i < n; ++i) samples.push_back({fraction(i, n), piece.at(fraction(i, n))});
+          for (const Rational& t : steps(piece)) samples.push_back({t, piece.at(t)});
         }
         for (std::size_t i = 0; i < samples.size(); ++i) {
           const Rational next = i + 1 < samples.size() ? samples[i + 1].t : Rational(1);

@@ -31,11 +31,12 @@ struct FixedSample {
 };
 using FixedSamples = std::map<std::pair<std::uint32_t, std::size_t>, std::vector<FixedSample>>;
 
-/// `steps` says how many equal steps a segment has, but for pieces whose points are given. Checked are the nets of
+/// `steps` gives the parameters of the points between the ends of a piece, ascending, but for pieces whose points
+/// are given. Checked are the nets of
 /// the segments, that no segment is a point, and that each begins where the one before it ends. Throws InputError;
 /// `shape` begins the message.
 std::vector<SampledLine> sample(const Profile& profile, const std::string& shape,
-                                const std::function<int(const BezierCurve&)>& steps,
+                                const std::function<std::vector<Rational>(const BezierCurve&)>& steps,
                                 const FixedSamples& fixed = {});
 
 /// Names the patch that each segment sweeps, `first` being the number of the first one: "extrude segment 1" ...

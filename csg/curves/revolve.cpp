@@ -98,7 +98,7 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafPar
   const Fineness fineness("revolve", shape.tessellation);
   BoundaryCurves boundary(fineness);
   std::vector<SampledLine> lines =
-      sample(shape.profile, "revolve", [&](const BezierCurve& curve) { return boundary.steps(curve); });
+      sample(shape.profile, "revolve", [&](const BezierCurve& curve) { return boundary.inside(curve); });
   const Rational radius = check_radii(lines);
   const int turns = fineness.steps_of_turn(to_double(radius) * (1 + 1e-12), to_double(shape.degrees));
   double points = 0;

@@ -23,10 +23,12 @@ struct Drawing {
   std::vector<NearSurfaces> near;  // that are nearly one, and not welded
   std::vector<LeafWords> refused;  // leaves that share something and yet stay as they are
   std::vector<LeafWords> welded;
+  std::set<std::uint32_t> with_lines;
 };
 
 /// LeafError names leaves by their places in `instances`.
-Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>& weld) {
+Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>& weld,
+             const ExtraOfInstances& extra) {
   Drawing out;
   WeldedSurfaces round;
   if (weld) {
@@ -35,7 +37,7 @@ Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>&
     if (!round.notice.empty()) out.welded.push_back(round.notice);
   }
   out.placed.surfaces = surface_numbers(instances, &out.placed.quadrics);
-  instances = with_common_lines(std::move(instances), &out.near, &out.refused, round.anew);
+  instances = with_common_lines(std::move(instances), &out.near, &out.refused, round.anew, extra, &out.with_lines);
   if (weld) {
     WeldedLeaves welded = weld_leaves(instances, *weld, round.farthest);
     instances = std::move(welded.instances);
@@ -87,10 +89,12 @@ bool drawn_alike(const LeafInstance& one, const LeafInstance& other) {
 }  // namespace
 
 Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
-                   std::vector<Diagnostic>& diagnostics)
+                   const LeafLines* lines, std::vector<Diagnostic>& diagnostics)
     : tree_(tree), unfolding_(unfolding), leaves_(leaves) {
+  if (lines != nullptr) find_lines(*lines);
   Drawing drawing;
-  leaves.locate_errors([&] { drawing = draw(leaves.instances(), tree.weld); });
+  leaves.locate_errors([&] { drawing = draw(leaves.instances(), tree.weld, extra_); });
+  with_lines_ = std::move(drawing.with_lines);
   for (const LeafWords& notice : drawing.welded)
     diagnostics.push_back({tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
   append(diagnostics, leaves.near_notices(drawing.near));
@@ -98,6 +102,16 @@ Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedL
   whole_ = std::move(drawing.placed);
   find_affected(!drawing.refused.empty());
   find_representatives();
+}
+
+void Drawings::find_lines(const LeafLines& lines) {
+  for (const InstanceId id : IdRange<InstanceId>(unfolding_.instances.size())) {
+    const Instance& instance = unfolding_.instances[id];
+    const LeafId leaf = leaves_.leaf_of(id);
+    if (!leaf.valid()) continue;
+    const auto of = lines.of.find({instance.node, Placement(*instance.transform)});
+    if (of != lines.of.end()) extra_[leaf.index()] = of->second;
+  }
 }
 
 void Drawings::find_affected(bool any_refused) {
@@ -133,7 +147,7 @@ PlacedLeaves Drawings::draw_only(const std::vector<LeafId>& leaves) const {
   std::vector<LeafInstance> instances(whole_.instances.size(), LeafInstance{no_geometry(), {}});
   for (const LeafId leaf : leaves) instances[leaf.index()] = leaves_.instances()[leaf.index()];
   PlacedLeaves placed;
-  leaves_.locate_errors([&] { placed = draw(std::move(instances), tree_.weld).placed; });
+  leaves_.locate_errors([&] { placed = draw(std::move(instances), tree_.weld, extra_).placed; });
   return placed;
 }
 

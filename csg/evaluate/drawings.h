@@ -8,28 +8,25 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
-#include "csg/carriers/surface_numbers.h"
+#include "csg/carriers/placed_leaves.h"
+#include "csg/evaluate/leaf_lines.h"
 #include "csg/evaluate/prepared_leaves.h"
 
 namespace cnrg {
 
-/// Leaves as they are refined, by LeafId: on common lines, and welded where the tree asks for that.
-struct PlacedLeaves {
-  std::vector<LeafInstance> instances;
-  std::vector<std::vector<std::uint32_t>> surfaces;  ///< as `make_soup` has it
-  std::map<std::uint32_t, Quadric> quadrics;         ///< of `surfaces`, as `surface_numbers` has them
-};
-
 class Drawings {
  public:
-  /// Draws all leaves of the unfolding; tells of near surfaces and of what was welded. Throws TreeError. All that
-  /// is given but `diagnostics` must outlive this.
-  Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
+  /// Draws all leaves of the unfolding; tells of near surfaces and of what was welded. `lines`: of leaves, null for
+  /// none. Throws TreeError. All that is given but `diagnostics` and `lines` must outlive this.
+  Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, const LeafLines* lines,
            std::vector<Diagnostic>& diagnostics);
 
   const PlacedLeaves& whole() const { return whole_; }
+  /// Who has its lines there.
+  const std::set<std::uint32_t>& with_lines() const { return with_lines_; }
   /// The leaves below an instance as they are drawn alone; the others have no geometry. Throws TreeError.
   PlacedLeaves alone(InstanceId id);
   /// True if the leaves below an instance are drawn in `placed` as they are alone.
@@ -41,6 +38,7 @@ class Drawings {
 
  private:
   using Drawn = std::map<LeafId, LeafInstance>;
+  void find_lines(const LeafLines& lines);
   void find_affected(bool any_refused);
   void find_representatives();
   const Drawn& drawn_alone(InstanceId representative);
@@ -51,7 +49,9 @@ class Drawings {
   const Tree& tree_;
   const Unfolding& unfolding_;
   const PreparedLeaves& leaves_;
+  ExtraOfInstances extra_;
   PlacedLeaves whole_;
+  std::set<std::uint32_t> with_lines_;
   std::vector<std::uint32_t> group_;  // by leaf: only those of one group depend on each other
   std::vector<std::size_t> size_;     // of each group
   std::vector<char> affected_;        // by group: its leaves may be drawn otherwise if they are fewer

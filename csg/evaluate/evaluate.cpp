@@ -31,11 +31,11 @@
 #include <utility>
 
 #include "csg/evaluate/diagnostics.h"
-#include "csg/evaluate/drawings.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/joined_nodes.h"
 #include "csg/evaluate/leaf_numbers.h"
 #include "csg/evaluate/prepared_leaves.h"
+#include "csg/evaluate/proven_drawing.h"
 #include "csg/evaluate/scopes.h"
 #include "csg/evaluate/simplified_value.h"
 #include "csg/leaves/leaf_stop.h"
@@ -150,8 +150,10 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   const PreparedLeaves leaves(tree, unfolding, joined);
   append(result.diagnostics, leaves.notices());
 
+  ProvenDrawing proven(tree, unfolding, leaves, options);
   options.watch.begin("refine");
-  Drawings drawings(tree, unfolding, leaves, result.diagnostics);
+  append(result.diagnostics, proven.take_diagnostics());
+  Drawings& drawings = proven.drawings();
   const PlacedLeaves& placed = drawings.whole();
   options.watch.check();
   const bool all_alone = !options.drawn_together && !options.keep_all && !options.raw && !options.validate;
@@ -164,6 +166,7 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
     EvaluateOptions alone;
     alone.threads = options.threads;
     alone.watch = options.watch;
+    alone.lines = proven.lines();
     alone.rows = Rows::none;
     return evaluate_roots(tree, {node}, alone, false);
   });
@@ -175,6 +178,7 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   result.refine = std::move(made.refine);
   result.refine_seconds = made.refine_seconds;
   name_leaves(leaves, placed, std::move(made.places), result);
+  result.certificate = proven.certificate(result);
   append(result.diagnostics, std::move(made.diagnostics));
   for (InstanceTold& told : made.told) {
     append(result.diagnostics, std::move(told.diagnostics));
@@ -193,9 +197,8 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   }
   for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});
   result.raw = options.raw;
+  for (const std::uint32_t leaf : drawings.with_lines()) result.with_lines.emplace_back(leaf);
   result.instances = unfolding.instances;
-  result.placed = std::make_shared<const PlacedLeaves>(placed);
-  result.reach = options.reach;
   if (options.keep_all) result.values = values.take();
   return result;
 }

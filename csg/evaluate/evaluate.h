@@ -26,9 +26,10 @@
 
 namespace cnrg {
 
+struct LeafLines;
 class LeafNumbers;
 class NodeValue;
-struct PlacedLeaves;
+struct Certificate;
 class SurfaceParameters;
 
 /// What is refined in one (csg/evaluate/sections.h). What else it changes than costs: csg/README.md, Refined
@@ -42,6 +43,10 @@ enum class Refining : std::uint8_t {
 /// Of which nodes rows tell counts and volumes.
 enum class Rows : std::uint8_t { none, kept, all };
 
+/// Whether curved surfaces meet as their facets do (csg/certify/proof.h): not asked, asked, or proven by further
+/// lines of facets where that is needed and possible.
+enum class AskedProof : std::uint8_t { none, as_drawn, with_lines };
+
 struct EvaluateOptions {
   int threads = 0;        ///< 0: all cores
   bool validate = false;  ///< check the complex and the identities of every node (InvariantError)
@@ -53,7 +58,9 @@ struct EvaluateOptions {
   /// Draw all leaves below the roots as one drawing (csg/evaluate/drawings.h), so that all values are on one
   /// complex; also with `raw`, `keep_all` and `validate`. Otherwise each node is said of as it is alone.
   bool drawn_together = false;
-  NodeId result;                     ///< in the place of the tree's, if valid
+  std::shared_ptr<const LeafLines> lines{};  ///< further lines of curved leaves (csg/evaluate/leaf_lines.h)
+  AskedProof proof = AskedProof::none;
+  NodeId result;                             ///< in the place of the tree's, if valid
   std::vector<NodeId> nodes;         ///< kept besides the result
   std::vector<RationalPoint> reach;  ///< points that will be asked for: planes and half-spaces are cut beyond them
   Watch watch;                       ///< told of the stages, and may stop them (throws Stopped)
@@ -108,8 +115,7 @@ struct Evaluation {
   std::vector<JoinedNode> joined;  ///< below the roots, those below others first
   std::vector<KeptValue> kept;     ///< the result, then `EvaluateOptions::nodes` in their order; each once
   std::shared_ptr<const LeafNumbers> leaves;            ///< which leaf of which node has which number
-  std::shared_ptr<const PlacedLeaves> placed;           ///< the leaves as they are drawn
-  std::vector<RationalPoint> reach;                     ///< EvaluateOptions::reach
+  std::shared_ptr<const Certificate> certificate;       ///< of EvaluateOptions::proof; null: nothing was asked
   std::vector<std::string> leaf_names;                  ///< by LeafId; empty for the frame
   std::vector<Diagnostic> diagnostics;                  ///< notices of leaves, conflicts of materials
   double refine_seconds = 0;                            ///< soup and complex
@@ -120,6 +126,8 @@ struct Evaluation {
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
   std::vector<ResultNames::Material> materials;  ///< of the tree
   bool raw = false;                              ///< EvaluateOptions::raw
+  /// Which of its leaves have their lines of EvaluateOptions::lines, ascending; others cannot (common_lines.h).
+  std::vector<LeafId> with_lines;
   /// Of the nodes asked for besides the result, where one is drawn otherwise when it stands alone: each on a
   /// complex of its own, and `kept` has the result alone.
   std::vector<Evaluation> others;

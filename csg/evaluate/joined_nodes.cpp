@@ -25,6 +25,8 @@ EvaluateOptions options_below(const EvaluateOptions& options) {
   below.rows = options.rows == Rows::all ? Rows::all : Rows::none;
   below.region_volumes = options.region_volumes;
   below.refining = options.refining;
+  below.lines = options.lines;
+  below.proof = options.proof;
   below.watch = part_of(options.watch, "join");
   return below;
 }
@@ -92,6 +94,7 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
     throw TreeError(tree.file, node.operator_at, "`" + node.name + "`: " + e.what());
   }
   refine_seconds_ += evaluation.refine_seconds;
+  if (evaluation.certificate) certificate_.add(*evaluation.certificate);
   add_diagnostics(std::move(evaluation.diagnostics));
   add_diagnostics(diagnostics_of(tree, node, joined.report));
   joined_.push_back(std::move(joined));
@@ -111,6 +114,10 @@ void JoinedNodes::tell(Evaluation& evaluation) {
   add_diagnostics(std::move(evaluation.diagnostics));
   evaluation.diagnostics = std::move(diagnostics_);
   evaluation.refine_seconds += refine_seconds_;
+  if (evaluation.certificate) {
+    certificate_.add(*evaluation.certificate);
+    evaluation.certificate = std::make_shared<const Certificate>(certificate_);
+  }
   evaluation.joined = std::move(joined_);
 }
 

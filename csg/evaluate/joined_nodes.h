@@ -16,6 +16,7 @@
 #include <functional>
 #include <vector>
 
+#include "csg/certify/certificate.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/leaf_numbers.h"
 
@@ -39,6 +40,7 @@ class JoinedNodes {
   JoinedLeaves leaves_;
   std::vector<JoinedNode> joined_;
   std::vector<Diagnostic> diagnostics_;
+  Certificate certificate_;
   double refine_seconds_ = 0;
 
   void add_diagnostics(std::vector<Diagnostic> more);

@@ -1,0 +1,43 @@
+// Uncertain places in words.
+#include "csg/certify/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace cnrg {
+namespace {
+
+std::string decimals(double x) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", x);
+  return buffer;
+}
+
+}  // namespace
+
+void Certificate::add(const Certificate& more) {
+  asked += more.asked;
+  apart += more.apart;
+  crossing += more.crossing;
+  contacts += more.contacts;
+  places.insert(places.end(), more.places.begin(), more.places.end());
+}
+
+std::vector<Diagnostic> Certificate::notices(const Tree& tree, std::size_t most) const {
+  std::vector<Diagnostic> result;
+  for (std::size_t i = 0; i < std::min(most, places.size()); ++i) {
+    const UncertainPlace& place = places[i];
+    std::string text;
+    for (std::size_t k = 0; k < place.names.size(); ++k)
+      text += (k == 0 ? "" : k + 1 == place.names.size() ? " and " : ", ") + place.names[k];
+    for (std::size_t k = 0; k < 3; ++k)
+      text += (k == 0 ? " near [" : ", ") + decimals(std::abs(place.at[k]) < 1e-9 ? 0.0 : place.at[k]);
+    text += place.by_facets ? "]: these facets do not tell how they meet"
+                            : "]: they touch, or are nearer to it than " + decimals(place.size);
+    result.push_back({tree.file, tree.nodes[place.nodes[0]].operator_at, Diagnostic::Level::notice, text});
+  }
+  return result;
+}
+
+}  // namespace cnrg

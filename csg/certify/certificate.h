@@ -1,0 +1,32 @@
+// What is proven of the leaves below the nodes of an evaluation, and what is not.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "csg/tree/tree.h"
+
+namespace cnrg {
+
+/// Where it is not proven that surfaces meet as their facets do: a connected set of pieces (proof.h) of the same
+/// patches.
+struct UncertainPlace {
+  std::vector<std::string> names;  ///< nodes of leaves, each with the name of its patch in brackets, if it has one
+  std::vector<NodeId> nodes;       ///< of the same
+  std::array<double, 3> at{};
+  double size = 0;         ///< within this length of `at` nothing was decided
+  bool by_facets = false;  ///< finer facets would decide
+};
+
+struct Certificate {
+  /// Pairs of facets near each other: in all, and what was proven of them and of their surfaces.
+  std::size_t asked = 0, apart = 0, crossing = 0, contacts = 0;
+  std::vector<UncertainPlace> places;
+  void add(const Certificate& more);
+  /// Of the first places.
+  std::vector<Diagnostic> notices(const Tree& tree, std::size_t most) const;
+};
+
+}  // namespace cnrg

@@ -1,0 +1,372 @@
+// Further lines of leaves: they are borders of facets, what is closed stays so, parameters are those of the
+// surface, and whoever shares the surface has them, too. CNRG_SEEDS and CNRG_FIRST_SEED as for cubical pairs.
+#include <cmath>
+
+#include "csg/carriers/common_lines.h"
+#include "csg/curves/surface_placed.h"
+#include "csg/evaluate/leaf_lines.h"
+#include "csg/evaluate/prepared_leaves.h"
+#include "csg/leaves/parameters.h"
+#include "csg/tree/unfold.h"
+#include "tests/carriers/rows.h"
+#include "tests/leaves/soup_checks.h"
+#include "tests/scenes/seeds.h"
+
+namespace cnrg {
+namespace {
+
+using test::closed;
+using test::volume;
+
+struct Kind {
+  std::string leaf;
+  std::vector<std::uint32_t> patches;  // with parameters
+  bool solid = true, convex = true;
+  std::array<bool, 2> periodic{false, false};
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all{
+      {"sphere: {center: [1, 2, 3], radius: 2, segments: 14}", {0}, true, true, {true, false}},
+      {"cylinder: {from: [1, 2, 3], to: [2, 4, 5], radius: 1.5, segments: 11}", {2}, true, true, {true, false}},
+      {"cylinder: {from: [1, 2, 3], to: [1, 2, 5], radius: 1.5, segments: 11}", {2}, true, true, {true, false}},
+      {"cone: {from: [0, 0, 0], to: [1, 2, 2], radius: 2, top: 0.5, segments: 13}",
+       {2},
+       true,
+       true,
+       {true, false}},
+      {"cone: {from: [0, 0, 0], to: [0, 0, 2], radius: 2, segments: 9}", {2}, true, true, {true, false}},
+      {"torus: {center: [1, 0, 0], axis: [1, 1, 2], radius: 3, tube: 1, segments: 17, rings: 10}",
+       {0},
+       true,
+       false,
+       {true, true}},
+      {"revolve: {profile: [[0, -2], {bezier: [[2, -2]], weights: [1, 1, 2]}, [2, 0], [1, 3], [0, 3]], segments: "
+       "7}",
+       {0, 1},
+       true,
+       true,
+       {false, true}},
+      {"revolve: {profile: [[2, 0], {bezier: [[3, 1]]}, [2, 2], [1, 1]], degrees: 100, axis: [1, 2, 3], segments: "
+       "9}",
+       {2, 3, 4},
+       true,
+       false},
+      {"revolve: {curve: [[2, 0], {bezier: [[3, 1], [1, 2]]}, [2, 3]], chord: 1/20}",
+       {0},
+       false,
+       false,
+       {false, true}},
+      {"extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[2, 2, 0]], weights: [1, 1, 2]}, [0, 2, 0]], vector: "
+       "[0.5, 0, 3],"
+       " segments: 6}",
+       {3},
+       true,
+       true},
+      {"extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 2, 0], [1, 2, 0]]}, [0, 2, 0]], vector: [0, 0, 3],"
+       " segments: 5}",
+       {3},
+       true,
+       true},
+      {"extrude: {curve: [[0, 0, 0], {bezier: [[3, 2, 0], [1, 4, 0]]}, [0, 3, 0]], vector: [0, 0, 3], chord: "
+       "1/30}",
+       {0},
+       false,
+       false},
+      {"bezier: {patch: [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 1, 1], [1, 1, 3], [2, 1, 1]], [[0, 2, 0], [1, 2, "
+       "1],"
+       " [2, 2, 0]]], segments: 6}",
+       {0},
+       false,
+       false},
+      {"bspline: {patch: {points: [[[0, 0, 0], [1, 0, 1], [2, 0, 0], [3, 0, 2]], [[0, 1, 0], [1, 1, 1], [2, 1, "
+       "1], [3,"
+       " 1, 0]]], degree: [2, 1], knots: [[0, 0, 0, 1/3, 1, 1, 1], [0, 0, 1, 1]]}, chord: 1/40}",
+       {0},
+       false,
+       false},
+      {"coons: {patch: [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[2, 0, 0], [3, 1, 0], [2, 2, 1]], [[2, 2, 1], [0, 2, "
+       "0]],"
+       " [[0, 2, 0], [-1, 1, 0], [0, 0, 0]]], segments: 5}",
+       {0},
+       false,
+       false},
+      {"bezier: {patches: [[[[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 0], [1, 1, 2], [2, 1, 0]], [[0, 2, 0], [1, "
+       "2, 0],"
+       " [2, 2, 0]]], [[[0, 2, 0], [1, 2, 0], [2, 2, 0]], [[0, 1, 0], [1, 1, -2], [2, 1, 0]], [[0, 0, 0], [1, 0, "
+       "0],"
+       " [2, 0, 0]]]], fill: winding, chord: 1/30}",
+       {0, 1},
+       true,
+       false}};
+  return all;
+}
+
+std::vector<LeafInstance> instances_of(const Tree& tree) {
+  return PreparedLeaves(tree, unfold(tree, {tree.result})).instances();
+}
+Tree parsed(const std::string& nodes) {
+  return parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml");
+}
+
+double some_place(std::mt19937_64& random) { return std::uniform_real_distribution<double>(0.01, 0.99)(random); }
+
+/// Random lines, a few of them next to each other; of a net between its knots, which are 0 and 1.
+ExtraLines random_lines(const std::vector<std::uint32_t>& patches, std::mt19937_64& random) {
+  ExtraLines lines;
+  for (const std::uint32_t patch : patches) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      const std::size_t count = random() % 4;
+      for (std::size_t k = 0; k < count; ++k) {
+        const double at = some_place(random);
+        lines.of[patch][d].push_back(from_double(at));
+        if (random() % 2 == 0) lines.of[patch][d].push_back(from_double(at + std::ldexp(1.0, -12)));
+      }
+    }
+  }
+  return lines;
+}
+
+/// The greatest distance between corners of cells and their places on the surface.
+double off_surface(const LeafInstance& instance) {
+  const auto parameters = instance.leaf->parameters()();
+  const auto surfaces = instance.leaf->surfaces()();
+  Soup soup;
+  instance.leaf->add_to(soup, instance.transform);
+  REQUIRE(parameters->facet_count() == soup.face_count());
+  double worst = 0;
+  for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
+    const PlacedSurface surface(surfaces, soup.face(f).patch, instance.transform);
+    for (const auto& cell : parameters->cells(f.index())) {
+      REQUIRE(is_cell(cell));
+      if (surface.flat()) continue;
+      for (const PatchCorner& corner : cell) {
+        const RationalPoint p = instance.transform->apply(corner.point);
+        const auto q = surface.at(to_double(corner.at[0]), to_double(corner.at[1])).point;
+        for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, std::abs(to_double(p[k]) - q[k]));
+      }
+    }
+  }
+  return worst;
+}
+
+/// The boxes of the facets of a patch, those of FacetBoxes where the leaf has them.
+std::vector<FacetBoxes::Box> boxes_of(const LeafInstance& instance, std::uint32_t patch) {
+  Soup soup;
+  instance.leaf->add_to(soup, instance.transform);
+  const auto parameters = instance.leaf->parameters()();
+  std::vector<FacetBoxes::Box> result;
+  for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
+    if (soup.face(f).patch != patch) continue;
+    FacetBoxes of_cell;
+    for (const auto& cell : parameters->cells(f.index())) {
+      std::vector<std::array<const Rational*, 2>> corners;
+      for (const PatchCorner& corner : cell) corners.push_back({&corner.at[0], &corner.at[1]});
+      of_cell.add(corners);
+    }
+    if (of_cell.size() == 0) continue;
+    REQUIRE(of_cell.size() == 1);
+    result.push_back(of_cell.of(0));
+    if (instance.leaf->boxes()) REQUIRE(instance.leaf->boxes()->of(f.index()) == of_cell.of(0));
+  }
+  return result;
+}
+
+/// No facet of the patch goes across the line, and some end there.
+void check_border(const std::vector<FacetBoxes::Box>& boxes, std::size_t d, double at, bool periodic) {
+  bool ends = false;
+  for (const auto& box : boxes) {
+    for (const double shift : {0.0, -1.0, 1.0}) {
+      if (shift != 0 && !periodic) continue;
+      const double low = box[d][0] + shift, high = box[d][1] + shift;
+      REQUIRE(!(low < at - 1e-12 && at + 1e-12 < high));
+      ends = ends || std::abs(low - at) <= 1e-12 || std::abs(high - at) <= 1e-12;
+    }
+  }
+  REQUIRE(ends);
+}
+void check_borders(const LeafInstance& instance, const Kind& kind, const ExtraLines& lines) {
+  for (const auto& [patch, values] : lines.of) {
+    const auto boxes = boxes_of(instance, patch);
+    for (std::size_t d = 0; d < 2; ++d) {
+      for (const Rational& at : values[d]) check_border(boxes, d, to_double(at), kind.periodic[d]);
+    }
+  }
+}
+
+Soup soup_of(const LeafInstance& instance) {
+  Soup soup;
+  instance.leaf->add_to(soup, instance.transform);
+  return soup;
+}
+
+TEST_CASE("leaves of every kind have the lines that are asked for", "[random]") {
+  const auto [first, last] = scenes::seeds(8);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    for (const Kind& kind : kinds()) {
+      std::mt19937_64 random(seed);
+      for (const bool turned : {false, true}) {
+        const std::string at =
+            turned ? placed(random) + (seed % 2 == 0 ? ", mirror: {normal: [1, 2, 3]}" : "") : "";
+        CAPTURE(seed, kind.leaf, at);
+        const std::vector<LeafInstance> own = instances_of(parsed("  model: {" + kind.leaf + at + "}\n"));
+        const ExtraLines lines = random_lines(kind.patches, random);
+        if (lines.of.empty()) continue;
+        std::set<std::uint32_t> drawn;
+        const std::vector<LeafInstance> made = with_common_lines(own, nullptr, nullptr, {}, {{0, lines}}, &drawn);
+        REQUIRE(drawn == std::set<std::uint32_t>{0});
+        CHECK(off_surface(own[0]) < 1e-12);
+        REQUIRE(off_surface(made[0]) < 1e-12);
+        check_borders(made[0], kind, lines);
+        if (!kind.solid) continue;
+        const Soup after = soup_of(made[0]);
+        REQUIRE(closed(after));
+        // On the same even lines.
+        if (kind.convex)
+          REQUIRE(volume(after) >= volume(soup_of(with_common_lines(own, nullptr, nullptr, {}, {{0, {}}})[0])));
+      }
+    }
+  }
+}
+
+/// Leaves that touch others, or share a surface with them: all have lines.
+const std::vector<std::string>& scenes_of_several() {
+  static const std::vector<std::string> all{
+      // A ball on a plane; balls side by side; one in the other.
+      "  a: {sphere: {center: [0, 0, 2], radius: 2, segments: 14}, rotate: {axis: [1, 2, 3], degrees: 77, center: "
+      "[0, 0, 2]}}\n"
+      "  b: {box: {min: [-3, -3, -1], max: [3, 3, 0]}}\n",
+      "  a: {sphere: {center: [0, 0, 2], radius: 2, segments: 14}, rotate: {axis: [1, 0, 0], degrees: 180, "
+      "center: [0, 0, 2]}}\n"
+      "  b: {box: {min: [-3, -3, -1], max: [3, 3, 0]}}\n",
+      "  a: {sphere: {center: [0, 0, 2], radius: 2, segments: 14}}\n"
+      "  b: {sphere: {center: [0, 3, 6], radius: 3, segments: 9}}\n",
+      "  a: {sphere: {center: [0, 0, 2], radius: 4, segments: 14}}\n"
+      "  b: {sphere: {center: [0, 0, 3], radius: 3, segments: 9}}\n",
+      // The same ball twice, finer and turned.
+      "  a: {sphere: {center: [0, 0, 2], radius: 4, segments: 14}}\n"
+      "  b: {sphere: {center: [0, 0, 2], radius: 4, segments: 9}, rotate: {axis: [1, 2, 3], degrees: 77, center: "
+      "[0, 0, 2]}}\n",
+      // On an axis, and on two.
+      "  a: {sphere: {center: [0, 0, 2], radius: 2, segments: 14}}\n"
+      "  b: {cylinder: {from: [0, 0, -3], to: [0, 0, 2], radius: 2, segments: 9}}\n",
+      "  a: {sphere: {center: [1, 2, 2], radius: 2, segments: 14}}\n"
+      "  b: {cylinder: {from: [0, 0, 0], to: [2, 4, 4], radius: 1.5, segments: 9}}\n",
+      "  a: {sphere: {center: [0, 0, 2], radius: 2, segments: 14}}\n"
+      "  b: {cylinder: {from: [0, 0, -3], to: [0, 0, 2], radius: 1, segments: 9}}\n"
+      "  c: {cylinder: {from: [-3, 0, 2], to: [3, 0, 2], radius: 1, segments: 11}}\n",
+      // A shaft in a bore, stretched; an arc of an extrusion around it.
+      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, segments: 14}}\n"
+      "  b: {cylinder: {from: [0, 0, 1], to: [0, 0, 2], radius: 1, segments: 9}, scale: [1, 1, 2]}\n",
+      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, segments: 14}}\n"
+      "  b: {extrude: {profile: [[0, 0, -1], [1, 0, -1], {bezier: [[1, 1, -1]], weights: [1, 1, 2]}, [0, 1, -1]], "
+      "vector: "
+      "[0, 0, 2], segments: 4}}\n",
+      // A bend and a pipe; a ball that fills a torus; a rod that touches a bore from inside; half balls on a
+      // shaft.
+      "  a: {revolve: {profile: [[4, 0], {bezier: [[4, 1]], weights: [1, 1, 2]}, [3, 1], {bezier: [[2, 1]], "
+      "weights: "
+      "[1, 1, 2]}, [2, 0], {bezier: [[2, -1]], weights: [1, 1, 2]}, [3, -1], {bezier: [[4, -1]], weights: [1, 1, "
+      "2]}],"
+      " degrees: 90, segments: 7}}\n"
+      "  b: {cylinder: {from: [3, 0, 0], to: [3, -5, 0], radius: 1, segments: 10}}\n",
+      "  a: {torus: {center: [0, 0, 0], axis: [0, 0, 1], radius: 3, tube: 1, segments: 15, rings: 8}}\n"
+      "  b: {sphere: {center: [0, -3, 0], radius: 1, segments: 10}}\n",
+      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 5], radius: 2, segments: 10}}\n"
+      "  b: {cylinder: {from: [1, 0, 1], to: [1, 0, 4], radius: 1, segments: 11}}\n",
+      "  a: {revolve: {profile: [[0, -2], {bezier: [[2, -2]], weights: [1, 1, 2]}, [2, 0], [0, 0]], segments: "
+      "5}}\n"
+      "  b: {revolve: {profile: [[0, 0], [2, 0], {bezier: [[2, 2]], weights: [1, 1, 2]}, [0, 2]], segments: 7}}\n",
+      // Sheets, walls of extrusions, and a sheet on the rim of one.
+      "  a: {bezier: {patch: [[[0,0,0],[1,0,0],[2,0,1]],[[0,1,0],[1,1,0],[2,1,1]],[[0,2,1],[1,2,1],[2,2,2]]], "
+      "segments: 5}}\n"
+      "  b: {bezier: {patch: [[[1/2,1/2,1/8],[1/2,5/6,5/24],[1/2,7/6,3/8],[1/2,3/2,5/8]],[[1,1/2,1/4],[1,5/6,1/3],"
+      "[1,7/6,1/2],[1,3/2,3/4]],[[3/2,1/2,5/8],[3/2,5/6,17/24],[3/2,7/6,7/8],[3/2,3/2,9/8]]], chord: 1/40}}\n",
+      "  a: {extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 2, 0], [1, 2, 0]]}, [0, 2, 0]], vector: [0, "
+      "0, 3], "
+      "segments: 5}}\n"
+      "  b: {extrude: {profile: [[0, 0, 1], [2, 0, 1], {bezier: [[3, 2, 1], [1, 2, 1]]}, [0, 2, 1]], vector: [0, "
+      "0, 4], "
+      "segments: 7}}\n",
+      "  a: {extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 2, 0], [1, 2, 0]]}, [0, 2, 0]], vector: [0, "
+      "0, 3], "
+      "chord: 1/30}}\n"
+      "  b: {bezier: {patch: [[[2, 0, 3], [3, 2, 3], [1, 2, 3], [0, 2, 3]], [[4, 0, 4], [4, 3, 3], [3, 4, 3], [0, "
+      "4, 4]]],"
+      " segments: 3}}\n",
+  };
+  return all;
+}
+
+std::string with_model(const std::string& scene, const std::string& operation) {
+  return scene + "  model: {" + operation + ": " +
+         (scene.find("  c:") == std::string::npos ? "[a, b]" : "[a, b, c]") + "}\n";
+}
+
+/// Lines of each curved leaf of an evaluation of the tree; `lines` gets them by leaf.
+std::shared_ptr<const LeafLines> lines_of(const Tree& tree, std::mt19937_64& random, ExtraOfInstances& lines) {
+  auto result = std::make_shared<LeafLines>();
+  const Unfolding unfolding = unfold(tree, {tree.result});
+  const PreparedLeaves leaves(tree, unfolding);
+  for (const InstanceId id : IdRange<InstanceId>(unfolding.instances.size())) {
+    const LeafId leaf = leaves.leaf_of(id);
+    if (!leaf.valid()) continue;
+    const auto surfaces = leaves.instances()[leaf.index()].leaf->surfaces();
+    if (!surfaces) continue;
+    const std::uint32_t patch = surfaces()->patches().begin()->first;
+    lines[leaf.index()] = random_lines({patch}, random);
+    if (lines[leaf.index()].of.empty()) lines[leaf.index()].of[patch][1].push_back(Rational(1, 3));
+    const Instance& instance = unfolding.instances[id];
+    result->of[{instance.node, Placement(*instance.transform)}] = lines[leaf.index()];
+  }
+  return result;
+}
+
+TEST_CASE("leaves that touch have their lines together and meet as they do without", "[random]") {
+  const auto [first, last] = scenes::seeds(3);
+  for (const std::string& scene : scenes_of_several()) {
+    for (std::uint64_t seed = first; seed < last; ++seed) {
+      std::mt19937_64 random(seed);
+      for (const std::string operation : {"union", "intersection", "difference"}) {
+        CAPTURE(scene, seed, operation);
+        const Tree tree = parsed(with_model(scene, operation));
+        ExtraOfInstances lines;
+        EvaluateOptions options;
+        options.validate = true;
+        const NodeRow without = evaluate(tree, options).rows.back();
+        options.lines = lines_of(tree, random, lines);
+        const Evaluation evaluation = evaluate(tree, options);
+        REQUIRE(evaluation.rows.back().cells == without.cells);
+        REQUIRE(evaluation.with_lines.size() == lines.size());
+        const std::vector<LeafInstance> own = instances_of(tree),
+                                        made = with_common_lines(own, nullptr, nullptr, {}, lines);
+        for (std::size_t i = 0; i < made.size(); ++i) {
+          CAPTURE(i);
+          REQUIRE(closed(soup_of(made[i])) == closed(soup_of(own[i])));
+          if (!made[i].leaf->surfaces()) continue;
+          REQUIRE(off_surface(made[i]) < 1e-12);
+          const auto& of = lines.at(static_cast<std::uint32_t>(i));
+          // A ball about several axes has points in their place.
+          if (scene.find("  c:") != std::string::npos && i == 0) continue;
+          const bool round =
+              scene.find("extrude") == std::string::npos && scene.find("bezier: {patch") == std::string::npos;
+          check_borders(made[i], {"", {}, true, true, {round, round}}, of);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("parameters of leaves that touch are those of their surfaces") {
+  for (const std::string& scene : scenes_of_several()) {
+    CAPTURE(scene);
+    const std::vector<LeafInstance> made = with_common_lines(instances_of(parsed(with_model(scene, "union"))));
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      CAPTURE(i);
+      if (made[i].leaf->surfaces()) CHECK(off_surface(made[i]) < 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cnrg
