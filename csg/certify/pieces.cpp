@@ -230,11 +230,28 @@ class PieceMaker {
       }
     }
     derive(piece);
+    measure_turn(piece);
     const auto number = static_cast<std::uint32_t>(out_.pieces_.size());
     for (std::size_t i = 0; i < cell.points.size(); ++i)
       add_side(place, cell.points[i], cell.points[(i + 1) % cell.points.size()], number, i);
     out_.pieces_.push_back(std::move(piece));
     ++out_.curved_;
+  }
+
+  static void measure_turn(Piece& piece) {
+    const double u0 = piece.range[0].inf(), u1 = piece.range[0].sup(), v0 = piece.range[1].inf(),
+                 v1 = piece.range[1].sup();
+    const auto normal = [&](double u, double v) {
+      const Vector3<double> n = piece.surface->at(u, v).normal;
+      const double length = std::sqrt(dot(n, n));
+      return length > 0 ? scaled(1 / length, n) : n;
+    };
+    const auto turn = [](const Vector3<double>& a, const Vector3<double>& b) {
+      const Vector3<double> way = difference(a, b);
+      return std::sqrt(dot(way, way));
+    };
+    const double u = (u0 + u1) / 2, v = (v0 + v1) / 2;
+    piece.turn = {turn(normal(u0, v), normal(u1, v)), turn(normal(u, v0), normal(u, v1))};
   }
 
   static void add_side(Place& place, std::uint32_t a, std::uint32_t b, std::uint32_t piece, std::size_t side) {
@@ -931,24 +948,32 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
   return part;
 }
 
-std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, Between between) {
+std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d) {
   const Piece& piece = *part.piece;
-  std::size_t k = 0;
-  if (piece.kind == Piece::Kind::cell && !piece.blind) {
-    const auto length = [&](const Interval3& along, const Interval& range) {
-      double square = 0;
-      for (const Interval& c : along) square += middle_of(c) * middle_of(c);
-      return std::sqrt(square) * (range.sup() - range.inf());
-    };
-    k = length(piece.along_v, part.range[1]) > length(piece.along_u, part.range[0]) ? 1 : 0;
-  } else if (piece.kind == Piece::Kind::cell) {
-    k = part.range[1].sup() - part.range[1].inf() > part.range[0].sup() - part.range[0].inf() ? 1 : 0;
+  std::array<double, 2> result{};
+  const auto gain = [&](std::size_t k, const Interval3& along) {
+    const double width = part.range[k].sup() - part.range[k].inf(), whole = piece.range[k].sup() - piece.range[k].inf();
+    const Vector3<double> way = middle_of(along);
+    const double length = std::sqrt(dot(way, way)) * width;
+    result[k] = std::abs(dot(way, d)) * width + piece.turn[k] * (width / whole) * length + 1e-3 * length;
+  };
+  if (piece.kind == Piece::Kind::flat) return result;
+  if (piece.kind == Piece::Kind::curve) {
+    gain(0, piece.along_u);
+    result[0] = std::max(result[0], 1e-300);
+    return result;
   }
+  gain(0, part.along_u);
+  gain(1, part.along_v);
+  return result;
+}
+
+std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, std::size_t k, Between between) {
   const double middle = middle_of(part.range[k]);
   std::array<Interval, 2> low = part.range, high = part.range;
   low[k] = Interval(part.range[k].inf(), middle);
   high[k] = Interval(middle, part.range[k].sup());
-  return {part_of(all, piece, low, between), part_of(all, piece, high, between)};
+  return {part_of(all, *part.piece, low, between), part_of(all, *part.piece, high, between)};
 }
 
 Interval extent(const PiecePart& part, const Vector3<double>& d, Between between) {

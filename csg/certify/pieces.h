@@ -45,6 +45,7 @@ struct Piece {
   std::array<Interval3, 4> corners{};           ///< where they are
   std::array<Interval, 2> range{0, 0};          ///< of u and v; of a curve the first, from 0 to 1
   Interval3 along_u{}, along_v{};               ///< of F, hulls; of a curve the first
+  std::array<double, 2> turn{0, 0};             ///< about how far its normal turns along u and v, in radians
   const PlacedSurface* surface = nullptr;       ///< of a cell, or of a curve that is a side of one
   std::shared_ptr<const Curve> curve{};         ///< of a curved wire
   std::array<std::array<Interval, 2>, 2> side{};  ///< of a curve: parameters of its ends on `surface` or `curve`
@@ -125,8 +126,11 @@ struct PiecePart {
 /// Of all pieces of `all`; who calls keeps an enclosure::RoundOutward alive, here and below.
 PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
              Between between = Between::facets_and_surfaces);
-/// Two halves, across the longer way.
-std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, Between between);
+/// How much a half of a part would tell, by u and by v, lengths: how far the surface goes in a direction d, and how
+/// far it bends away from a plane.
+std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d);
+/// Two halves by u (0) or v (1).
+std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, std::size_t k, Between between);
 /// What holds d . x for all x of a part.
 Interval extent(const PiecePart& part, const Vector3<double>& d, Between between);
 

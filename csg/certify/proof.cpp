@@ -19,8 +19,9 @@ namespace {
 using Index = std::uint32_t;
 using PieceParts = std::vector<PiecePart>;
 
-constexpr std::size_t kMostSteps = 1000;    // of one question
-constexpr std::size_t kMostTold = 4;        // places of the same patches of which it is asked whether facets are to blame
+constexpr std::size_t kMostSteps = 1000;        // of one question
+constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
+constexpr std::size_t kMostTold = 64;  // places of the same patches of which it is asked whether facets are to blame
 constexpr std::size_t kMostOpen = 1000;     // places of the same patches, after which no more are looked for
 
 bool holds_zero(const Interval& x) { return !(x.inf() > 0 || x.sup() < 0); }
@@ -246,10 +247,14 @@ class Prover {
     }
     some = true;
     OpenPlace place{tuple, middle_of(left), size_of(left), true};
-    if (++open <= kMostTold) {
+    if (++open <= kMostTold && !hopeless_.contains(patches)) {
       bool any = false;
       place.by_facets = answer(tuple, question, Between::surfaces, any, left);
-      if (!place.by_facets) place.at = middle_of(left), place.size = size_of(left);
+      if (!place.by_facets) {
+        place.at = middle_of(left);
+        place.size = size_of(left);
+        hopeless_.insert(patches);
+      }
     }
     proof_.open.push_back(std::move(place));
     return false;
@@ -273,7 +278,7 @@ class Prover {
   }
 
   bool answer(const std::vector<Index>& tuple, Question question, Between between, bool& some, Interval3& left) {
-    std::size_t steps = kMostSteps;
+    std::size_t steps = between == Between::surfaces ? kMostOfSurfaces : kMostSteps;
     PieceParts parts;
     for (const Index i : tuple) parts.push_back(part_of(all_, all_[i], all_[i].range, between));
     return answer(parts, question, between, steps, some, left);
@@ -300,18 +305,23 @@ class Prover {
     }
     if (parted(parts, between)) return true;
     left = common;
-    std::size_t widest = parts.size();
+    std::size_t chosen = parts.size(), way = 0;
     double most = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (parts[i].piece->kind == Piece::Kind::flat) continue;
-      const double size = size_of(parts[i].box);
-      if (size > most && size > least_size(*parts[i].piece, between)) most = size, widest = i;
+      if (parts[i].piece->kind == Piece::Kind::flat ||
+          size_of(parts[i].box) <= least_size(*parts[i].piece, between))
+        continue;
+      const auto d = direction(middle_of(parts[i == 0 ? 1 : 0].cone));
+      const std::array<double, 2> gain = gains(parts[i], d ? *d : Vector3<double>{1, 0, 0});
+      for (std::size_t k = 0; k < 2; ++k) {
+        if (gain[k] > most) most = gain[k], chosen = i, way = k;
+      }
     }
-    if (widest == parts.size() || steps == 0) return false;
+    if (chosen == parts.size() || steps == 0) return false;
     --steps;
     PieceParts next = parts;
-    for (const PiecePart& half : halves(all_, parts[widest], between)) {
-      next[widest] = half;
+    for (const PiecePart& half : halves(all_, parts[chosen], way, between)) {
+      next[chosen] = half;
       if (!answer(next, question, between, steps, some, left)) return false;
     }
     return true;
@@ -394,6 +404,7 @@ class Prover {
   std::vector<std::vector<Index>> together_;
   std::set<std::pair<Index, Index>> smooth_, contacts_;
   std::vector<double> thickness_;  // of pieces; below 0 where it is not known yet
+  std::set<std::vector<std::pair<LeafId, std::uint32_t>>> hopeless_;  // patches that touch somewhere
   std::map<std::vector<std::pair<LeafId, std::uint32_t>>, std::size_t> open_;  // how many places, by patches
   Proof proof_;
 };

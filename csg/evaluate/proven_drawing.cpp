@@ -14,7 +14,8 @@ namespace cnrg {
 namespace {
 
 constexpr int kMostRounds = 24;
-constexpr std::size_t kMostLines = 400;  // of a patch, in one direction
+constexpr std::size_t kMostLines = 400;      // of a patch, in one direction
+constexpr std::size_t kMostPieces = 30'000;  // more than there were
 
 using Patches = std::vector<std::pair<LeafId, std::uint32_t>>;
 
@@ -50,8 +51,14 @@ ProvenDrawing::ProvenDrawing(const Tree& tree, const Unfolding& unfolding, const
   options.watch.begin("crossings");
   prove_it();
   if (options.proof != AskedProof::with_lines) return;
-  for (int round = 0; round < kMostRounds && add_lines(); ++round) {
+  const std::size_t most = pieces_->all().size() + kMostPieces;
+  for (int round = 0; round < kMostRounds && pieces_->all().size() < most && add_lines(); ++round) {
     options.watch.check();
+    if (std::getenv("CNRG_DEBUG_OPEN") != nullptr) {
+      std::size_t facets = 0;
+      for (const OpenPlace& o : proof_->open) facets += o.by_facets ? 1 : 0;
+      std::fprintf(stderr, "round %d: pieces %zu asked %zu open %zu by facets %zu\n", round, pieces_->all().size(), proof_->asked, proof_->open.size(), facets);
+    }
     draw();
     prove_it();
   }
