@@ -14,16 +14,15 @@
 namespace cnrg {
 namespace {
 
-/// The turn less its whole turns.
+Rational error_of(const RationalPoint& d) { return abs(dot(d, d) - 1); }
+
+}  // namespace
+
 Rational within_one(const Rational& turn) {
   Integer whole;
   mpz_fdiv_q(whole.get_mpz_t(), turn.get_num_mpz_t(), turn.get_den_mpz_t());
   return turn - whole;
 }
-
-Rational error_of(const RationalPoint& d) { return abs(dot(d, d) - 1); }
-
-}  // namespace
 
 /// 0 for directions in [0, 180) degrees from the first vector, 1 for the others.
 int Turns::half_of(const Frame& frame, const RationalPoint& d) {

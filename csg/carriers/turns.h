@@ -12,6 +12,9 @@
 
 namespace cnrg {
 
+/// A turn less its whole turns.
+Rational within_one(const Rational& turn);
+
 class Turns {
  public:
   /// Even steps from the direction `start`; `marks`: further directions, at right angles to the

@@ -1,6 +1,7 @@
 // Further lines of leaves: they are borders of facets, what is closed stays so, parameters are those of the
 // surface, and whoever shares the surface has them, too. CNRG_SEEDS and CNRG_FIRST_SEED as for cubical pairs.
 #include <cmath>
+#include <numbers>
 
 #include "csg/carriers/common_lines.h"
 #include "csg/curves/surface_placed.h"
@@ -229,6 +230,18 @@ TEST_CASE("leaves of every kind have the lines that are asked for", "[random]") 
   }
 }
 
+/// The facets of a leaf, each from its least corner on.
+std::set<std::vector<RationalPoint>> facets_of(const LeafInstance& instance) {
+  const Soup soup = soup_of(instance);
+  std::set<std::vector<RationalPoint>> result;
+  for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
+    std::vector<RationalPoint> loop = test::loops(soup, f)[0];
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+    result.insert(loop);
+  }
+  return result;
+}
+
 /// Leaves that touch others, or share a surface with them: all have lines.
 const std::vector<std::string>& scenes_of_several() {
   static const std::vector<std::string> all{
@@ -340,8 +353,19 @@ TEST_CASE("leaves that touch have their lines together and meet as they do witho
         REQUIRE(evaluation.with_lines.size() == lines.size());
         const std::vector<LeafInstance> own = instances_of(tree),
                                         made = with_common_lines(own, nullptr, nullptr, {}, lines);
+        // The order of leaves and lines is none.
+        ExtraOfInstances turned;
+        for (auto& [i, of] : lines) {
+          for (auto& [patch, values] : of.of) {
+            for (auto& list : values) std::shuffle(list.begin(), list.end(), random);
+          }
+          turned[static_cast<std::uint32_t>(own.size() - 1 - i)] = of;
+        }
+        const std::vector<LeafInstance> others =
+            with_common_lines({own.rbegin(), own.rend()}, nullptr, nullptr, {}, turned);
         for (std::size_t i = 0; i < made.size(); ++i) {
           CAPTURE(i);
+          REQUIRE((facets_of(others[own.size() - 1 - i]) == facets_of(made[i])));
           REQUIRE(closed(soup_of(made[i])) == closed(soup_of(own[i])));
           if (!made[i].leaf->surfaces()) continue;
           REQUIRE(off_surface(made[i]) < 1e-12);
@@ -357,12 +381,60 @@ TEST_CASE("leaves that touch have their lines together and meet as they do witho
   }
 }
 
+TEST_CASE("lines next to where balls nearly touch tell how they do, and cost what they add") {
+  // Centres 2 - 2e-6 apart, along [2, 3, 6] / 7.
+  const std::string scene =
+      "  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 24}}\n"
+      "  b: {sphere: {center: [2, 0, 0], radius: 1, segments: 24}, translate: [-10000007/7000000, "
+      "5999994/7000000, "
+      "11999988/7000000]}\n";
+  const Tree tree = parsed(with_model(scene, "union"));
+  const NodeRow coarse = evaluate(tree).rows.back();
+  CHECK(coarse.cells == Cells{0, 0, 2, 2});
+  const double u = std::atan2(3, 2) / (2 * std::numbers::pi), v = std::asin(6.0 / 7) / std::numbers::pi;
+  auto lines = std::make_shared<LeafLines>();
+  ExtraOfInstances of_instances;
+  const Unfolding unfolding = unfold(tree, {tree.result});
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    ExtraLines& of = of_instances[i];
+    const std::array<double, 2> at = i == 0 ? std::array{u, 0.5 + v} : std::array{u + 0.5, 0.5 - v};
+    for (int k = 0; k < 9; ++k) {
+      for (const int sign : {-1, 1}) {
+        const double step = sign * std::ldexp(1.0, -k) / 24;
+        of.of[0][0].push_back(from_double(at[0] + step));
+        of.of[0][1].push_back(from_double(at[1] + step));
+      }
+    }
+    const Instance& instance = unfolding.instances[InstanceId(i)];
+    lines->of[{instance.node, Placement(*instance.transform)}] = of;
+  }
+  EvaluateOptions options;
+  options.lines = lines;
+  const NodeRow fine = evaluate(tree, options).rows.back();
+  CHECK(fine.cells == Cells{0, 1, 2, 1});
+  const std::vector<LeafInstance> own = instances_of(tree),
+                                  made = with_common_lines(own, nullptr, nullptr, {}, of_instances);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto cells = [](const LeafInstance& instance) {
+      std::set<FacetBoxes::Box> boxes;
+      for (const FacetBoxes::Box& box : boxes_of(instance, 0)) boxes.insert(box);
+      return boxes.size();
+    };
+    CHECK(cells(own[i]) == 24 * 12);
+    CHECK(cells(made[i]) <= (24 + 18) * (12 + 18));
+  }
+}
+
 TEST_CASE("parameters of leaves that touch are those of their surfaces") {
   for (const std::string& scene : scenes_of_several()) {
     CAPTURE(scene);
     const std::vector<LeafInstance> made = with_common_lines(instances_of(parsed(with_model(scene, "union"))));
+    std::vector<LeafInstance> own = instances_of(parsed(with_model(scene, "union")));
+    std::reverse(own.begin(), own.end());
+    const std::vector<LeafInstance> others = with_common_lines(own);
     for (std::size_t i = 0; i < made.size(); ++i) {
       CAPTURE(i);
+      CHECK((facets_of(made[i]) == facets_of(others[own.size() - 1 - i])));
       if (made[i].leaf->surfaces()) CHECK(off_surface(made[i]) < 1e-12);
     }
   }
