@@ -427,6 +427,57 @@ TEST_CASE("lines next to where balls nearly touch tell how they do, and cost wha
   }
 }
 
+TEST_CASE("lines go to leaves that share the surface, and to no others") {
+  const Tree tree = parsed(
+      "  shaft: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 1, segments: 10}}\n"
+      "  drill: {cylinder: {from: [0, 0, 1], to: [0, 0, 3], radius: 1, segments: 7}}\n"
+      "  tube: {cylinder: {from: [0, 0, 1], to: [0, 0, 3], radius: 2, segments: 9}}\n"
+      "  above: {cylinder: {from: [0, 0, 5], to: [0, 0, 6], radius: 1, segments: 9}}\n"
+      "  ball: {sphere: {center: [1.5, 0, 2], radius: 1, segments: 8}}\n"
+      "  block: {box: {min: [0, 0, 0], max: [3, 3, 3]}}\n"
+      "  model: {union: [shaft, drill, tube, above, ball, block]}\n");
+  const std::vector<LeafInstance> own = instances_of(tree), without = with_common_lines(own);
+  ExtraLines lines;
+  lines.of[2] = {std::vector<Rational>{Rational(1, 7), Rational(5, 9)}, {Rational(1, 3)}};
+  lines.of[0][0] = {Rational(1, 3)};  // a cap has none
+  std::set<std::uint32_t> drawn;
+  const std::vector<LeafInstance> made =
+      with_common_lines(own, nullptr, nullptr, {}, {{0, lines}, {5, lines}, {9, lines}}, &drawn);
+  CHECK(drawn == std::set<std::uint32_t>{0});
+  for (const std::size_t i : {0, 1}) {
+    for (const Rational& u : lines.of[2][0]) check_border(boxes_of(made[i], 2), 0, to_double(u), true);
+  }
+  CHECK(soup_of(made[1]).face_count() == soup_of(without[1]).face_count() + 2);
+  for (const std::size_t i : {2, 3, 4, 5}) CHECK(made[i].leaf == own[i].leaf);
+  // A line that is there already changes nothing.
+  ExtraLines known;
+  known.of[2][0] = {0, Rational(1, 10), 1};
+  const std::vector<LeafInstance> same = with_common_lines(own, nullptr, nullptr, {}, {{0, known}});
+  for (const std::size_t i : {0, 1}) CHECK((facets_of(same[i]) == facets_of(without[i])));
+}
+
+TEST_CASE("a ball about several axes has a corner where its lines cross") {
+  const Tree tree = parsed(
+      "  ball: {sphere: {center: [0, 0, 2], radius: 2, segments: 14}}\n"
+      "  b: {cylinder: {from: [0, 0, -3], to: [0, 0, 2], radius: 1, segments: 9}}\n"
+      "  c: {cylinder: {from: [-3, 0, 2], to: [3, 0, 2], radius: 1, segments: 11}}\n"
+      "  model: {union: [ball, b, c]}\n");
+  ExtraLines lines;
+  lines.of[0] = {std::vector<Rational>{Rational(13, 100), Rational(14, 100)}, {Rational(3, 5)}};
+  const LeafInstance made = with_common_lines(instances_of(tree), nullptr, nullptr, {}, {{0, lines}})[0];
+  const auto parameters = made.leaf->parameters()();
+  std::size_t corners = 0;
+  for (std::size_t f = 0; f < parameters->facet_count(); ++f) {
+    const auto cells = parameters->cells(f);
+    for (const PatchCorner& corner : cells[0]) {
+      for (const Rational& u : lines.of[0][0])
+        corners +=
+            abs(corner.at[0] - u) < from_double(1e-12) && abs(corner.at[1] - Rational(3, 5)) < from_double(1e-12);
+    }
+  }
+  CHECK(corners >= 8);
+}
+
 TEST_CASE("parameters of leaves that touch are those of their surfaces") {
   for (const std::string& scene : scenes_of_several()) {
     CAPTURE(scene);
