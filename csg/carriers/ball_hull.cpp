@@ -131,8 +131,6 @@ BallHull hull_of(const Ball& ball, const std::vector<SphereCircle>& circles,
       hull.triangles.push_back({corners[0], corners[i], corners[i + 1]});
     for (std::size_t i = 0; i < corners.size(); ++i) edges.insert({corners[i], corners[(i + 1) % corners.size()]});
   }
-  // The order of the hull's facets is the library's; ours is that of their corners.
-  for (auto& t : hull.triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   std::sort(hull.triangles.begin(), hull.triangles.end());
   const auto index = [&](const RationalPoint& p) {
     return static_cast<Index>(std::lower_bound(hull.points.begin(), hull.points.end(), p) - hull.points.begin());

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "csg/carriers/turns.h"
 #include "csg/geometry/circle.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -22,7 +23,8 @@ RevolvedLines revolved_lines(const ExtraLines& lines, const RevolvedForm& form, 
         continue;
       const auto& [u, v] = of->second;
       for (const Rational& turn : form.turn_is_u ? u : v) {
-        if (turn >= 0 && turn <= 1) turns.insert(turn);
+        if (form.around()) turns.insert(within_one(turn));
+        else if (turn > 0 && turn < 1) turns.insert(turn);
       }
       each_between(form.turn_is_u ? v : u, piece.parameters, [&](const Rational& way) {
         result.rows.push_back({k, way});

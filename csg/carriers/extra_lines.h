@@ -15,8 +15,10 @@
 namespace cnrg {
 
 /// By patch: values of u and values of v (csg/leaves/parameters.h), in any order, as the leaf has them when it is
-/// drawn without extra lines; with them it has the same ones. Lines of a patch without parameters, and beyond it,
-/// are none.
+/// drawn without extra lines; with them it has the same ones, but for 1e-12 and less. A whole turn goes on
+/// above 1. A line of a patch without parameters, and one beyond its patch, is none; of lines nearer to each other
+/// than 1e-12 the leaf has one. A ball that shares circles about several axes has points where its lines cross
+/// each other and its even ones, but none next to these circles.
 struct ExtraLines {
   std::map<std::uint32_t, std::array<std::vector<Rational>, 2>> of;
 };

@@ -22,6 +22,19 @@ ExtrudeShape shape_image(const ExtrudeShape& shape, const Transform& transform) 
   return result;
 }
 
+/// The same steps of curves where a transform puts these.
+std::shared_ptr<const AgreedSteps> steps_image(const AgreedSteps& steps, const Transform& transform) {
+  auto result = std::make_shared<AgreedSteps>();
+  for (const auto& [net, of] : steps) {
+    BezierCurve curve{net};
+    for (Homogeneous& h : curve.net) h = homogeneous(transform.apply(project(h)), h[3]);
+    const CanonicalCurve there = canonical(curve);
+    const std::vector<Rational> lines = CurveSteps{1, of.lines}.inside(there.reversed);
+    (*result)[there.curve.net] = {of.even, {lines.begin(), lines.end()}};
+  }
+  return result;
+}
+
 /// The arc that a curve is, swept along `vector`: a curve in a plane across it.
 std::optional<ExtrudedArc> arc_of(const BezierCurve& curve, const RationalPoint& vector) {
   const ControlRow row = reduced(curve.net);
@@ -88,7 +101,7 @@ std::unique_ptr<PreparedLeaf> extrude_anew(const ExtrudeForm& form, const Transf
   const auto sweep = std::make_shared<CommonSweep>();
   sweep->shape = shape_image(form.shape, transform);
   sweep->mirrored = form.mirrored != (transform.determinant() < 0);
-  sweep->steps = form.steps;
+  if (form.steps) sweep->steps = transform == Transform() ? form.steps : steps_image(*form.steps, transform);
   sweep->heights = form.heights;
   sweep->fixed = std::move(fixed);
   return tessellate(sweep);

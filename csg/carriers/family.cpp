@@ -51,8 +51,7 @@ void Family::add_lines(std::size_t member, const RevolvedLines& lines) {
 void Family::solve_turns(const std::vector<RationalPoint>& others) {
   std::vector<RationalPoint> all = others_;
   all.insert(all.end(), others.begin(), others.end());
-  all.insert(all.end(), lines_.begin(), lines_.end());
-  turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks_, all);
+  turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks_, all, lines_);
 }
 
 std::vector<RationalPoint> Family::corners(std::size_t m) const {

@@ -306,18 +306,19 @@ void MeridianPlane::sample(Arc& arc) const {
     if (next != marked.end() && *next <= angle + near) return true;
     return !marked.empty() && (marked.front() + 360 - angle <= near || angle + 360 - marked.back() <= near);
   };
-  for (const Vertex& row : arc.rows) {
-    const double angle = to_double(row.degrees);
-    if (is_marked(angle)) continue;
-    marked.insert(std::upper_bound(marked.begin(), marked.end(), angle), angle);
-    arc.vertices.push_back(row);
-  }
   for (int j = 0; j < arc.steps; ++j) {
     Rational degrees = fraction(std::int64_t{360} * j, arc.steps) - (sphere ? 90 : 0);
     if (degrees > 180) degrees -= 360;
     if (is_marked(to_double(degrees))) continue;
     const Point p = on_arc(arc, degrees);
     if (p.r >= 0) arc.vertices.push_back({p, degrees});
+  }
+  constexpr double kNearRow = 1e-12;
+  for (const Vertex& row : arc.rows) {
+    const bool known = std::any_of(arc.vertices.begin(), arc.vertices.end(), [&](const Vertex& other) {
+      return std::abs(std::remainder(to_double(row.degrees - other.degrees), 360)) < kNearRow;
+    });
+    if (!known) arc.vertices.push_back(row);
   }
 }
 

@@ -67,7 +67,7 @@ class MeridianPlane {
     int steps = 0;                        ///< of a whole circle
     std::vector<MeridianPoint> marks;     ///< ends and contacts
     std::vector<MeridianPoint> halvings;  ///< of chords
-    std::set<Vertex> rows;                ///< of `add_row`; but next to others they are left out
+    std::set<Vertex> rows;                ///< of `add_row`; without those that are there
     std::vector<Vertex> vertices;
   };
   using ArcKey = std::tuple<MeridianPoint, Rational>;

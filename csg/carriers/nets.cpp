@@ -91,14 +91,15 @@ class CommonNetsOfLeaves {
   std::vector<LeafInstance> run(std::set<std::uint32_t>* drawn) {
     for (PlacedNets& leaf : leaves_) place(leaf);
     link();
-    for (PlacedNets& leaf : leaves_) add_lines(leaf, drawn);
-    if (cuts_.concerned().empty()) return instances_;
+    std::vector<LeafInstance> result = instances_;
+    const std::set<std::size_t> shared = cuts_.concerned();
+    for (PlacedNets& leaf : leaves_) add_lines(leaf, shared.contains(leaf.owner), result, drawn);
+    if (cuts_.concerned().empty()) return result;
     cuts_.spread();
     for (const PlacedNets& leaf : leaves_) {
       if (cuts_.concerned().contains(leaf.owner)) ask(leaf);
     }
     steps_ = std::make_shared<const AgreedSteps>(common_steps_.agree());
-    std::vector<LeafInstance> result = instances_;
     for (const PlacedNets& leaf : leaves_) {
       if (!cuts_.concerned().contains(leaf.owner)) continue;
       const std::shared_ptr<const PreparedLeaf> made = tessellate_anew(leaf);
@@ -142,13 +143,27 @@ class CommonNetsOfLeaves {
     }
   }
 
-  void add_lines(PlacedNets& leaf, std::set<std::uint32_t>* drawn) {
+  /// One that shares nothing is drawn in its own coordinates, by its own fineness, as without lines.
+  void add_lines(PlacedNets& leaf, bool shared, std::vector<LeafInstance>& result,
+                 std::set<std::uint32_t>* drawn) {
+    const LeafInstance& given = instances_[leaf.owner];
+    std::vector<ExtraLines> lines;
     for (const std::size_t i : leaf.instances) {
       const auto extra = extra_.find(static_cast<std::uint32_t>(i));
       if (extra == extra_.end()) continue;
-      leaf.add_lines(extra->second, cuts_);
+      lines.push_back(extra->second);
       if (drawn != nullptr) drawn->insert(extra->first);
     }
+    if (lines.empty()) return;
+    if (shared || given.transform->identity()) {
+      for (const ExtraLines& of : lines) leaf.add_lines(of, cuts_);
+      return;
+    }
+    std::vector<LeafInstance> alone(lines.size(), {given.leaf, {}});
+    ExtraOfInstances extra;
+    for (std::uint32_t i = 0; i < lines.size(); ++i) extra[i] = std::move(lines[i]);
+    alone = with_common_nets(alone, extra);
+    for (const std::size_t i : leaf.instances) result[i].leaf = alone[0].leaf;
   }
 
   /// Makes the strands of a leaf and finds what they lie on.

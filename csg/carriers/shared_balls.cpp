@@ -77,11 +77,10 @@ std::shared_ptr<const BallHull> SharedBalls::hull(const Ball& ball) const {
 void SharedBalls::add_lines(const Ball& ball, const ExtraLines& lines) {
   const auto of = lines.of.find(0);
   if (of == lines.of.end()) return;
-  for (std::size_t d = 0; d < 2; ++d) {
-    for (const Rational& at : of->second[d]) {
-      if (at > 0 && at < 1) balls_.at(ball).lines[d].insert(at);
-    }
-  }
+  auto& [around, up] = balls_.at(ball).lines;
+  for (const Rational& u : of->second[0]) around.insert(within_one(u));
+  each_between(of->second[1], {0, 1}, [&](const Rational& v) { up.insert(v); });
+  around.erase(0);
 }
 
 void SharedBalls::choose() {

@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "csg/carriers/ball_hull.h"
 #include "csg/carriers/family.h"

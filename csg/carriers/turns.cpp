@@ -14,16 +14,15 @@
 namespace cnrg {
 namespace {
 
-/// The turn less its whole turns.
+Rational error_of(const RationalPoint& d) { return abs(dot(d, d) - 1); }
+
+}  // namespace
+
 Rational within_one(const Rational& turn) {
   Integer whole;
   mpz_fdiv_q(whole.get_mpz_t(), turn.get_num_mpz_t(), turn.get_den_mpz_t());
   return turn - whole;
 }
-
-Rational error_of(const RationalPoint& d) { return abs(dot(d, d) - 1); }
-
-}  // namespace
 
 /// 0 for directions in [0, 180) degrees from the first vector, 1 for the others.
 int Turns::half_of(const Frame& frame, const RationalPoint& d) {
@@ -38,7 +37,8 @@ int Turns::compare(const Frame& frame, const RationalPoint& a, const RationalPoi
 }
 
 Turns::Turns(const RationalPoint& axis, const RationalPoint& start, int segments,
-             const std::vector<RationalPoint>& marks, const std::vector<RationalPoint>& others)
+             const std::vector<RationalPoint>& marks, const std::vector<RationalPoint>& others,
+             const std::set<RationalPoint>& lines)
     : frame_{start, cross(axis, start), axis} {
   const Rational across = 1 / dot(axis, axis);  // the second vector is as long as the axis
   lines_.reserve(static_cast<std::size_t>(segments) + marks.size());
@@ -89,6 +89,25 @@ Turns::Turns(const RationalPoint& axis, const RationalPoint& start, int segments
     kept.push_back(line);
   }
   lines_ = std::move(kept);
+  add_lines(lines);
+}
+
+void Turns::add_lines(const std::set<RationalPoint>& lines) {
+  if (lines.empty()) return;
+  constexpr double kNear = 1e-12;
+  std::set<double> taken;
+  for (const Line& line : lines_) taken.insert(to_double(line.turn));
+  for (const RationalPoint& d : lines) {
+    const double turn = to_double(turn_of(d));
+    const auto next = taken.lower_bound(turn - kNear);
+    if ((next != taken.end() && *next <= turn + kNear) || *taken.begin() + 1 - turn <= kNear ||
+        turn + 1 - *taken.rbegin() <= kNear)
+      continue;
+    taken.insert(turn);
+    lines_.push_back({d, from_double(turn), false, false});
+  }
+  std::sort(lines_.begin(), lines_.end(),
+            [&](const Line& a, const Line& b) { return compare(frame_, a.direction, b.direction) < 0; });
 }
 
 const Turns::Line* Turns::find(const RationalPoint& direction) const {

@@ -7,19 +7,25 @@
 
 #include <array>
 #include <optional>
+#include <set>
 
 #include "csg/curves/revolved.h"
 
 namespace cnrg {
+
+/// A turn less its whole turns.
+Rational within_one(const Rational& turn);
 
 class Turns {
  public:
   /// Even steps from the direction `start`; `marks`: further directions, at right angles to the
   /// axis and nearly or exactly unit vectors, in any order. Of two on one ray the one that is nearer to a unit
   /// vector stays. `others` are such directions, too, but next to marks and to those before them they are left
-  /// out, and even steps next to any of all these.
+  /// out, and even steps next to any of all these. `lines` come last, without those nearer than 1e-12 of a turn to
+  /// one that is there.
   Turns(const RationalPoint& axis, const RationalPoint& start, int segments,
-        const std::vector<RationalPoint>& marks, const std::vector<RationalPoint>& others = {});
+        const std::vector<RationalPoint>& marks, const std::vector<RationalPoint>& others = {},
+        const std::set<RationalPoint>& lines = {});
 
   std::vector<RationalPoint> directions(bool only_marks = false) const;
   /// The directions before and after one of these.
@@ -46,6 +52,7 @@ class Turns {
     Rational turn;                    ///< from `start`, 0 to 1; of a mark as a double
     bool even = false, mark = false;  ///< either or both
   };
+  void add_lines(const std::set<RationalPoint>& lines);
   /// Where a direction is, 0 to 1; exact for a line of these.
   Rational turn_of(const RationalPoint& direction) const;
   const Line* find(const RationalPoint& direction) const;

@@ -10,6 +10,20 @@
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
+namespace {
+
+/// Lines are multiples of 1 / kLines.
+constexpr std::int64_t kLines = std::int64_t{1} << 40;
+
+/// The nearest integer.
+Rational rounded(const Rational& x) {
+  const Rational up = x + Rational(1, 2);
+  Integer whole;
+  mpz_fdiv_q(whole.get_mpz_t(), up.get_num_mpz_t(), up.get_den_mpz_t());
+  return whole;
+}
+
+}  // namespace
 
 Fineness::Fineness(const char* shape, const Tessellation& tessellation) : shape_(shape) {
   if (tessellation.chord && tessellation.segments) {
@@ -75,12 +89,11 @@ int Fineness::steps_of_turn(double radius, double degrees) const {
 }
 
 std::vector<Rational> CurveSteps::inside(bool backward) const {
-  std::vector<Rational> result(lines.begin(), lines.end());
-  const Rational near = fraction(1, even) / (std::int64_t{1} << 32);
-  for (int k = 1; k < even; ++k) {
-    const Rational at = fraction(k, even);
-    const auto next = lines.empty() ? lines.end() : lines.lower_bound(at - near);
-    if (next == lines.end() || *next > at + near) result.push_back(at);
+  std::vector<Rational> result;
+  for (int k = 1; k < even; ++k) result.push_back(fraction(k, even));
+  for (const Rational& line : lines) {
+    const Rational apart = line - rounded(line * even) / even;
+    if (abs(apart) * 2 * kLines > 1) result.push_back(line);
   }
   if (!lines.empty()) std::sort(result.begin(), result.end());
   if (!backward) return result;
@@ -90,13 +103,10 @@ std::vector<Rational> CurveSteps::inside(bool backward) const {
 }
 
 std::set<Rational> rounded_lines(const std::set<Rational>& lines) {
-  const Rational whole = std::int64_t{1} << 40;
   std::set<Rational> result;
   for (const Rational& t : lines) {
-    const Rational up = t * whole + Rational(1, 2);
-    Integer near;
-    mpz_fdiv_q(near.get_mpz_t(), up.get_num_mpz_t(), up.get_den_mpz_t());
-    if (near > 0 && near < whole) result.insert(near / whole);
+    const Rational near = rounded(t * kLines) / kLines;
+    if (near > 0 && near < 1) result.insert(near);
   }
   return result;
 }

@@ -52,8 +52,8 @@ class Fineness {
 struct CurveSteps {
   int even = 1;
   std::set<Rational> lines{};  ///< parameters of further ones, between 0 and 1
-  /// The parameters of all but the ends, ascending, or those of the curve run backward. Of even steps next to
-  /// another one there are none.
+  /// The parameters of all but the ends, ascending, or those of the curve run backward. A line that is a step but
+  /// for 2^-41 is none.
   std::vector<Rational> inside(bool backward = false) const;
 };
 

@@ -9,8 +9,8 @@
 
 namespace cnrg {
 
-/// Facets, each as its corners (places in `points`), counter-clockwise from outside. The order of facets, and
-/// where a facet's corners begin, are CGAL's. `points`: different ones, not all in one plane.
+/// Facets, one of each plane, ascending: their corners (places in `points`) from the least on, counter-clockwise
+/// from outside. `points`: different ones, not all in one plane.
 std::vector<std::vector<std::uint32_t>> convex_hull(std::span<const RationalPoint> points);
 
 }  // namespace cnrg
