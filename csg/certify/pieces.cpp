@@ -749,6 +749,8 @@ Pieces::Meeting Pieces::facets_meet(std::uint32_t a, std::uint32_t b, const Cont
 
 namespace {
 
+bool at_apex(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range);
+
 /// Points whose convex hull holds F over a part of a cell.
 std::vector<Interval3> facet_corners(const Piece& piece, const std::array<Interval, 2>& range) {
   if (!piece.grid) return {piece.corners.begin(), piece.corners.begin() + piece.corner_count};
@@ -876,7 +878,7 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
   if (between == Between::surfaces) {
     part.box = jet.point;
     part.cone = jet.normal;
-    part.blind = holds_zero(jet.normal);
+    part.blind = holds_zero(jet.normal) || at_apex(all, piece, range);
     return part;
   }
   part.box = hull(facet_box(piece, range), jet.point);
@@ -948,6 +950,24 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
   return part;
 }
 
+namespace {
+
+/// True if the part has a pole at which the normals of all cells about it are not on one side of a plane.
+bool at_apex(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range) {
+  for (std::size_t i = 0; piece.grid && i < 4; ++i) {
+    if (piece.points[i] != piece.points[(i + 1) % 4]) continue;
+    const std::size_t fixed = piece.at[i][0] == piece.at[(i + 1) % 4][0] ? 0 : 1;
+    if (piece.at[i][fixed] < range[fixed].inf() || piece.at[i][fixed] > range[fixed].sup()) continue;
+    std::array<Interval, 2> there = range;
+    there[fixed] = Interval(piece.at[i][fixed]);
+    const PiecePart pole = part_of(all, piece, there);
+    if (pole.blind || holds_zero(pole.cone)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d) {
   const Piece& piece = *part.piece;
   std::array<double, 2> result{};
@@ -955,7 +975,7 @@ std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d) {
     const double width = part.range[k].sup() - part.range[k].inf(), whole = piece.range[k].sup() - piece.range[k].inf();
     const Vector3<double> way = middle_of(along);
     const double length = std::sqrt(dot(way, way)) * width;
-    result[k] = std::abs(dot(way, d)) * width + piece.turn[k] * (width / whole) * length + 1e-3 * length;
+    result[k] = std::abs(dot(way, d)) * width + piece.turn[k] * (width / whole) * length + 1e-9 * length;
   };
   if (piece.kind == Piece::Kind::flat) return result;
   if (piece.kind == Piece::Kind::curve) {

@@ -308,9 +308,7 @@ class Prover {
     std::size_t chosen = parts.size(), way = 0;
     double most = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (parts[i].piece->kind == Piece::Kind::flat ||
-          size_of(parts[i].box) <= least_size(*parts[i].piece, between))
-        continue;
+      if (parts[i].piece->kind == Piece::Kind::flat || !worth_halving(parts[i], between)) continue;
       const auto d = direction(middle_of(parts[i == 0 ? 1 : 0].cone));
       const std::array<double, 2> gain = gains(parts[i], d ? *d : Vector3<double>{1, 0, 0});
       for (std::size_t k = 0; k < 2; ++k) {
@@ -344,21 +342,23 @@ class Prover {
            !holds_zero(dot(cross(direction, one.cone), c.cone));
   }
 
-  /// Below this a part of a piece is not halved: it gets no thinner.
-  double least_size(const Piece& piece, Between between) {
-    double& thickness = thickness_[static_cast<std::size_t>(&piece - all_.data())];
-    if (thickness < 0) {
-      const PiecePart whole = part_of(all_, piece, piece.range);
-      const auto d = piece.kind == Piece::Kind::cell && !whole.blind ? direction(middle_of(whole.cone)) : std::nullopt;
-      thickness = 0;
-      if (d) {
-        const Interval wide = extent(whole, *d, Between::facets_and_surfaces);
-        thickness = wide.sup() - wide.inf();
-      }
-    }
+  /// False where a part is no longer than facets are away from the surface there: it gets no thinner.
+  bool worth_halving(const PiecePart& part, Between between) {
+    const Piece& piece = *part.piece;
+    const double size = size_of(part.box);
     double far = 0;
     for (std::size_t k = 0; k < 3; ++k) far = std::max({far, std::abs(piece.box.lo[k]), std::abs(piece.box.hi[k])});
-    return std::max(between == Between::surfaces ? 0 : thickness / 2, 1e-14 * far);
+    if (size <= 1e-14 * far) return false;
+    if (between == Between::surfaces || piece.kind == Piece::Kind::curve) return true;
+    double& thickness = thickness_[static_cast<std::size_t>(&piece - all_.data())];
+    if (thickness < 0) thickness = thickness_of(part_of(all_, piece, piece.range));
+    return size > thickness / 2 || size > thickness_of(part) / 2;
+  }
+  static double thickness_of(const PiecePart& part) {
+    const auto d = part.blind ? std::nullopt : direction(middle_of(part.cone));
+    if (!d) return 0;
+    const Interval wide = extent(part, *d, Between::facets_and_surfaces);
+    return wide.sup() - wide.inf();
   }
 
   static bool at_angle(const PieceParts& parts) {
