@@ -22,6 +22,7 @@ void Certificate::add(const Certificate& more) {
   crossing += more.crossing;
   contacts += more.contacts;
   places.insert(places.end(), more.places.begin(), more.places.end());
+  unknown.insert(unknown.end(), more.unknown.begin(), more.unknown.end());
 }
 
 std::vector<Diagnostic> Certificate::notices(const Tree& tree, std::size_t most) const {

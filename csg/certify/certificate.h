@@ -24,6 +24,7 @@ struct Certificate {
   /// Pairs of facets near each other: in all, and what was proven of them and of their surfaces.
   std::size_t asked = 0, apart = 0, crossing = 0, contacts = 0;
   std::vector<UncertainPlace> places;
+  std::vector<NodeId> unknown;  ///< leaves with curved faces of which no surface is known: CAD models
   void add(const Certificate& more);
   /// Of the first places.
   std::vector<Diagnostic> notices(const Tree& tree, std::size_t most) const;

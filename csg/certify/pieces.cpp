@@ -201,7 +201,13 @@ class PieceMaker {
     if (identity) exact_ = mould.numbers.points();
     out_.points_[leaf] = exact_;
     const std::size_t first = out_.pieces_.size();
-    if (mould.surfaces) out_.leaf_surfaces_.push_back(mould.surfaces);
+    if (mould.surfaces) {
+      out_.leaf_surfaces_.push_back(mould.surfaces);
+      for (const auto& [patch, form] : mould.surfaces->forms()) {
+        if (form.surface.kind != CadSurface::Kind::plane && mould.surfaces->patch(patch) == nullptr)
+          out_.unknown_.insert(leaf);
+      }
+    }
     for (const Mould::Cell& cell : mould.cells) add_cell(place, cell);
     for (const Mould::Flat& flat : mould.flats) add_flat(place, flat);
     find_neighbours(first);
@@ -235,7 +241,6 @@ class PieceMaker {
     for (std::size_t i = 0; i < cell.points.size(); ++i)
       add_side(place, cell.points[i], cell.points[(i + 1) % cell.points.size()], number, i);
     out_.pieces_.push_back(std::move(piece));
-    ++out_.curved_;
   }
 
   static void measure_turn(Piece& piece) {
@@ -493,7 +498,6 @@ class PieceMaker {
   void finish_curve(Piece curve) {
     curve.range = {Interval(0, 1), 0};
     curve.along_u = difference(curve.corners[1], curve.corners[0]);
-    if (!curve.exact()) ++out_.curved_;
     out_.pieces_.push_back(std::move(curve));
   }
   std::uint32_t curve_number(const std::array<double, 4>& key) {

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -86,7 +87,8 @@ class Pieces {
     otherwise,
   };
   Meeting facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const;
-  std::size_t curved() const { return curved_; }  ///< how many cells and curves are not exact
+  /// Leaves with curved patches of which no surface is known, such as those of a CAD model; ascending.
+  const std::set<LeafId>& unknown() const { return unknown_; }
 
  private:
   /// Of a piece that is not flat.
@@ -107,7 +109,7 @@ class Pieces {
   std::map<std::uint32_t, PlaneEquation> planes_;        // by sheet
   std::map<std::uint32_t, Quadric> quadrics_;            // by sheet
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<Contact>> contacts_;
-  std::size_t curved_ = 0;
+  std::set<LeafId> unknown_;
   friend class PieceMaker;
 };
 

@@ -22,6 +22,7 @@ using PieceParts = std::vector<PiecePart>;
 constexpr std::size_t kMostSteps = 1000;        // of one question
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
 constexpr std::size_t kMostTold = 64;  // places of the same patches of which it is asked whether facets are to blame
+constexpr std::size_t kMostInAll = 2'000'000;   // steps of a proof; after them all that is asked is open
 constexpr std::size_t kMostOpen = 1000;     // places of the same patches, after which no more are looked for
 
 bool holds_zero(const Interval& x) { return !(x.inf() > 0 || x.sup() < 0); }
@@ -235,7 +236,10 @@ class Prover {
     for (const Index i : tuple) patches.emplace_back(all_[i].leaf, all_[i].patch);
     std::sort(patches.begin(), patches.end());
     std::size_t& open = open_[patches];
-    if (open >= kMostOpen) return false;
+    if (open >= kMostOpen || proof_.steps > kMostInAll) {
+      if (open++ == 0) proof_.open.push_back({tuple, middle_of(part_of(all_, all_[tuple[0]], all_[tuple[0]].range).box), 0, true});
+      return false;
+    }
     Interval3 left{};
     some = false;
     if (answer(tuple, question, Between::facets_and_surfaces, some, left)) return true;
@@ -317,6 +321,7 @@ class Prover {
     }
     if (chosen == parts.size() || steps == 0) return false;
     --steps;
+    ++proof_.steps;
     PieceParts next = parts;
     for (const PiecePart& half : halves(all_, parts[chosen], way, between)) {
       next[chosen] = half;

@@ -39,6 +39,7 @@ struct Proof {
   std::size_t apart = 0;     ///< of them: proven to have no point in common
   std::size_t crossing = 0;  ///< proven to cross at an angle, if they do
   std::size_t contacts = 0;  ///< proven to touch as their surfaces do (contact.h)
+  std::size_t steps = 0;     ///< how often a part was halved
   std::vector<OpenPlace> open;
 };
 

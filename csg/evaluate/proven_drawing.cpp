@@ -14,6 +14,7 @@ namespace cnrg {
 namespace {
 
 constexpr int kMostRounds = 24;
+constexpr std::size_t kMostSteps = 1'000'000;  // of all rounds, as Proof::steps
 constexpr std::size_t kMostLines = 400;      // of a patch, in one direction
 constexpr std::size_t kMostPieces = 30'000;  // more than there were
 
@@ -52,15 +53,13 @@ ProvenDrawing::ProvenDrawing(const Tree& tree, const Unfolding& unfolding, const
   prove_it();
   if (options.proof != AskedProof::with_lines) return;
   const std::size_t most = pieces_->all().size() + kMostPieces;
-  for (int round = 0; round < kMostRounds && pieces_->all().size() < most && add_lines(); ++round) {
+  std::size_t steps = proof_->steps;
+  for (int round = 0; round < kMostRounds && pieces_->all().size() < most && steps < kMostSteps && add_lines();
+       ++round) {
     options.watch.check();
-    if (std::getenv("CNRG_DEBUG_OPEN") != nullptr) {
-      std::size_t facets = 0;
-      for (const OpenPlace& o : proof_->open) facets += o.by_facets ? 1 : 0;
-      std::fprintf(stderr, "round %d: pieces %zu asked %zu open %zu by facets %zu\n", round, pieces_->all().size(), proof_->asked, proof_->open.size(), facets);
-    }
     draw();
     prove_it();
+    steps += proof_->steps;
   }
 }
 
@@ -124,6 +123,7 @@ std::shared_ptr<const Certificate> ProvenDrawing::certificate(const Evaluation& 
   result->apart = proof_->apart;
   result->crossing = proof_->crossing;
   result->contacts = proof_->contacts;
+  for (const LeafId leaf : pieces_->unknown()) result->unknown.push_back(evaluation.leaves->node_of(leaf));
   std::map<Patches, std::vector<const OpenPlace*>> by_patches;
   for (const OpenPlace& one : proof_->open) by_patches[patches_of(pieces, one)].push_back(&one);
   for (const auto& [patches, ones] : by_patches) {
