@@ -100,13 +100,15 @@ def trial(program, number, case, mode):
     found = []
 
     def told(verdict, name, counts, text):
-        line = f"{number}: {verdict}: {case.kind}, {case.expression[0]}, {case.situation}, {case.gap}, {case.where.name}{name}: "
-        line += f"{counts} for {case.truth}" if counts else text.strip().splitlines()[-1][-300:] if text.strip() else "-"
+        words = [case.kind, case.expression[0], case.situation, case.gap, case.where.name]
+        line = f"{number}: {verdict}: {', '.join(words)}{name}: "
+        line += f"{counts} for {case.truth}" if counts else "".join(text.strip().splitlines()[-1:])[-300:]
         found.append((verdict, line))
 
     if mode in ("truth", "contacts"):
         for segments in (96, 320) if mode == "truth" else (None,):
-            status, counts, text = run(program, case, case.tree(segments), [])
+            finer = ["--finer", "8"] if case.files and segments else []
+            status, counts, text = run(program, case, case.tree(segments), finer)
             verdict = "failed" if status else "right" if counts == case.truth else "WRONG"
             if verdict != "WRONG":
                 break

@@ -347,5 +347,41 @@ def cone_ball(rng, gap):
     return found
 
 
-KINDS = [two_balls, ball_plane, ball_two_planes, ball_corner, bore_wall, rod_oblique, rods_parallel, rods_skew,
-         ball_rod, pin_bore, cone_plane, cone_ball]
+def three_balls(rng, gap):
+    """Three equal balls about points of a circle, an acute triangle: the last point that they have in common is the
+    centre of the circle."""
+    (p, q), (c, s) = rng.choice(TURNS), rng.choice(TURNS)
+    ways = [(F(1), F(0)), (-p, q), (-c, -s)]
+    radius = F(1)
+    away = near(rng, gap, radius, F(1, 2), F(9, 8))
+    # The centre lies between the second and the third, and any two balls cross.
+    if p * s + q * c <= 0 or any(away ** 2 * ((a - c) ** 2 + (b - d) ** 2) >= 4 * radius ** 2
+                                 for a, b in ways for c, d in ways):
+        return None
+    where = "inside" if away < radius else "touch" if away == radius else "outside"
+    operator, truth = rng.choice([
+        ("intersection", {"inside": (2, 3, 3, 1), "touch": (1, 0, 0, 0), "outside": NOTHING}),
+        # Outside of the contact they are a ring, with three whole circles.
+        ("union", {"inside": (2, 3, 3, 1), "touch": (1, 3, 3, 1), "outside": (0, 3, 3, 1)}),
+    ])
+    leaves = {name: ball([away * x, away * y, F(0)], radius) for name, (x, y) in zip("abc", ways)}
+    return Case("three balls", leaves, (operator, "a", "b", "c"), truth[where], where)
+
+
+def lens_plane(rng, gap):
+    """What two balls have in common, with the sharp circle where they cross, and a plane near its highest point."""
+    (c, s), size = rng.choice(TURNS), fraction(rng, F(1), F(2), 4)
+    rim = size * s
+    level = near(rng, gap, rim, -rim / 2, rim * F(5, 4))
+    where = "cut" if level < rim else "touch" if level == rim else "beyond"
+    below = rng.random() < 0.5
+    truth = {"cut": (2, 3, 3, 1), "touch": (0, 1, 2, 1) if below else (1, 0, 0, 0),
+             "beyond": (0, 1, 2, 1) if below else NOTHING}[where]
+    leaves = {"a": ball([-size * c, F(0), F(0)], size), "b": ball([size * c, F(0), F(0)], size),
+              "c": half([F(0), level, F(0)], [0, 1 if below else -1, 0])}
+    return Case("two balls and plane", leaves, ("intersection", "a", "b", "c"), truth,
+                f"{'below' if below else 'above'}, {where}")
+
+
+KINDS = [two_balls, three_balls, lens_plane, ball_plane, ball_two_planes, ball_corner, bore_wall, rod_oblique,
+         rods_parallel, rods_skew, ball_rod, pin_bore, cone_plane, cone_ball]
