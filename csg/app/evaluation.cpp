@@ -105,10 +105,11 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
   const Certificate certificate = certificate_of(evaluation);
   if (!certificate.unknown.empty()) {
     const Node& node = tree.nodes[certificate.unknown.front()];
-    throw TreeError(tree.file, node.operator_at,
-                    "--certify: `" + node.name +
-                        "` is a CAD model, and of its curved faces only the facets are known: leave --certify out, or "
-                        "build the part of shapes");
+    throw TreeError(
+        tree.file, node.operator_at,
+        "--certify: `" + node.name +
+            "` is a CAD model, and of its curved faces only the facets are known: leave --certify out, or "
+            "build the part of shapes");
   }
   if (certificate.places.empty()) {
     if (!quiet) {

@@ -248,9 +248,8 @@ std::optional<Contact> contact_in(const Matrix& zeros, const Matrix& surface) {
   }
   if (proper == dimension) return result;  // nothing, or at infinity
   const Matrix there = on(surface, zeros);
-  const bool all = std::ranges::all_of(there, [](const Row& row) {
-    return std::ranges::all_of(row, [](const Rational& x) { return x == 0; });
-  });
+  const bool all = std::ranges::all_of(
+      there, [](const Row& row) { return std::ranges::all_of(row, [](const Rational& x) { return x == 0; }); });
   result.point = point_of(zeros, proper);
   if (dimension == 1) {
     if (all) result.kind = Contact::Kind::point;

@@ -1,10 +1,11 @@
 // Planes and quadrics that touch and do not cross, decided exactly.
 //
-// A quadric is x' A x = 0 for x = (x, y, z, 1). If some A - l B has no negative eigenvalue, or no positive one, then
-// all points of B's surface are on one side of A's, and both have in common what is in the kernel of A - l B alone:
-// nothing, a point, a line, or a conic in a plane (or two points, which are not looked for) (the S-lemma: polik2007, Section 2). Where the surfaces
-// touch so, l is a double root of det(A - l B), or of the same where both have no common kernel; where they are
-// apart, it is between two roots. A plane and a quadric: the same of A on the plane.
+// A quadric is x' A x = 0 for x = (x, y, z, 1). If some A - l B has no negative eigenvalue, or no positive one,
+// then all points of B's surface are on one side of A's, and both have in common what is in the kernel of A - l B
+// alone: nothing, a point, a line, or a conic in a plane (or two points, which are not looked for) (the S-lemma:
+// polik2007, Section 2). Where the surfaces touch so, l is a double root of det(A - l B), or of the same where
+// both have no common kernel; where they are apart, it is between two roots. A plane and a quadric: the same of A
+// on the plane.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
 // The pieces of which a proof speaks: what facets are and what they stand for, side by side.
 //
 // A curved leaf has a map F from the parameters of its cells to its facets, and S to its true surfaces. The proof
-// (proof.h) moves one into the other: H = (1 - t) F + t S for t from 0 to 1. A *piece* is a cell of a curved patch,
-// a flat face or an edge of a curve, with boxes that hold all its H, and the derivatives of all its H. PieceParts of a
-// piece, by parameters, have smaller ones.
+// (proof.h) moves one into the other: H = (1 - t) F + t S for t from 0 to 1. A *piece* is a cell of a curved
+// patch, a flat face or an edge of a curve, with boxes that hold all its H, and the derivatives of all its H.
+// PieceParts of a piece, by parameters, have smaller ones.
 //
 // Pieces lie on *sheets*. Sheets have one number where they are one surface in truth: planes where they are equal,
 // curved patches by csg/carriers/surface_numbers.h.
@@ -18,14 +18,33 @@
 #include <utility>
 #include <vector>
 
-#include "csg/certify/contact.h"
-#include "csg/curves/surface_placed.h"
 #include "csg/carriers/placed_leaves.h"
+#include "csg/certify/contact.h"
+#include "csg/curves/surface_math.h"
+#include "csg/curves/surface_placed.h"
 #include "kernel/refine/box.h"
 
 namespace cnrg {
 
 using Interval3 = Vector3<Interval>;
+
+inline Interval hull(const Interval& a, const Interval& b) {
+  return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
+}
+inline Interval3 hull(const Interval3& a, const Interval3& b) {
+  return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2])};
+}
+inline Interval3 enclose3(const RationalPoint& p) {
+  return {surface_math::enclose(p[0]), surface_math::enclose(p[1]), surface_math::enclose(p[2])};
+}
+inline bool holds_zero(const Interval3& x) {
+  return std::all_of(x.begin(), x.end(), [](const Interval& c) { return c.inf() <= 0 && c.sup() >= 0; });
+}
+inline Box box_of(const Interval3& x) {
+  Box box;
+  for (std::size_t k = 0; k < 3; ++k) box.lo[k] = x[k].inf(), box.hi[k] = x[k].sup();
+  return box;
+}
 
 inline double middle_of(const Interval& x) { return x.inf() / 2 + x.sup() / 2; }
 inline Vector3<double> middle_of(const Interval3& x) {
@@ -39,16 +58,16 @@ struct Piece {
   bool blind = false;  ///< its directions are not known: a net at its pole
   std::uint8_t corner_count = 0;
   LeafId leaf;
-  std::uint32_t patch = 0;  ///< Soup::Face::patch; of a wire Soup::Wire::leaf_edge
-  std::uint32_t sheet = 0;  ///< of a curve: a number of its own, equal along one curve
-  std::array<std::uint32_t, 4> points{};        ///< corners by number, equal ones of one leaf are one
-  std::array<std::array<double, 2>, 4> at{};    ///< their parameters, in the middle of `bounds`
-  std::array<Interval3, 4> corners{};           ///< where they are
-  std::array<Interval, 2> range{0, 0};          ///< of u and v; of a curve the first, from 0 to 1
-  Interval3 along_u{}, along_v{};               ///< of F, hulls; of a curve the first
-  std::array<double, 2> turn{0, 0};             ///< about how far its normal turns along u and v, in radians
-  const PlacedSurface* surface = nullptr;       ///< of a cell, or of a curve that is a side of one
-  std::shared_ptr<const Curve> curve{};         ///< of a curved wire
+  std::uint32_t patch = 0;                        ///< Soup::Face::patch; of a wire Soup::Wire::leaf_edge
+  std::uint32_t sheet = 0;                        ///< of a curve: a number of its own, equal along one curve
+  std::array<std::uint32_t, 4> points{};          ///< corners by number, equal ones of one leaf are one
+  std::array<std::array<double, 2>, 4> at{};      ///< their parameters, in the middle of `bounds`
+  std::array<Interval3, 4> corners{};             ///< where they are
+  std::array<Interval, 2> range{0, 0};            ///< of u and v; of a curve the first, from 0 to 1
+  Interval3 along_u{}, along_v{};                 ///< of F, hulls; of a curve the first
+  std::array<double, 2> turn{0, 0};               ///< about how far its normal turns along u and v, in radians
+  const PlacedSurface* surface = nullptr;         ///< of a cell, or of a curve that is a side of one
+  std::shared_ptr<const Curve> curve{};           ///< of a curved wire
   std::array<std::array<Interval, 2>, 2> side{};  ///< of a curve: parameters of its ends on `surface` or `curve`
   /// Of a flat piece: its plane, and d . x for some d in it and all points x of it.
   Interval3 normal{}, point{};
@@ -82,8 +101,8 @@ class Pieces {
   const std::optional<Contact>& contact_of(std::uint32_t sheet, std::uint32_t other);
   /// How the facets of two cells, or of a cell and a flat piece, meet.
   enum class Meeting : std::uint8_t {
-    apart,      ///< one is on one side of the other, without a common point
-    at_contact, ///< the same, and what they have in common is on the contact
+    apart,       ///< one is on one side of the other, without a common point
+    at_contact,  ///< the same, and what they have in common is on the contact
     otherwise,
   };
   Meeting facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const;
@@ -116,8 +135,8 @@ class Pieces {
 /// What a part is of: facets and surfaces and all between, or surfaces alone.
 enum class Between : std::uint8_t { facets_and_surfaces, surfaces };
 
-/// A part of a piece: what its parameters are limited to, a box around it for all t, and what is at right angles to
-/// it there (of a curve: along it), for all t, up to positive factors.
+/// A part of a piece: what its parameters are limited to, a box around it for all t, and what is at right angles
+/// to it there (of a curve: along it), for all t, up to positive factors.
 struct PiecePart {
   const Piece* piece = nullptr;
   std::array<Interval, 2> range{0, 0};
@@ -127,12 +146,13 @@ struct PiecePart {
 };
 /// Of all pieces of `all`; who calls keeps an enclosure::RoundOutward alive, here and below.
 PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
-             Between between = Between::facets_and_surfaces);
-/// How much a half of a part would tell, by u and by v, lengths: how far the surface goes in a direction d, and how
-/// far it bends away from a plane.
+                  Between between = Between::facets_and_surfaces);
+/// How much a half of a part would tell, by u and by v, lengths: how far the surface goes in a direction d, and
+/// how far it bends away from a plane.
 std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d);
 /// Two halves by u (0) or v (1).
-std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, std::size_t k, Between between);
+std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, std::size_t k,
+                                Between between);
 /// What holds d . x for all x of a part.
 Interval extent(const PiecePart& part, const Vector3<double>& d, Between between);
 

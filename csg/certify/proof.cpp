@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <map>
 #include <set>
 
@@ -21,9 +20,10 @@ using PieceParts = std::vector<PiecePart>;
 
 constexpr std::size_t kMostSteps = 1000;        // of one question
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
-constexpr std::size_t kMostTold = 64;  // places of the same patches of which it is asked whether facets are to blame
-constexpr std::size_t kMostInAll = 2'000'000;   // steps of a proof; after them all that is asked is open
-constexpr std::size_t kMostOpen = 1000;     // places of the same patches, after which no more are looked for
+constexpr std::size_t kMostTold =
+    64;  // places of the same patches of which it is asked whether facets are to blame
+constexpr std::size_t kMostInAll = 2'000'000;  // steps of a proof; after them all that is asked is open
+constexpr std::size_t kMostOpen = 1000;        // places of the same patches, after which no more are looked for
 
 bool holds_zero(const Interval& x) { return !(x.inf() > 0 || x.sup() < 0); }
 double size_of(const Interval3& x) {
@@ -40,7 +40,7 @@ std::optional<Vector3<double>> direction(const Vector3<double>& x) {
 
 /// What is asked of some pieces.
 enum class Question : std::uint8_t {
-  none,   ///< answered by what is asked of fewer, or of the leaf itself
+  none,     ///< answered by what is asked of fewer, or of the leaf itself
   angle,    ///< apart, or independent
   contact,  ///< apart, or what two have in common, along a curve, crosses the third at an angle
   apart,
@@ -172,8 +172,7 @@ class Prover {
         if (!some) continue;
         for (std::size_t z = y + 1; z < near.size(); ++z) {
           const std::vector<Index> four{i, near[x], near[y], near[z]};
-          if (!counts(near[z]) || !may_meet(near[x], near[z]) || !may_meet(near[y], near[z]) ||
-              !boxes_meet(four))
+          if (!counts(near[z]) || !may_meet(near[x], near[z]) || !may_meet(near[y], near[z]) || !boxes_meet(four))
             continue;
           const Question last = question_of(four);
           bool any = true;
@@ -225,7 +224,8 @@ class Prover {
     if (curves.size() == 1) return cells == 1 ? Question::angle : Question::apart;
     if (curves.size() > 2) return Question::apart;
     std::vector<Index> common;
-    std::ranges::set_intersection(all_[curves[0]].in_sheets, all_[curves[1]].in_sheets, std::back_inserter(common));
+    std::ranges::set_intersection(all_[curves[0]].in_sheets, all_[curves[1]].in_sheets,
+                                  std::back_inserter(common));
     if (common.size() > 1) return Question::none;  // the curve in which these sheets cross
     return common.size() == 1 && cells == 0 ? Question::angle : Question::apart;
   }
@@ -237,7 +237,9 @@ class Prover {
     std::sort(patches.begin(), patches.end());
     std::size_t& open = open_[patches];
     if (open >= kMostOpen || proof_.steps > kMostInAll) {
-      if (open++ == 0) proof_.open.push_back({tuple, middle_of(part_of(all_, all_[tuple[0]], all_[tuple[0]].range).box), 0, true});
+      if (open++ == 0)
+        proof_.open.push_back(
+            {tuple, middle_of(part_of(all_, all_[tuple[0]], all_[tuple[0]].range).box), 0, true});
       return false;
     }
     Interval3 left{};
@@ -263,8 +265,8 @@ class Prover {
     proof_.open.push_back(std::move(place));
     return false;
   }
-  /// Nothing, unless one sheet is on one side of the other, and so are the facets. Then whether they have points of
-  /// the contact in common: facets and surfaces both.
+  /// Nothing, unless one sheet is on one side of the other, and so are the facets. Then whether they have points
+  /// of the contact in common: facets and surfaces both.
   std::optional<bool> touch(Index a, Index b) {
     const std::optional<Contact>& contact = pieces_.contact_of(all_[a].sheet, all_[b].sheet);
     if (!contact) return std::nullopt;
@@ -352,7 +354,8 @@ class Prover {
     const Piece& piece = *part.piece;
     const double size = size_of(part.box);
     double far = 0;
-    for (std::size_t k = 0; k < 3; ++k) far = std::max({far, std::abs(piece.box.lo[k]), std::abs(piece.box.hi[k])});
+    for (std::size_t k = 0; k < 3; ++k)
+      far = std::max({far, std::abs(piece.box.lo[k]), std::abs(piece.box.hi[k])});
     if (size <= 1e-14 * far) return false;
     if (between == Between::surfaces || piece.kind == Piece::Kind::curve) return true;
     double& thickness = thickness_[static_cast<std::size_t>(&piece - all_.data())];
@@ -371,7 +374,8 @@ class Prover {
       if (part.blind) return false;
     }
     if (parts.size() == 3) return independent(parts[0].cone, parts[1].cone, parts[2].cone);
-    const bool first = parts[0].piece->kind == Piece::Kind::curve, second = parts[1].piece->kind == Piece::Kind::curve;
+    const bool first = parts[0].piece->kind == Piece::Kind::curve,
+               second = parts[1].piece->kind == Piece::Kind::curve;
     if (first != second) return !holds_zero(dot(parts[0].cone, parts[1].cone));
     return independent(parts[0].cone, parts[1].cone);
   }
@@ -409,7 +413,7 @@ class Prover {
   std::vector<std::vector<Index>> together_;
   std::set<std::pair<Index, Index>> smooth_, contacts_;
   std::vector<double> thickness_;  // of pieces; below 0 where it is not known yet
-  std::set<std::vector<std::pair<LeafId, std::uint32_t>>> hopeless_;  // patches that touch somewhere
+  std::set<std::vector<std::pair<LeafId, std::uint32_t>>> hopeless_;           // patches that touch somewhere
   std::map<std::vector<std::pair<LeafId, std::uint32_t>>, std::size_t> open_;  // how many places, by patches
   Proof proof_;
 };

@@ -19,8 +19,8 @@ namespace cnrg {
 
 class Drawings {
  public:
-  /// Draws all leaves of the unfolding; tells of near surfaces and of what was welded. `lines`: of leaves, null for
-  /// none. Throws TreeError. All that is given but `diagnostics` and `lines` must outlive this.
+  /// Draws all leaves of the unfolding; tells of near surfaces and of what was welded. `lines`: of leaves, null
+  /// for none. Throws TreeError. All that is given but `diagnostics` and `lines` must outlive this.
   Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, const LeafLines* lines,
            std::vector<Diagnostic>& diagnostics);
 

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kMostRounds = 24;
 constexpr std::size_t kMostSteps = 1'000'000;  // of all rounds, as Proof::steps
-constexpr std::size_t kMostLines = 400;      // of a patch, in one direction
-constexpr std::size_t kMostPieces = 30'000;  // more than there were
+constexpr std::size_t kMostLines = 400;        // of a patch, in one direction
+constexpr std::size_t kMostPieces = 30'000;    // more than there were
 
 using Patches = std::vector<std::pair<LeafId, std::uint32_t>>;
 

@@ -1,0 +1,305 @@
+// Parts of pieces, by intervals; see the header.
+#include <algorithm>
+#include <cmath>
+
+#include "csg/certify/pieces.h"
+#include "kernel/base/limits.h"
+
+namespace cnrg {
+
+using namespace surface_math;
+
+namespace {
+
+bool at_apex(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range);
+
+/// Points whose convex hull holds F over a part of a cell.
+std::vector<Interval3> facet_corners(const Piece& piece, const std::array<Interval, 2>& range) {
+  if (!piece.grid) return {piece.corners.begin(), piece.corners.begin() + piece.corner_count};
+  // F is bilinear: its hull is that of its corners.
+  const std::size_t first = piece.at[0][0] != piece.at[1][0] ? 0 : 1, second = 1 - first;
+  const auto place = [](double x, double from, double to) {
+    return (Interval(x) - Interval(from)) / (Interval(to) - Interval(from));
+  };
+  const auto mix = [](const Interval3& a, const Interval3& b, const Interval& x) {
+    return sum(a, scaled(x, difference(b, a)));
+  };
+  std::vector<Interval3> result;
+  for (const double x : {range[first].inf(), range[first].sup()}) {
+    const Interval s = place(x, piece.at[0][first], piece.at[1][first]);
+    const Interval3 low = mix(piece.corners[0], piece.corners[1], s),
+                    high = mix(piece.corners[3], piece.corners[2], s);
+    for (const double y : {range[second].inf(), range[second].sup()})
+      result.push_back(mix(low, high, place(y, piece.at[0][second], piece.at[3][second])));
+  }
+  return result;
+}
+
+Interval3 facet_box(const Piece& piece, const std::array<Interval, 2>& range) {
+  const std::vector<Interval3> corners = facet_corners(piece, range);
+  Interval3 all = corners[0];
+  for (const Interval3& p : corners) all = hull(all, p);
+  if (!piece.grid) {
+    if (piece.blind || piece.corner_count != 3) return all;
+    const Interval3 affine =
+        sum(piece.corners[0], sum(scaled(Interval(range[0] - Interval(piece.at[0][0])), piece.along_u),
+                                  scaled(Interval(range[1] - Interval(piece.at[0][1])), piece.along_v)));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double low = std::max(all[k].inf(), affine[k].inf()), high = std::min(all[k].sup(), affine[k].sup());
+      if (low <= high) all[k] = Interval(low, high);
+    }
+    return all;
+  }
+  return all;
+}
+
+/// True if a part of the box around a triangle of parameters has no point of it.
+bool outside(const Piece& piece, const std::array<Interval, 2>& range) {
+  if (piece.grid || piece.corner_count != 3) return false;
+  const auto side = [&](std::size_t a, const Interval& u, const Interval& v) {
+    const std::size_t b = (a + 1) % 3;
+    const Interval du = Interval(piece.at[b][0]) - Interval(piece.at[a][0]),
+                   dv = Interval(piece.at[b][1]) - Interval(piece.at[a][1]);
+    return du * (v - Interval(piece.at[a][1])) - dv * (u - Interval(piece.at[a][0]));
+  };
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t c = (a + 2) % 3;
+    const Interval own = side(a, Interval(piece.at[c][0]), Interval(piece.at[c][1])),
+                   other = side(a, range[0], range[1]);
+    if ((own.inf() > 0 && other.sup() < 0) || (own.sup() < 0 && other.inf() > 0)) return true;
+  }
+  return false;
+}
+
+/// To about length 1.
+Interval3 normalized(const Interval3& x) {
+  double square = 0;
+  for (const Interval& c : x) square += middle_of(c) * middle_of(c);
+  if (!(square > 0) || !std::isfinite(square)) return x;
+  return scaled(Interval(1 / std::sqrt(square)), x);
+}
+
+/// The hull with what F adds.
+Interval3 with(const Interval3& facets, const Interval3& surface, Between between) {
+  return between == Between::surfaces ? surface : hull(facets, surface);
+}
+
+PiecePart curve_part(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
+                     Between between) {
+  PiecePart part{&piece, range};
+  const Interval& s = range[0];
+  const Interval3 chord = sum(piece.corners[0], scaled(s, piece.along_u));
+  part.box = chord;
+  part.cone = piece.along_u;
+  if (piece.surface != nullptr || piece.curve) {
+    const Interval du = piece.side[1][0] - piece.side[0][0], dv = piece.side[1][1] - piece.side[0][1];
+    Interval3 point, along;
+    if (piece.curve) {
+      const CurveJet<Interval> jet = piece.curve->over(piece.side[0][0] + s * du);
+      point = jet.point;
+      along = scaled(du, jet.along);
+    } else {
+      const SurfaceJet<Interval> jet = piece.surface->over(piece.side[0][0] + s * du, piece.side[0][1] + s * dv);
+      point = jet.point;
+      along = sum(scaled(du, jet.along_u), scaled(dv, jet.along_v));
+    }
+    part.box = with(chord, point, between);
+    part.cone = with(part.cone, along, between);
+    part.along_u = along;
+  }
+  if (between == Between::surfaces && !piece.exact()) return part;
+  for (const auto& [j, bit] : piece.neighbours) {
+    const bool touches = bit == 1 ? s.inf() == piece.range[0].inf() : s.sup() == piece.range[0].sup();
+    if (!touches) continue;
+    // The neighbour goes on from there: against this one if it begins there where this one begins.
+    const Piece& other = all[j];
+    const bool begins = other.points[0] == piece.points[bit == 1 ? 0 : 1];
+    const bool against = begins == (bit == 1);
+    part.cone =
+        hull(normalized(part.cone), normalized(against ? scaled(Interval(-1), other.along_u) : other.along_u));
+  }
+  return part;
+}
+
+}  // namespace
+
+PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
+                  Between between) {
+  if (piece.kind == Piece::Kind::curve) return curve_part(all, piece, range, between);
+  PiecePart part{&piece, range};
+  if (piece.kind == Piece::Kind::flat) {
+    for (std::size_t k = 0; k < 3; ++k) part.box[k] = Interval(piece.box.lo[k], piece.box.hi[k]);
+    part.cone = piece.normal;
+    return part;
+  }
+  if (outside(piece, range)) {
+    for (Interval& x : part.box) x = Interval(kInfinity);
+    return part;
+  }
+  const SurfaceJet<Interval> jet = piece.surface->over(range[0], range[1]);
+  part.along_u = jet.along_u;
+  part.along_v = jet.along_v;
+  if (between == Between::surfaces) {
+    part.box = jet.point;
+    part.cone = jet.normal;
+    part.blind = holds_zero(jet.normal) || at_apex(all, piece, range);
+    return part;
+  }
+  part.box = hull(facet_box(piece, range), jet.point);
+  part.blind = piece.blind || holds_zero(jet.normal);
+  if (part.blind) return part;
+  Interval3 u = hull(piece.along_u, jet.along_u), v = hull(piece.along_v, jet.along_v);
+  if (piece.grid) {  // at a pole along the side that is none
+    const std::size_t first = piece.at[0][0] != piece.at[1][0] ? 0 : 1, second = 1 - first;
+    const bool low = piece.points[0] == piece.points[1], high = piece.points[3] == piece.points[2];
+    const bool left = piece.points[0] == piece.points[3], right = piece.points[1] == piece.points[2];
+    const auto at_side = [&](std::size_t fixed, double value) {
+      std::array<Interval, 2> line = range;
+      line[fixed] = Interval(value);
+      const SurfaceJet<Interval> there = piece.surface->over(line[0], line[1]);
+      return 1 - fixed == 0 ? there.along_u : there.along_v;
+    };
+    if (low || high) {
+      Interval3& x = first == 0 ? u : v;
+      x = hull(first == 0 ? piece.along_u : piece.along_v, at_side(second, piece.at[low ? 3 : 0][second]));
+    }
+    if (left || right) {
+      Interval3& x = second == 0 ? u : v;
+      x = hull(second == 0 ? piece.along_u : piece.along_v, at_side(first, piece.at[left ? 1 : 0][first]));
+    }
+  }
+  std::array<bool, 4> corner{};
+  std::array<bool, 4> side{};
+  const auto on = [&](std::size_t i, std::size_t k) {
+    return range[k].inf() <= piece.at[i][k] && piece.at[i][k] <= range[k].sup();
+  };
+  for (std::size_t i = 0; i < piece.corner_count; ++i) {
+    corner[i] = !piece.grid || (on(i, 0) && on(i, 1));
+    const std::size_t next = (i + 1) % piece.corner_count;
+    const std::size_t fixed = piece.at[i][0] == piece.at[next][0] ? 0 : 1;
+    side[i] = !piece.grid || on(i, fixed);
+  }
+  for (const auto& [j, bits] : piece.neighbours) {
+    bool touches = false;
+    for (std::size_t i = 0; i < piece.corner_count; ++i) {
+      const std::size_t next = (i + 1) % piece.corner_count;
+      touches = touches || (corner[i] && (bits >> i & 1u) != 0) ||
+                (side[i] && (bits >> i & 1u) != 0 && (bits >> next & 1u) != 0);
+    }
+    if (!touches) continue;
+    if (all[j].blind) {
+      part.blind = true;
+      return part;
+    }
+    u = hull(u, all[j].along_u);
+    v = hull(v, all[j].along_v);
+  }
+  part.cone = cross(u, v);
+  for (const std::uint32_t j : piece.foreign) {
+    const Piece& other = all[j];
+    if (other.blind) {
+      part.blind = true;
+      return part;
+    }
+    Interval3 cone = other.kind == Piece::Kind::flat ? other.normal : Interval3{};
+    if (other.kind == Piece::Kind::cell) {
+      const SurfaceJet<Interval> there = other.surface->over(other.range[0], other.range[1]);
+      cone = cross(hull(other.along_u, there.along_u), hull(other.along_v, there.along_v));
+    }
+    double same = 0;
+    for (std::size_t k = 0; k < 3; ++k) same += middle_of(cone[k]) * middle_of(part.cone[k]);
+    if (same < 0) cone = scaled(Interval(-1), cone);
+    part.cone = hull(normalized(part.cone), normalized(cone));
+  }
+  return part;
+}
+
+namespace {
+
+/// True if the part has a pole at which the normals of all cells about it are not on one side of a plane.
+bool at_apex(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range) {
+  for (std::size_t i = 0; piece.grid && i < 4; ++i) {
+    if (piece.points[i] != piece.points[(i + 1) % 4]) continue;
+    const std::size_t fixed = piece.at[i][0] == piece.at[(i + 1) % 4][0] ? 0 : 1;
+    if (piece.at[i][fixed] < range[fixed].inf() || piece.at[i][fixed] > range[fixed].sup()) continue;
+    std::array<Interval, 2> there = range;
+    there[fixed] = Interval(piece.at[i][fixed]);
+    const PiecePart pole = part_of(all, piece, there);
+    if (pole.blind || holds_zero(pole.cone)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d) {
+  const Piece& piece = *part.piece;
+  std::array<double, 2> result{};
+  const auto gain = [&](std::size_t k, const Interval3& along) {
+    const double width = part.range[k].sup() - part.range[k].inf(),
+                 whole = piece.range[k].sup() - piece.range[k].inf();
+    if (width <= 1e-15 * whole) return;  // no halves
+    const Vector3<double> way = middle_of(along);
+    const double length = std::sqrt(dot(way, way)) * width;
+    result[k] = std::abs(dot(way, d)) * width + piece.turn[k] * (width / whole) * length + 1e-9 * length;
+  };
+  if (piece.kind == Piece::Kind::flat) return result;
+  if (piece.kind == Piece::Kind::curve) {
+    gain(0, piece.along_u);
+    return result;
+  }
+  gain(0, part.along_u);
+  gain(1, part.along_v);
+  return result;
+}
+
+std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, std::size_t k,
+                                Between between) {
+  const double middle = middle_of(part.range[k]);
+  std::array<Interval, 2> low = part.range, high = part.range;
+  low[k] = Interval(part.range[k].inf(), middle);
+  high[k] = Interval(middle, part.range[k].sup());
+  return {part_of(all, *part.piece, low, between), part_of(all, *part.piece, high, between)};
+}
+
+Interval extent(const PiecePart& part, const Vector3<double>& d, Between between) {
+  const Piece& piece = *part.piece;
+  const Interval3 along{Interval(d[0]), Interval(d[1]), Interval(d[2])};
+  const auto all_of = [&](std::span<const Interval3> points) {
+    Interval all = dot(along, points[0]);
+    for (const Interval3& p : points.subspan(1)) all = hull(all, dot(along, p));
+    return all;
+  };
+  const Interval of_box = dot(along, part.box);
+  const auto narrowed = [](const Interval& a, const Interval& b) {
+    const double low = std::max(a.inf(), b.inf()), high = std::min(a.sup(), b.sup());
+    return low <= high ? Interval(low, high) : a;
+  };
+  if (piece.kind == Piece::Kind::flat) {
+    // Along the normal, where it has one value, and the rest.
+    const Interval share = dot(along, piece.normal) / dot(piece.normal, piece.normal);
+    const Interval3 rest = difference(along, scaled(share, piece.normal));
+    return narrowed(of_box, share * dot(piece.normal, piece.point) + dot(rest, part.box));
+  }
+  // Of the surface by the mean value theorem, from the middle of its part.
+  const Interval middle_u(middle_of(part.range[0])), middle_v(middle_of(part.range[1]));
+  const Interval away_u = part.range[0] - middle_u, away_v = part.range[1] - middle_v;
+  if (piece.kind == Piece::Kind::curve) {
+    const Interval chord = dot(along, piece.corners[0]) + part.range[0] * dot(along, piece.along_u);
+    if (piece.exact()) return narrowed(of_box, chord);
+    const Interval3 middle =
+        piece.curve ? piece.curve->over(piece.side[0][0] + middle_u * (piece.side[1][0] - piece.side[0][0])).point
+                    : piece.surface
+                          ->over(piece.side[0][0] + middle_u * (piece.side[1][0] - piece.side[0][0]),
+                                 piece.side[0][1] + middle_u * (piece.side[1][1] - piece.side[0][1]))
+                          .point;
+    const Interval curve = dot(along, middle) + away_u * dot(along, part.along_u);
+    return narrowed(of_box, between == Between::surfaces ? curve : hull(chord, curve));
+  }
+  const Interval surface = dot(along, piece.surface->over(middle_u, middle_v).point) +
+                           away_u * dot(along, part.along_u) + away_v * dot(along, part.along_v);
+  if (between == Between::surfaces) return narrowed(of_box, surface);
+  return narrowed(of_box, hull(surface, all_of(facet_corners(piece, part.range))));
+}
+
+}  // namespace cnrg

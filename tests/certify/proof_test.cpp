@@ -1,0 +1,185 @@
+// Certificates of trees whose topology is known, and of contacts and near contacts.
+#include <random>
+
+#include "csg/certify/certificate.h"
+#include "csg/evaluate/evaluate.h"
+#include "tests/catch.h"
+
+namespace cnrg {
+namespace {
+
+using Cells = std::array<std::size_t, 4>;
+
+struct Asked {
+  Tree tree;
+  Evaluation evaluation;
+  /// `leaves`: lines of a map of nodes; `result`: an operation with them.
+  Asked(const std::string& leaves, const std::string& result, AskedProof proof = AskedProof::with_lines,
+        int finer = 1)
+      : tree(parse_tree("cnrg: 1\nnodes:\n" + leaves + "  r: " + result + "\nresult: r\n", "t.yaml")) {
+    make_finer(tree, finer);
+    EvaluateOptions options;
+    options.proof = proof;
+    evaluation = evaluate(tree, options);
+  }
+  const Certificate& certificate() const { return *evaluation.certificate; }
+  bool certified() const { return certificate().places.empty() && certificate().unknown.empty(); }
+  Cells cells() const { return evaluation.rows.back().cells; }
+};
+
+struct Known {
+  const char* what;
+  std::string leaves, result;
+  Cells cells;
+};
+
+// Of each a certificate with other counts was given once, or none with the right ones.
+std::vector<Known> near_contacts() {
+  const std::string bore = "  b: {cylinder: {from: [0, 0, -1], to: [0, 0, 5], radius: 1}}\n";
+  const std::string ball = "  a: {sphere: {center: [0, 0, 0], radius: 1}}\n";
+  return {
+      {"balls that overlap by a thousandth",
+       ball + "  b: {sphere: {center: [1.999, 0, 0], radius: 1}}\n",
+       "{intersection: [a, b]}",
+       {0, 1, 2, 1}},
+      {"balls a millionth apart",
+       ball + "  b: {sphere: {center: [2.000001, 0, 0], radius: 1}}\n",
+       "{intersection: [a, b]}",
+       {0, 0, 0, 0}},
+      {"balls that overlap by a millionth",
+       ball + "  b: {sphere: {center: [1.999999, 0, 0], radius: 1}}\n",
+       "{intersection: [a, b]}",
+       {0, 1, 2, 1}},
+      {"a bore that breaks through a wall",
+       "  a: {box: {min: [-2, -3, 0], max: [2, 0.998, 4]}}\n" + bore,
+       "{difference: [a, b]}",
+       {12, 18, 8, 1}},
+      {"a bore that does not",
+       "  a: {box: {min: [-2, -3, 0], max: [2, 1.002, 4]}}\n" + bore,
+       "{difference: [a, b]}",
+       {8, 14, 7, 1}},
+      {"a pin wholly inside of a bore",
+       "  a: {box: {min: [0.2, 0.2, 0], max: [0.4, 0.9, 4]}}\n" + bore,
+       "{difference: [a, b]}",
+       {0, 0, 0, 0}},
+      {"a line of two planes just inside of a ball",
+       ball + "  b: {box: {min: [0.6, 0.79975, -3], max: [3, 3, 3]}}\n",
+       "{intersection: [a, b]}",
+       {2, 3, 3, 1}},
+      {"a line of two planes just outside of a ball",
+       ball + "  b: {box: {min: [0.6, 0.80025, -3], max: [3, 3, 3]}}\n",
+       "{intersection: [a, b]}",
+       {0, 0, 0, 0}},
+  };
+}
+
+TEST_CASE("near contacts are certified with the counts of the true surfaces, at any fineness and turned",
+          "[certify]") {
+  for (const Known& known : near_contacts()) {
+    for (const int finer : {1, 2}) {
+      for (const char* turned : {"", "rotate: {axis: [3, -1, 2], degrees: 23}, "}) {
+        INFO(known.what << ", finer " << finer << ", " << turned);
+        std::string result = known.result;
+        result.insert(1, turned);
+        const Asked asked(known.leaves, result, AskedProof::with_lines, finer);
+        CHECK(asked.certified());
+        CHECK(asked.cells() == known.cells);
+      }
+    }
+  }
+}
+
+TEST_CASE("what facets do not tell is told", "[certify]") {
+  const Known known = near_contacts().front();
+  const Asked asked(known.leaves, known.result, AskedProof::as_drawn);
+  REQUIRE(asked.certificate().places.size() == 1);
+  const UncertainPlace& place = asked.certificate().places[0];
+  CHECK(place.by_facets);
+  CHECK(place.names == std::vector<std::string>{"`a` (sphere)", "`b` (sphere)"});
+  CHECK(std::abs(place.at[0] - 1) < 0.1);
+  const std::vector<Diagnostic> notices = asked.certificate().notices(asked.tree, 3);
+  REQUIRE(notices.size() == 1);
+  CHECK_THAT(notices[0].text(), Catch::StartsWith("t.yaml:3:7: notice: `a` (sphere) and `b` (sphere) near ["));
+}
+
+TEST_CASE("surfaces that cross at a good angle are certified as they are drawn", "[certify]") {
+  for (const std::string& leaves :
+       {std::string("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 2}}\n"
+                    "  b: {cylinder: {from: [-5, 0.3, 2], to: [5, 0.3, 2], radius: 0.7}}\n"),
+        std::string("  a: {sphere: {center: [0, 0, 0], radius: 1}}\n"
+                    "  b: {sphere: {center: [1.5, 0.1, 0.05], radius: 1}}\n"),
+        std::string("  a: {cylinder: {from: [-4, 0, 0.3], to: [4, 0, 0.3], radius: 1, segments: 31}}\n"
+                    "  b: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n"),
+        // One surface, drawn alike; a bore with a plug.
+        std::string("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 2}}\n"
+                    "  b: {cylinder: {from: [0, 0, 1], to: [0, 0, 5], radius: 2, segments: 20}}\n"),
+        // Nothing is curved, or nothing meets.
+        std::string(
+            "  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  b: {box: {min: [0, 0, 0], max: [2, 2, 1]}}\n"),
+        std::string("  a: {sphere: {center: [0, 0, 0], radius: 1}}\n  b: {points: [[5, 5, 5]]}\n")}) {
+    INFO(leaves);
+    CHECK(Asked(leaves, "{union: [a, b]}", AskedProof::as_drawn).certified());
+  }
+}
+
+TEST_CASE("contacts of planes and quadrics are certified where they are drawn", "[certify]") {
+  std::mt19937_64 random(47);
+  const std::string slab = "  a: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n";
+  const std::string one = "  a: {sphere: {center: [0, 0, 0], radius: 1}}\n";
+  const std::string pipe = "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 1}}\n";
+  for (const auto& [leaves, cells] : std::vector<std::pair<std::string, Cells>>{
+           {slab + "  b: {cylinder: {from: [-4, 0, 1], to: [4, 0, 1], radius: 1}}\n", {10, 15, 9, 2}},
+           {slab + "  b: {sphere: {center: [0.3, 0.2, 1], radius: 1}}\n", {9, 12, 7, 2}},
+           {one + "  b: {sphere: {center: [1.2, 1.6, 0], radius: 1}}\n", {1, 0, 2, 2}},
+           {pipe + "  b: {cylinder: {from: [2, 0, 1], to: [2, 0, 5], radius: 1}}\n", {2, 5, 6, 2}},
+           {pipe + "  b: {sphere: {center: [0, 0, 2], radius: 1}}\n", {0, 2, 3, 1}}}) {
+    for (const int finer : {1, 2}) {
+      INFO(leaves << finer);
+      const Asked asked(leaves, "{union: [a, b]}", AskedProof::as_drawn, finer);
+      CHECK(asked.certified());
+      CHECK(asked.certificate().contacts > 0);
+      CHECK(asked.cells() == cells);
+    }
+  }
+}
+
+TEST_CASE("where surfaces touch and cross, or a torus touches, it is named", "[certify]") {
+  for (const std::string& leaves :
+       {std::string("  a: {cylinder: {from: [0, 0, -4], to: [0, 0, 4], radius: 2}}\n"
+                    "  b: {cylinder: {from: [-5, 0, 0], to: [5, 0, 0], radius: 2}}\n"),
+        std::string("  a: {sphere: {center: [0, 0, 0], radius: 2}}\n"
+                    "  b: {cylinder: {from: [1, 0, -3], to: [1, 0, 3], radius: 1}}\n"),
+        std::string("  a: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n"
+                    "  b: {torus: {center: [0, 0, 1], axis: [0, 0, 1], radius: 3, tube: 1}}\n")}) {
+    INFO(leaves);
+    const Asked asked(leaves, "{union: [a, b]}");
+    REQUIRE(!asked.certificate().places.empty());
+    CHECK(std::ranges::any_of(asked.certificate().places, [](const UncertainPlace& p) { return !p.by_facets; }));
+  }
+}
+
+// A chord of the side lies in the face: facets overlap and surfaces do not.
+TEST_CASE("a facet that happens to lie in a face is none of the surface", "[certify]") {
+  CHECK(!Asked("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 5, segments: 4}}\n"
+               "  b: {polygon: [[10, -5, 0], [-5, 10, 0], [-5, 10, 1], [10, -5, 1]]}\n",
+               "{union: [a, b]}", AskedProof::as_drawn)
+             .certified());
+}
+
+TEST_CASE("wires and points count, and what is below a joined node", "[certify]") {
+  const std::string ball = "  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 24}}\n";
+  // Between facet and surface.
+  CHECK(!Asked(ball + "  b: {points: [[0.9955, 0.06, 0.06]]}\n", "{union: [a, b]}", AskedProof::as_drawn)
+             .certified());
+  CHECK(!Asked(ball + "  b: {polyline: [[0.9955, -5, 0.06], [0.9955, 5, 0.06]]}\n", "{union: [a, b]}",
+               AskedProof::as_drawn)
+             .certified());
+  CHECK(
+      Asked(ball + "  b: {polyline: [[-5, 0.1, 0.06], [5, 0.2, 0.06]]}\n", "{union: [a, b]}", AskedProof::as_drawn)
+          .certified());
+  const std::string near = ball + "  b: {sphere: {center: [1.999, 0, 0], radius: 1, segments: 24}}\n";
+  CHECK(!Asked(near, "{simplify: {of: {union: [a, b]}, within: 0.0001}}", AskedProof::as_drawn).certified());
+}
+
+}  // namespace
+}  // namespace cnrg
