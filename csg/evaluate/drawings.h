@@ -24,8 +24,8 @@ struct PlacedLeaves {
 
 class Drawings {
  public:
-  /// Draws all leaves of the unfolding; tells of near surfaces and of what was welded. `lines`: of leaves, null for
-  /// none. Throws TreeError. All that is given but `diagnostics` and `lines` must outlive this.
+  /// Draws all leaves of the unfolding; tells of near surfaces and of what was welded. `lines`: of leaves, null
+  /// for none. Throws TreeError. All that is given but `diagnostics` and `lines` must outlive this.
   Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, const LeafLines* lines,
            std::vector<Diagnostic>& diagnostics);
 

@@ -55,7 +55,7 @@ struct EvaluateOptions {
   bool drawn_together = false;
   std::shared_ptr<const LeafLines> lines{};  ///< further lines of curved leaves (csg/evaluate/leaf_lines.h)
   NodeId result;                             ///< in the place of the tree's, if valid
-  std::vector<NodeId> nodes;         ///< kept besides the result
+  std::vector<NodeId> nodes;                 ///< kept besides the result
   std::vector<RationalPoint> reach;  ///< points that will be asked for: planes and half-spaces are cut beyond them
   Watch watch;                       ///< told of the stages, and may stop them (throws Stopped)
 };
