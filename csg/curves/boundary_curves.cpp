@@ -110,7 +110,7 @@ std::set<Rational> rounded_lines(const std::set<Rational>& lines) {
   std::set<Rational> result;
   for (const Rational& t : lines) {
     const Rational near = rounded(t * finest()) / finest();
-    if (near > 0 && near < 1) result.insert(near);
+    if (sgn(near) > 0 && near < 1) result.insert(near);
   }
   return result;
 }

@@ -249,6 +249,7 @@ class Mesher {
         for (std::uint64_t& t : places) t = whole_ - t;
       }
     }
+    row.reserve(places.size());
     for (const std::uint64_t t : places) row.push_back(k % 2 == 0 ? vertex({t, across}) : vertex({across, t}));
     return row;
   }
