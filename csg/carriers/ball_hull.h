@@ -7,6 +7,7 @@
 #pragma once
 
 #include "csg/carriers/axes.h"
+#include "csg/curves/boundary_curves.h"
 
 namespace cnrg {
 

@@ -24,7 +24,7 @@ RevolvedLines revolved_lines(const ExtraLines& lines, const RevolvedForm& form, 
       const auto& [u, v] = of->second;
       for (const Rational& turn : form.turn_is_u ? u : v) {
         if (form.around()) turns.insert(within_one(turn));
-        else if (turn > 0 && turn < 1) turns.insert(turn);
+        else if (sgn(turn) > 0 && turn < 1) turns.insert(turn);
       }
       each_between(form.turn_is_u ? v : u, piece.parameters, [&](const Rational& way) {
         result.rows.push_back({k, way});

@@ -31,7 +31,7 @@ template <class Add>
 void each_between(const std::vector<Rational>& values, const Span& span, const Add& add) {
   for (const Rational& value : values) {
     const Rational way = (value - span[0]) / (span[1] - span[0]);
-    if (way > 0 && way < 1) add(way);
+    if (sgn(way) > 0 && way < 1) add(way);
   }
 }
 

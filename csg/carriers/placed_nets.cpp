@@ -262,7 +262,8 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::nets_anew(const Cuts& cuts, cons
     for (CutPiece& part : piece.parts(cuts)) {
       Fineness fineness = nets_->fineness;
       fineness.join(finest.at(canonical(part.patch).patch.net));
-      common->patches[piece.number].push_back({std::move(part), std::move(fineness), std::move(part.lines)});
+      PatchLines lines = std::move(part.lines);
+      common->patches[piece.number].push_back({std::move(part), std::move(fineness), std::move(lines)});
     }
   }
   for (const PlacedCurve& curve : curves) {

@@ -77,10 +77,10 @@ std::shared_ptr<const BallHull> SharedBalls::hull(const Ball& ball) const {
 void SharedBalls::add_lines(const Ball& ball, const ExtraLines& lines) {
   const auto of = lines.of.find(0);
   if (of == lines.of.end()) return;
-  auto& [around, up] = balls_.at(ball).lines;
-  for (const Rational& u : of->second[0]) around.insert(within_one(u));
-  each_between(of->second[1], {0, 1}, [&](const Rational& v) { up.insert(v); });
-  around.erase(0);
+  Shared& shared = balls_.at(ball);
+  for (const Rational& u : of->second[0]) shared.lines[0].insert(within_one(u));
+  each_between(of->second[1], {0, 1}, [&](const Rational& v) { shared.lines[1].insert(v); });
+  shared.lines[0].erase(0);
 }
 
 void SharedBalls::choose() {

@@ -8,12 +8,16 @@
 #include "csg/curves/chord.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
 
-/// Lines are multiples of 1 / kLines.
-constexpr std::int64_t kLines = std::int64_t{1} << 40;
+/// Lines are multiples of 1 / this.
+const Rational& finest() {
+  static const Rational n = to_integer(std::int64_t{1} << 40);
+  return n;
+}
 
 /// The nearest integer.
 Rational rounded(const Rational& x) {
@@ -93,7 +97,7 @@ std::vector<Rational> CurveSteps::inside(bool backward) const {
   for (int k = 1; k < even; ++k) result.push_back(fraction(k, even));
   for (const Rational& line : lines) {
     const Rational apart = line - rounded(line * even) / even;
-    if (abs(apart) * 2 * kLines > 1) result.push_back(line);
+    if (2 * abs(apart) * finest() > 1) result.push_back(line);
   }
   if (!lines.empty()) std::sort(result.begin(), result.end());
   if (!backward) return result;
@@ -105,8 +109,8 @@ std::vector<Rational> CurveSteps::inside(bool backward) const {
 std::set<Rational> rounded_lines(const std::set<Rational>& lines) {
   std::set<Rational> result;
   for (const Rational& t : lines) {
-    const Rational near = rounded(t * kLines) / kLines;
-    if (near > 0 && near < 1) result.insert(near);
+    const Rational near = rounded(t * finest()) / finest();
+    if (sgn(near) > 0 && near < 1) result.insert(near);
   }
   return result;
 }

@@ -14,6 +14,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -161,7 +162,7 @@ class Mesher {
   std::vector<std::uint64_t> places_of(const std::vector<Rational>& inside) const {
     std::vector<std::uint64_t> result{0};
     const Rational whole = whole_;
-    for (const Rational& t : inside) result.push_back(Integer(Rational(t * whole).get_num()).get_ui());
+    for (const Rational& t : inside) result.push_back(to_machine<std::uint64_t>(Rational(t * whole).get_num()));
     result.push_back(whole_);
     return result;
   }
@@ -248,6 +249,7 @@ class Mesher {
         for (std::uint64_t& t : places) t = whole_ - t;
       }
     }
+    row.reserve(places.size());
     for (const std::uint64_t t : places) row.push_back(k % 2 == 0 ? vertex({t, across}) : vertex({across, t}));
     return row;
   }

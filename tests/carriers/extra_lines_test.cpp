@@ -8,6 +8,7 @@
 #include "csg/evaluate/leaf_lines.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/leaves/parameters.h"
+#include "csg/leaves/surface_parameters.h"
 #include "csg/tree/unfold.h"
 #include "tests/carriers/rows.h"
 #include "tests/leaves/soup_checks.h"
@@ -277,6 +278,10 @@ const std::vector<std::string>& scenes_of_several() {
       "  b: {extrude: {profile: [[0, 0, -1], [1, 0, -1], {bezier: [[1, 1, -1]], weights: [1, 1, 2]}, [0, 1, -1]], "
       "vector: "
       "[0, 0, 2], segments: 4}}\n",
+      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, segments: 14}}\n"
+      "  b: {extrude: {profile: [[0, 0, -1], {bezier: [[0.5, 0.4, -1], [0.7, 0.3, -1]]}, [1, 0, -1], {bezier: "
+      "[[1, 1, "
+      "-1]], weights: [1, 1, 2]}, [0, 1, -1]], vector: [0, 0, 2], chord: 1/20}}\n",
       // A bend and a pipe; a ball that fills a torus; a rod that touches a bore from inside; half balls on a
       // shaft.
       "  a: {revolve: {profile: [[4, 0], {bezier: [[4, 1]], weights: [1, 1, 2]}, [3, 1], {bezier: [[2, 1]], "
@@ -313,26 +318,23 @@ const std::vector<std::string>& scenes_of_several() {
   return all;
 }
 
-std::string with_model(const std::string& scene, const std::string& operation) {
-  return scene + "  model: {" + operation + ": " +
-         (scene.find("  c:") == std::string::npos ? "[a, b]" : "[a, b, c]") + "}\n";
+std::string with_model(const std::string& scene, const std::string& operation, const std::string& at = "") {
+  const std::string operands = scene.find("  c:") == std::string::npos ? "[a, b]" : "[a, b, c]";
+  return scene + "  model: {" + operation + ": " + operands + at + "}\n";
 }
 
-/// Lines of each curved leaf of an evaluation of the tree; `lines` gets them by leaf.
-std::shared_ptr<const LeafLines> lines_of(const Tree& tree, std::mt19937_64& random, ExtraOfInstances& lines) {
+/// Lines of each curved leaf of an evaluation; `lines` gets them by leaf.
+std::shared_ptr<const LeafLines> lines_of(const Evaluation& evaluation, std::mt19937_64& random,
+                                          ExtraOfInstances& lines) {
   auto result = std::make_shared<LeafLines>();
-  const Unfolding unfolding = unfold(tree, {tree.result});
-  const PreparedLeaves leaves(tree, unfolding);
-  for (const InstanceId id : IdRange<InstanceId>(unfolding.instances.size())) {
-    const LeafId leaf = leaves.leaf_of(id);
-    if (!leaf.valid()) continue;
-    const auto surfaces = leaves.instances()[leaf.index()].leaf->surfaces();
+  for (const auto& [leaf, key] : leaf_keys(evaluation)) {
+    const auto surfaces = evaluation.parameters->surfaces(leaf);
     if (!surfaces) continue;
-    const std::uint32_t patch = surfaces()->patches().begin()->first;
-    lines[leaf.index()] = random_lines({patch}, random);
-    if (lines[leaf.index()].of.empty()) lines[leaf.index()].of[patch][1].push_back(Rational(1, 3));
-    const Instance& instance = unfolding.instances[id];
-    result->of[{instance.node, Placement(*instance.transform)}] = lines[leaf.index()];
+    const std::uint32_t patch = surfaces->patches().begin()->first;
+    ExtraLines& of = lines[leaf.index()];
+    of = random_lines({patch}, random);
+    if (of.of.empty()) of.of[patch][1].push_back(Rational(1, 3));
+    result->of[key] = of;
   }
   return result;
 }
@@ -343,15 +345,20 @@ TEST_CASE("leaves that touch have their lines together and meet as they do witho
     for (std::uint64_t seed = first; seed < last; ++seed) {
       std::mt19937_64 random(seed);
       for (const std::string operation : {"union", "intersection", "difference"}) {
-        CAPTURE(scene, seed, operation);
-        const Tree tree = parsed(with_model(scene, operation));
+        std::string at;
+        if (scene.find("scale") == std::string::npos) {  // what is stretched and turned shares nothing
+          if (random() % 2 == 0) at = placed(random);
+          if (random() % 2 == 0) at += ", scale: [1, 2, 0.7]";
+        }
+        CAPTURE(scene, seed, operation, at);
+        const Tree tree = parsed(with_model(scene, operation, at));
         ExtraOfInstances lines;
         EvaluateOptions options;
         options.validate = true;
-        const NodeRow without = evaluate(tree, options).rows.back();
-        options.lines = lines_of(tree, random, lines);
+        const Evaluation without = evaluate(tree, options);
+        options.lines = lines_of(without, random, lines);
         const Evaluation evaluation = evaluate(tree, options);
-        REQUIRE(evaluation.rows.back().cells == without.cells);
+        REQUIRE(evaluation.rows.back().cells == without.rows.back().cells);
         REQUIRE(evaluation.with_lines.size() == lines.size());
         const std::vector<LeafInstance> own = instances_of(tree),
                                         made = with_common_lines(own, nullptr, nullptr, {}, lines);
@@ -391,12 +398,11 @@ TEST_CASE("lines next to where balls nearly touch tell how they do, and cost wha
       "5999994/7000000, "
       "11999988/7000000]}\n";
   const Tree tree = parsed(with_model(scene, "union"));
-  const NodeRow coarse = evaluate(tree).rows.back();
-  CHECK(coarse.cells == Cells{0, 0, 2, 2});
+  const Evaluation coarse = evaluate(tree);
+  CHECK(coarse.rows.back().cells == Cells{0, 0, 2, 2});
   const double u = std::atan2(3, 2) / (2 * std::numbers::pi), v = std::asin(6.0 / 7) / std::numbers::pi;
   auto lines = std::make_shared<LeafLines>();
   ExtraOfInstances of_instances;
-  const Unfolding unfolding = unfold(tree, {tree.result});
   for (std::uint32_t i = 0; i < 2; ++i) {
     ExtraLines& of = of_instances[i];
     const std::array<double, 2> at = i == 0 ? std::array{u, 0.5 + v} : std::array{u + 0.5, 0.5 - v};
@@ -407,8 +413,7 @@ TEST_CASE("lines next to where balls nearly touch tell how they do, and cost wha
         of.of[0][1].push_back(from_double(at[1] + step));
       }
     }
-    const Instance& instance = unfolding.instances[InstanceId(i)];
-    lines->of[{instance.node, Placement(*instance.transform)}] = of;
+    lines->of[leaf_keys(coarse).at(LeafId(i))] = of;
   }
   EvaluateOptions options;
   options.lines = lines;
