@@ -203,7 +203,7 @@ std::shared_ptr<const MeshData> read_mesh_data(const Fields& f) {
   return data;
 }
 
-Shape read_mesh(const Value& value, const LeafContext& context) {
+Shape read_mesh_leaf(const Value& value, const LeafContext& context) {
   const Fields f(value, "mesh", {"file", "points", "faces", "fill", "coordinates", "weld"});
   MeshShape shape;
   if (f.has("points") || f.has("faces")) {
@@ -386,7 +386,7 @@ constexpr std::array<Reader, 24> kReaders{{
     {"bspline", read_bspline},
     {"coons", read_coons},
     {"heightfield", read_heightfield},
-    {"mesh", read_mesh},
+    {"mesh", read_mesh_leaf},
     {"step", read_step},
     {"brep", read_brep},
     {"group", read_group},
