@@ -10,6 +10,7 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/text/escape.h"
 #include "csg/text/file.h"
+#include "csg/text/table.h"
 #include "csg/topology/features.h"
 
 namespace cnrg::app {
@@ -50,8 +51,9 @@ int run_check(const CheckArguments& arguments) {
   print(check(tree), false);
   const auto leaves =
       std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });
-  std::cout << shown(tree.file) << ": " << tree.nodes.size() << " nodes, " << leaves
-            << " of them leaves; no faults\n";
+  std::cout << shown(tree.file) << ": " << counted(tree.nodes.size(), "node", "nodes") << ", "
+            << (tree.nodes.size() > 1 ? std::to_string(leaves) + " of them " : "")
+            << (leaves == 1 ? "a leaf" : "leaves") << "; no faults\n";
   return kDone;
 }
 

@@ -408,7 +408,8 @@ int run(int argc, char** argv) {
       ->needs(surface);
   sub->add_flag("--surface-first", mesh.options.surface_first,
                 "Begin with the triangles that --surface makes, and keep them as the boundary of the tetrahedra: "
-                "faces are as good as there; where TetGen cannot fill that, it is an error")
+                "faces are as good as there; where TetGen fails it only fills them, and where it cannot, it is an "
+                "error")
       ->excludes(surface)
       ->excludes(keep_boundary)
       ->excludes(constrained)

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "csg/compare/difference.h"
+#include "csg/imports/mesh_file.h"
 #include "csg/text/file.h"
 #include "csg/text/input_file.h"
 #include "csg/tree/dag.h"
@@ -117,7 +118,7 @@ bool is_result(const std::string& path) {
 /// The leaf, and the key that a tree has for it.
 std::optional<std::pair<Shape, const char*>> shape_of(const std::string& path) {
   const std::string extension = extension_of(path);
-  if (extension == ".off" || extension == ".obj" || extension == ".stl" || extension == ".ply") {
+  if (is_mesh_file(path)) {
     MeshShape mesh;
     mesh.file = path;
     return std::pair(Shape(mesh), "mesh");

@@ -32,6 +32,7 @@ class Collector {
     for_each_index(parts_.faces.size(), [&](std::size_t i) { add_facets(parts_.flat.faces[i], parts_.faces[i]); });
     for (const FlatComplex::Edge& edge : parts_.flat.edges) add_edge(edge);
     add_components();
+    add_said(0, parts_.flat.vertices), add_said(1, parts_.flat.edges), add_said(2, parts_.flat.faces);
     return std::move(parts_);
   }
 
@@ -42,6 +43,7 @@ class Collector {
   std::map<std::uint32_t, Index> surface_of_number_;  // by Soup::Face::surface
   std::map<FlatComplex::Patch, std::uint32_t> number_of_;
   std::vector<FlatComplex::Patch> patch_of_;  // whose form each surface has
+  std::map<cnrg::Attributes, Index, AttributesOrder> said_;
 
   void measure() {
     CadPoint low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -209,16 +211,33 @@ class Collector {
   void add_components() {
     const std::size_t n = view_.value->component_count();
     const bool group = view_.of_group || view_.value->is_group();
-    if (group && n > 0 && view_.value->attributes(Component(n)).name.is_of_entities())
-      parts_.entities = Component(n);
     parts_.leaves = *view_.leaves;
-    for (Component i = 1; i <= n; ++i) {
-      const RegionAttributes& attributes = attributes_of(view_, i);
-      CadParts::Attributes of{attributes.name, attributes.material.name(), ""};
-      for (const ResultView::Material& material : view_.materials) {
-        if (!of.material.empty() && material.name == of.material) of.color = material.color;
-      }
-      parts_.components.push_back(std::move(of));
+    for (Component i = 1; i <= n; ++i) parts_.components.push_back(in_words(attributes_of(view_, i)));
+    parts_.called_as_leaves.assign(n, 0);
+    for (const auto& region : parts_.flat.regions) {
+      if (region.component != 0) parts_.called_as_leaves[region.component - 1] = 1;
+    }
+    if (group && n > 0 && view_.value->attributes(Component(n)).name.is_of_entities())
+      parts_.called_as_leaves[n - 1] = 1;
+  }
+
+  template <class Words>
+  CadParts::Attributes in_words(const Words& attributes) const {
+    CadParts::Attributes of{attributes.name, attributes.material.name(), ""};
+    for (const ResultView::Material& material : view_.materials) {
+      if (!of.material.empty() && material.name == of.material) of.color = material.color;
+    }
+    return of;
+  }
+
+  template <class Cells>
+  void add_said(std::size_t dimension, const Cells& cells) {
+    for (const auto& cell : cells) {
+      Index& at = parts_.said_of[dimension].emplace_back(FlatComplex::kNone);
+      if (cell.component == 0 || cell.origin.said == nullptr) continue;
+      const auto [known, fresh] = said_.try_emplace(*cell.origin.said, Index(parts_.said.size()));
+      if (fresh) parts_.said.push_back(in_words(*cell.origin.said));
+      at = known->second;
     }
   }
 };

@@ -55,8 +55,11 @@ struct CadParts {
   std::vector<Face> faces;             ///< parallel to those of `flat`
   std::vector<Edge> edges;             ///< the same
   std::vector<Attributes> components;  ///< by number, from 1
-  Component entities = 0;              ///< that of what bounds no region, in a group
-  std::vector<LeafInfo> leaves;        ///< by LeafId
+  std::vector<char>
+      called_as_leaves;          ///< by component, from 1: what bounds no region of it is called as its leaves
+  std::vector<Attributes> said;  ///< of sheets, wires and points, each once
+  std::array<std::vector<Index>, 3> said_of;  ///< by dimension and cell of `flat`: a place in `said`, or kNone
+  std::vector<LeafInfo> leaves;               ///< by LeafId
 };
 
 /// Throws InputError for a result with open sets or without bounds; `format` begins the message.

@@ -271,7 +271,7 @@ class ModelMaker {
         shell.Closed(true);
         builder_.Add(solid, shell);
       }
-      made_.parts.push_back({solid, flat.regions[r].component});
+      made_.parts.push_back({solid, {flat.regions[r].component, FlatComplex::kNone}});
     }
   }
 
@@ -333,19 +333,21 @@ class ModelMaker {
   }
 
   void add_sheets() {
-    std::map<Component, std::vector<Index>> sheets;
+    std::map<CadPartOf, std::vector<Index>> sheets;
     for (Index f = 0; f < layout_.faces().size(); ++f) {
-      const FlatComplex::Face& face = parts_.flat.faces[layout_.faces()[f].source];
-      if (face.component != 0 && parts_.flat.regions_bounded(face) == 0) sheets[face.component].push_back(f);
+      const Index source = layout_.faces()[f].source;
+      const FlatComplex::Face& face = parts_.flat.faces[source];
+      if (face.component != 0 && parts_.flat.regions_bounded(face) == 0)
+        sheets[{face.component, parts_.said_of[2][source]}].push_back(f);
     }
-    for (const auto& [component, faces] : sheets) {
+    for (const auto& [of, faces] : sheets) {
       for (const auto& group : connected(faces)) {
         if (group.size() == 1) {
-          made_.parts.push_back({faces_[group[0]], component, leaves_of(group)});
+          made_.parts.push_back({faces_[group[0]], of, leaves_of(group)});
         } else if (is_surface(group)) {
-          made_.parts.push_back({shell_of(group, [](Index) { return true; }), component, leaves_of(group)});
+          made_.parts.push_back({shell_of(group, [](Index) { return true; }), of, leaves_of(group)});
         } else {
-          for (const Index f : group) made_.parts.push_back({faces_[f], component, leaves_of({f})});
+          for (const Index f : group) made_.parts.push_back({faces_[f], of, leaves_of({f})});
         }
       }
     }
@@ -381,12 +383,12 @@ class ModelMaker {
     const FlatComplex& flat = parts_.flat;
     std::map<Index, std::vector<Index>> at;  // wire pieces by point
     std::vector<Index> wires;
-    std::map<Index, Component> component;
+    std::map<Index, CadPartOf> part_of;
     for (Index e = 0; e < flat.edges.size(); ++e) {
       if (!flat.edges[e].wire || flat.edges[e].component == 0) continue;
       for (const Index piece : layout_.pieces_of(e)) {
         wires.push_back(piece);
-        component[piece] = flat.edges[e].component;
+        part_of[piece] = {flat.edges[e].component, parts_.said_of[1][e]};
         at[layout_.pieces()[piece].points.front()].push_back(piece);
         at[layout_.pieces()[piece].points.back()].push_back(piece);
       }
@@ -394,12 +396,12 @@ class ModelMaker {
     std::set<Index> done;
     const auto ends_at = [&](Index p) {
       const auto& there = at.at(p);
-      return there.size() != 2 || component.at(there[0]) != component.at(there[1]);
+      return there.size() != 2 || part_of.at(there[0]) != part_of.at(there[1]);
     };
     const auto follow = [&](Index piece, Index from) {
       TopoDS_Wire wire;
       builder_.MakeWire(wire);
-      const Component of = component.at(piece);
+      const CadPartOf of = part_of.at(piece);
       std::set<LeafId> leaves;
       const Index begin = from;
       while (done.insert(piece).second) {
@@ -426,10 +428,12 @@ class ModelMaker {
   }
 
   void add_points() {
-    std::map<std::pair<Component, std::vector<LeafId>>, TopoDS_Compound> points;
-    for (const FlatComplex::Vertex& of : parts_.flat.vertices) {
-      if (!of.free || of.component == 0 || !of.entity) continue;
-      TopoDS_Compound& all = points[{of.component, {of.origin.leaves.begin(), of.origin.leaves.end()}}];
+    std::map<std::pair<CadPartOf, std::vector<LeafId>>, TopoDS_Compound> points;
+    for (Index v = 0; v < parts_.flat.vertices.size(); ++v) {
+      const FlatComplex::Vertex& of = parts_.flat.vertices[v];
+      if (!of.free || of.component == 0 || !of.own) continue;
+      const CadPartOf part{of.component, parts_.said_of[0][v]};
+      TopoDS_Compound& all = points[{part, {of.origin.leaves.begin(), of.origin.leaves.end()}}];
       if (all.IsNull()) builder_.MakeCompound(all);
       builder_.Add(all, vertex(of.point));
     }

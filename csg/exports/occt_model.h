@@ -14,10 +14,13 @@
 
 namespace cnrg::occt {
 
-/// A solid, a sheet (shell or face), a wire, or a compound of all points of a component.
+/// What cells of one part have in common: the component, and what is said of them (CadParts::said_of).
+using CadPartOf = std::pair<Component, FlatComplex::Index>;
+
+/// A solid, a sheet (shell or face), a wire, or a compound of all points of one kind.
 struct CadPart {
   TopoDS_Shape shape;
-  Component component = 0;
+  CadPartOf of{0, FlatComplex::kNone};
   std::set<LeafId> leaves{};  ///< that it came from; not of solids
 };
 

@@ -158,11 +158,19 @@ class StepMaker {
   void name(const CadPart& part) {
     STEPConstruct_Part product;
     if (!find(part.shape, product)) throw InputError("OpenCASCADE makes no STEP product of a part of the result");
-    const CadParts::Attributes& of = parts_.components.at(part.component - 1);
+    const auto& [component, said] = part.of;
     const TopAbs_ShapeEnum type = part.shape.ShapeType();
     const bool solid = type == TopAbs_SOLID, wire = type == TopAbs_WIRE, point = type == TopAbs_COMPOUND;
-    std::string words =
-        part.component == parts_.entities && !part.leaves.empty() ? names_of(part.leaves) : of.name;
+    // A part of lower dimension is what is said of it, else its leaves; a component of its own is called so
+    // itself.
+    const bool by_leaves = !solid && parts_.called_as_leaves.at(component - 1) && !part.leaves.empty();
+    CadParts::Attributes of = by_leaves ? CadParts::Attributes() : parts_.components.at(component - 1);
+    if (said != FlatComplex::kNone) {
+      const CadParts::Attributes& own = parts_.said.at(said);
+      if (!own.name.empty()) of.name = own.name;
+      if (!own.material.empty()) of.material = own.material, of.color = own.color;
+    }
+    std::string words = of.name.empty() && by_leaves ? names_of(part.leaves) : of.name;
     if (words.empty())
       words = (solid ? "region " : wire ? "wire " : point ? "points " : "sheet ") + std::to_string(number(part));
     product.SetPid(text_of(words));
@@ -185,7 +193,7 @@ class StepMaker {
 
   /// Of a region that of its component, of others one more than of the last one.
   int number(const CadPart& part) {
-    if (part.shape.ShapeType() == TopAbs_SOLID) return static_cast<int>(part.component);
+    if (part.shape.ShapeType() == TopAbs_SOLID) return static_cast<int>(part.of.first);
     const int type = part.shape.ShapeType() == TopAbs_WIRE ? 1 : part.shape.ShapeType() == TopAbs_COMPOUND ? 2 : 0;
     return ++count_[{0, type}];
   }

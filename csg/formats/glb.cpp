@@ -220,7 +220,7 @@ class GlbWriter {
     Makers sheets;
     for (Index f = 0; f < flat_.faces.size(); ++f) {
       const FlatComplex::Face& face = flat_.faces[f];
-      if (face.component == 0 || !face.entity || flat_.regions_bounded(face) != 0) continue;
+      if (face.component == 0 || !face.own || flat_.regions_bounded(face) != 0) continue;
       ShapeMaker& maker =
           sheets.of(group_name(2, f, "face"), kTriangles, material(colors_.of(by, 2, f), true, true));
       for (std::size_t t = 0; t < face.triangles.size(); ++t) maker.add_triangle(face.triangles[t], normals[f][t]);
@@ -249,7 +249,7 @@ class GlbWriter {
     const ColorBy by = default_colors(view_);
     for (Index e = 0; e < flat_.edges.size(); ++e) {
       const FlatComplex::Edge& edge = flat_.edges[e];
-      if (!edge.entity || !(edge.wire || edge.slit)) continue;
+      if (!edge.own || !(edge.wire || edge.slit)) continue;
       ShapeMaker& maker =
           wires.of(group_name(1, e, "edge in a face"), kLines, material(colors_.of(by, 1, e), false, false));
       const std::size_t n = edge.points.size();
@@ -266,7 +266,7 @@ class GlbWriter {
     const ColorBy by = default_colors(view_);
     for (Index v = 0; v < flat_.vertices.size(); ++v) {
       const FlatComplex::Vertex& vertex = flat_.vertices[v];
-      if (!vertex.entity || !vertex.free) continue;
+      if (!vertex.own || !vertex.free) continue;
       points.of(group_name(0, v, "point"), kPoints, material(colors_.of(by, 0, v), false, false))
           .add_point(vertex.point);
     }

@@ -43,7 +43,7 @@ FileText obj_text(const ResultView& view) {
   std::vector<char> drawn(flat.points.size(), 0);
   for (std::size_t i = 0; i < flat.faces.size(); ++i) {
     const auto& face = flat.faces[i];
-    if (!face.entity) continue;
+    if (!face.own) continue;
     text += "g face" + std::to_string(i) + " " + word_of(view, flat, face.regions[1]) + " " +
             word_of(view, flat, face.regions[0]) + "\n";
     for (const auto& t : face.triangles) {
@@ -55,7 +55,7 @@ FileText obj_text(const ResultView& view) {
   }
   for (std::size_t i = 0; i < flat.edges.size(); ++i) {
     const auto& edge = flat.edges[i];
-    if (!edge.entity || !(edge.wire || edge.slit)) continue;
+    if (!edge.own || !(edge.wire || edge.slit)) continue;
     text += "g edge" + std::to_string(i) + "\nl";
     for (const auto p : edge.points) text += number(p);
     if (edge.closed) text += number(edge.points[0]);
@@ -70,7 +70,7 @@ FileText obj_text(const ResultView& view) {
   }
   for (std::size_t i = 0; i < flat.vertices.size(); ++i) {
     const auto& vertex = flat.vertices[i];
-    if (!vertex.entity || !vertex.free) continue;
+    if (!vertex.own || !vertex.free) continue;
     text += "g vertex" + std::to_string(i) + "\np" + number(vertex.point) + "\n";
     if (drawn[vertex.point]) continue;
     drawing.points.push_back(vertex.point);

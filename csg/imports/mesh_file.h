@@ -14,6 +14,9 @@ namespace cnrg {
 /// the extension is unknown; else as `read_file` (csg/text/input_file.h).
 MeshData read_mesh(const std::string& path, bool decimal, const std::string& inside = {});
 
+/// `read_mesh` knows the extension.
+bool is_mesh_file(const std::string& path);
+
 // One reader each. `text` is the file's content, `path` is for messages.
 MeshData read_off(const std::string& path, const std::string& text, bool decimal);
 MeshData read_obj(const std::string& path, const std::string& text, bool decimal);

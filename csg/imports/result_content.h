@@ -1,5 +1,6 @@
 // What a result says, as numbers: read from a file by result_reader.cpp and held against its own cells by
-// result_check.cpp, or taken from a result at hand (csg/transfer/joined_leaf.cpp); made a leaf by result_leaf.cpp.
+// csg/transfer/result_check.cpp, or taken from a result at hand (csg/transfer/joined_leaf.cpp); made a leaf by
+// result_leaf.cpp.
 #pragma once
 
 #include <array>
@@ -82,9 +83,5 @@ std::unique_ptr<PreparedLeaf> leaf_of(Content content);
 /// Adds the cells as a leaf; point i of the file is point i of the leaf. `fill` is `sides`, or `none` for a leaf
 /// without regions.
 LeafId add_to(Soup& soup, const Content& content, const Transform& transform, Fill fill);
-
-/// Builds the complex of the file alone and holds all that it says against that. Throws LeafFileError at the
-/// first contradiction.
-void check_content(const Cursor& root, const Content& content);
 
 }  // namespace cnrg::result

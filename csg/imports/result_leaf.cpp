@@ -1,7 +1,7 @@
 // A result as a leaf. Reading one in .json has three parts: a cursor on the JSON document (json_cursor.h); the
 // tables of the file with every number checked (result_reader.cpp), and held against the cells that they make
-// (result_check.cpp); and the leaf made from them, here. All cells of the file go to the soup, active or not; the
-// cell table says which are active.
+// (csg/transfer/result_check.cpp); and the leaf made from them, here. All cells of the file go to the soup, active
+// or not; the cell table says which are active.
 //
 // Edges are wires where the faces alone would not give the same edge again:
 //   * A face is handed to the soup without its slits (edges that it walks in both directions): loops of the soup
@@ -12,9 +12,7 @@
 #include <set>
 #include <utility>
 
-#include "csg/imports/leaf_file.h"
 #include "csg/imports/result_content.h"
-#include "csg/leaves/prepare_shapes.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -185,31 +183,10 @@ class ResultLeaf : public PreparedLeaf {
   Content content_;
 };
 
-result::JsonFile parsed(const std::string& text, const std::string& file) {
-  try {
-    return {file, JsonDocument(text)};
-  } catch (const JsonError& error) {
-    const auto [line, column] = position_in(text, error.at());
-    throw LeafFileError(file, line, column, error.what() + std::string("; ") + result::kWriteAgain);
-  }
-}
-
 }  // namespace
 
 std::unique_ptr<PreparedLeaf> result::leaf_of(Content content) {
   return std::make_unique<ResultLeaf>(std::move(content));
-}
-
-std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
-  return prepare_result(read_leaf_file(shape.file, shape.inside, result::kWriteAgain), shape.file);
-}
-
-std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name) {
-  const result::JsonFile file = parsed(text, name);
-  const result::Cursor root(file);
-  Content content = result::read_content(root);
-  result::check_content(root, content);
-  return result::leaf_of(std::move(content));
 }
 
 }  // namespace cnrg

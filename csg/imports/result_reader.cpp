@@ -1,6 +1,6 @@
 // The tables of a result file. What can be said without geometry is checked here: types, ranges, members that no
 // result has, things that are named and do not exist, things that exist and are not named. What the cells are is
-// known only once they are made (result_check.cpp).
+// known only once they are made (csg/transfer/result_check.cpp).
 #include <algorithm>
 #include <iterator>
 #include <map>

@@ -305,6 +305,7 @@ class Flattener {
         face.facet_ends.push_back(Index(face.triangles.size()));
       }
       face.entity = from.component != 0 && !inside_component(from.component, from.regions);
+      face.own = face.entity || sources_.said(from.cells[0].face()) != nullptr;
       if (!whole_) return;
       face.origin = origin_of(value_.selection.faces, value_.origins.faces, from.cells);
       face.origin.said = sources_.said(from.cells[0].face());
@@ -498,6 +499,7 @@ class Flattener {
       const EdgeId first = from.chain[0].edge();
       complex_.star_regions(first, regions);
       edge.entity = from.component != 0 && !inside_component(from.component, regions);
+      edge.own = edge.entity || sources_.said(first) != nullptr;
       if (edge.wire) edge.region = region_index(complex_.some_region(first));
       const auto& features = value_.features.edges;
       edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
@@ -584,6 +586,7 @@ class Flattener {
       auto& regions = PerThread<Regions>::own().list;
       complex_.star_regions(from.cell, regions);
       vertex.entity = from.component != 0 && !inside_component(from.component, regions);
+      vertex.own = vertex.entity || sources_.said(from.cell) != nullptr;
       if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));
       const auto& features = value_.features.vertices;
       vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);

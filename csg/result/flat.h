@@ -47,6 +47,7 @@ struct FlatComplex {
     Index point = 0;
     Component component = 0;
     bool entity = false;   ///< active, and not just the interior of a region of its component
+    bool own = false;      ///< an entity, or something is said of it: it is more than the interior of a region
     bool feature = false;  ///< of the group; of components: of the groups they were made of
     bool free = false;     ///< no listed edge ends there (it may lie inside of a face)
     Index region = kNone;  ///< the region that holds a vertex on no edge and no face
@@ -56,7 +57,7 @@ struct FlatComplex {
     Loop points;  ///< from end to end; a closed chain does not repeat the first
     bool closed = false;
     Component component = 0;
-    bool entity = false, feature = false;
+    bool entity = false, own = false, feature = false;
     bool wire = false;     ///< no listed face has it on its boundary
     bool slit = false;     ///< a face walks it twice
     Index region = kNone;  ///< the region that holds a wire
@@ -80,7 +81,7 @@ struct FlatComplex {
     ShortList<Triangle, 1> triangles;  ///< counter-clockwise as seen from the front
     std::vector<Index> facet_ends;     ///< of a face that is not flat: where the triangles of each facet end
     Component component = 0;
-    bool entity = false;
+    bool entity = false, own = false;
     std::array<Index, 2> regions{kNone, kNone};  ///< on front and back
     Provenance origin;
     /// The patch that covers all of it, if there is one; of the leaves that it came from if possible.

@@ -18,6 +18,7 @@
 #include "kernel/base/part_watch.h"
 #include "kernel/exact/distance.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -34,10 +35,6 @@ struct Attempt {
 /// No attempt is made after those before have looked at so many points, in all of their rounds.
 constexpr std::size_t kMostWork = 20'000;
 constexpr Attempt kAttempts[] = {{1, 8}, {1.25, 8}, {1.5, 8}, {2, 8}, {1, 4}, {1.25, 4}, {1.5, 4}};
-
-std::size_t bits(const Rational& x) {
-  return mpz_sizeinbase(x.get_num_mpz_t(), 2) + mpz_sizeinbase(x.get_den_mpz_t(), 2);
-}
 
 /// Where things meet that never met before: where they are exactly, if that takes no more digits than what is
 /// constructed once from doubles does; else at the nearest point of a grid that is far finer than the distance. A
@@ -73,7 +70,7 @@ class JoinPlaces {
   Rational step_;
   std::set<RationalPoint> kept_;
 
-  static bool is_brief(const Rational& x) { return bits(x) <= kMostBits; }
+  static bool is_brief(const Rational& x) { return bits_of(x) <= kMostBits; }
 };
 
 /// What one round moves, and which of its pairs that joins, each with the place where.
@@ -108,7 +105,7 @@ class Planner {
     for (const Index p : order) {
       const auto [walls, all] = rank_of_point(p);
       const RationalPoint& at = parts_.points()[p];
-      preferred.push_back({{-walls, -all}, !places_.keeps(at), bits(at[0]) + bits(at[1]) + bits(at[2]), p});
+      preferred.push_back({{-walls, -all}, !places_.keeps(at), bits_of(at), p});
     }
     std::sort(preferred.begin(), preferred.end());
     if (reversed_) std::reverse(preferred.begin(), preferred.end());

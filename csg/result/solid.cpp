@@ -10,6 +10,10 @@ namespace cnrg {
 namespace {
 
 using Index = FlatComplex::Index;
+/// Takes away what is in a region of its own component, which no other operator does.
+constexpr const char* kDropOwn =
+    "`regularize` with `each: true` to a `select` of `dimension: 3` (they drop what has attributes of its own in "
+    "a component)";
 constexpr const char* kBound =
     "; write .json, or cut the node with a box first (`intersection`, or `product` where it is not closed)";
 
@@ -24,6 +28,7 @@ void count(std::string& list, std::size_t n, const char* one, const char* many) 
 struct Others {
   std::size_t walls = 0, cracks = 0, dangling = 0, wires = 0, points = 0;
   bool inner = false, outer = false;  ///< wires and points in regions, and outside
+  bool own = false;                   ///< something lies in a region of its component, for what is said of it
   /// All but walls.
   std::string list() const {
     std::string list;
@@ -38,20 +43,22 @@ struct Others {
 Others others_in(const FlatComplex& flat) {
   Others others;
   for (const auto& face : flat.faces) {
-    if (face.component == 0 || !face.entity) continue;
+    if (face.component == 0 || !face.own) continue;
     const int bounded = flat.regions_bounded(face);
     if (bounded == 1) continue;
+    others.own = others.own || !face.entity;
     ++(bounded == 2 ? others.walls : flat.active(face.regions[0]) ? others.cracks : others.dangling);
   }
-  const auto see = [&](std::size_t& n, Index region) {
+  const auto see = [&](std::size_t& n, const auto& cell) {
     ++n;
-    (flat.active(region) ? others.inner : others.outer) = true;
+    if (!cell.entity) others.own = true;
+    else (flat.active(cell.region) ? others.inner : others.outer) = true;
   };
   for (const auto& edge : flat.edges) {
-    if (edge.wire && edge.entity) see(others.wires, edge.region);
+    if (edge.wire && edge.own) see(others.wires, edge);
   }
   for (const auto& vertex : flat.vertices) {
-    if (vertex.entity && vertex.region != FlatComplex::kNone) see(others.points, vertex.region);
+    if (vertex.own && vertex.region != FlatComplex::kNone) see(others.points, vertex);
   }
   return others;
 }
@@ -102,11 +109,11 @@ void require_closed_and_bounded(const FlatComplex& flat, const std::string& form
 }
 
 void require_regions_only(const FlatComplex& flat, const std::string& format) {
-  if (const std::string list = others_in(flat).list(); !list.empty()) {
-    throw InputError(
-        format + " holds solid regions only, and the result has " + list +
-        "; write .glb, .obj, .vtu or .json, which hold everything, or apply `regularize` (it drops what "
-        "bounds no region)");
+  const Others others = others_in(flat);
+  if (const std::string list = others.list(); !list.empty()) {
+    throw InputError(format + " holds solid regions only, and the result has " + list +
+                     "; write .glb, .obj, .vtu or .json, which hold everything, or apply " +
+                     (others.own ? kDropOwn : "`regularize` (it drops what bounds no region)"));
   }
 }
 
@@ -122,13 +129,14 @@ SolidBoundary solid_boundary(const FlatComplex& flat, const std::string& format)
     std::string remedy = drops ? "`regularize` (it drops what bounds no region)" : "";
     if (joins && drops) remedy += " and ";
     if (joins) remedy += "`unify` (it joins regions with what is in them)";
+    if (others.own) remedy = kDropOwn;
     throw InputError(format + " holds the outer boundary of solids only, and the result has " + list +
                      "; write .obj, .vtu or .json, which hold everything, or apply " + remedy);
   }
   SolidBoundary boundary;
   std::vector<Index> number(flat.points.size(), FlatComplex::kNone);
   for (const auto& face : flat.faces) {
-    if (face.component == 0 || !face.entity) continue;
+    if (face.component == 0 || !face.own) continue;
     const bool front = flat.active(face.regions[0]);
     for (auto t : face.triangles) {
       if (front) std::swap(t[1], t[2]);

@@ -41,8 +41,6 @@ std::string fault_of(std::string_view text) {
   return " is no number; write a decimal such as 0.1 or 1.5e-3, or a fraction such as 1/3";
 }
 
-std::size_t bits_of(const Integer& x) { return mpz_sizeinbase(x.get_mpz_t(), 2); }
-
 std::size_t digits_of(const Integer& x) {
   const std::size_t most = mpz_sizeinbase(x.get_mpz_t(), 10);  // exact, or one too many
   const Integer least = power_of_ten(most - 1);
@@ -63,7 +61,7 @@ NumberText read_number(std::string_view text, std::size_t most) {
 std::string number_text(const Rational& value, std::string_view elsewhere) {
   constexpr std::size_t kReadable = 24, kPrinted = 160;
   // Bits tell how many digits there are at least: a text that is not going to be shown is not made.
-  if (bits_of(value.get_num()) + bits_of(value.get_den()) <= 4 * kPrinted) {
+  if (bits_of(value) <= 4 * kPrinted) {
     std::string exact = to_string(value);
     if (exact.size() <= kReadable) return exact;
     if (exact.size() <= kPrinted) return exact + " (" + to_decimal(value) + ")";

@@ -7,8 +7,10 @@
 #include <filesystem>
 
 #include "csg/curves/boundary_curves.h"
+#include "csg/imports/mesh_file.h"
 #include "csg/leaves/mesh_data.h"
 #include "csg/text/escape.h"
+#include "csg/text/file.h"
 #include "csg/text/number.h"
 #include "csg/tree/read_curved.h"
 #include "kernel/exact/integers.h"
@@ -201,7 +203,7 @@ std::shared_ptr<const MeshData> read_mesh_data(const Fields& f) {
   return data;
 }
 
-Shape read_mesh(const Value& value, const LeafContext& context) {
+Shape read_mesh_leaf(const Value& value, const LeafContext& context) {
   const Fields f(value, "mesh", {"file", "points", "faces", "fill", "coordinates", "weld"});
   MeshShape shape;
   if (f.has("points") || f.has("faces")) {
@@ -341,8 +343,22 @@ Shape read_group(const Value& value, const LeafContext& context) {
   return shape;
 }
 
+/// Files of results that hold doubles; any other name may be that of an exact one.
+constexpr std::array<std::string_view, 13> kRoundedFiles{
+    ".vtu", ".msh", ".mesh", ".inp", ".bdf", ".h5m", ".med", ".poly", ".smesh", ".xdmf", ".glb", ".3mf", ".svg"};
+
 Shape read_result(const Value& value, const LeafContext& context) {
-  return ResultShape{path_in_folder(value.text("`cnrg`, the file of a result,"), context), context.inside};
+  const std::string name = value.text("`cnrg`, the file of a result,"), extension = extension_of(name);
+  const bool cad = extension == ".step" || extension == ".stp" || extension == ".brep";
+  if (cad || is_mesh_file(name)) {
+    const std::string leaf = cad ? extension == ".brep" ? "brep" : "step" : "mesh";
+    value.fail("`cnrg` reads exact results, .json; write {" + leaf + ": {file: " + excerpt(name) + "}}");
+  }
+  if (std::find(kRoundedFiles.begin(), kRoundedFiles.end(), extension) != kRoundedFiles.end()) {
+    value.fail("`cnrg` reads exact results, and `" + excerpt(name) +
+               "` is none; write the result by `cnrg eval -o` as .json");
+  }
+  return ResultShape{path_in_folder(name, context), context.inside};
 }
 
 struct Reader {
@@ -370,7 +386,7 @@ constexpr std::array<Reader, 24> kReaders{{
     {"bspline", read_bspline},
     {"coons", read_coons},
     {"heightfield", read_heightfield},
-    {"mesh", read_mesh},
+    {"mesh", read_mesh_leaf},
     {"step", read_step},
     {"brep", read_brep},
     {"group", read_group},

@@ -19,6 +19,7 @@ Transform read_transform(const Value::Entry& e) {
     return Transform::scaling(factors);
   }
   if (e.key == "rotate") {
+    if (!e.value.is_map()) e.value.fail_type("`rotate`", "a map, such as {axis: [0, 0, 1], degrees: 90}");
     const Fields f(e.value, "rotate", {"axis", "degrees", "center"});
     const RationalPoint axis = f.at("axis", "[0, 0, 1]").point(f.name("axis"));
     if (is_zero(axis)) f.at("axis", "").fail("`axis` of rotate has no direction; write one such as [0, 0, 1]");
@@ -26,6 +27,7 @@ Transform read_transform(const Value::Entry& e) {
     const Value* center = f.find("center");
     return Transform::rotation(axis, degrees, center ? center->point(f.name("center")) : RationalPoint{0, 0, 0});
   }
+  if (!e.value.is_map()) e.value.fail_type("`mirror`", "a map, such as {normal: [1, 0, 0], point: [0, 0, 0]}");
   const Fields f(e.value, "mirror", {"normal", "point"});
   const RationalPoint normal = f.at("normal", "[1, 0, 0]").point(f.name("normal"));
   if (is_zero(normal)) f.at("normal", "").fail("`normal` of mirror has no direction; write one such as [1, 0, 0]");

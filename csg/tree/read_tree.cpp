@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "csg/text/escape.h"
 #include "csg/text/input_file.h"
 #include "csg/text/number.h"
 #include "csg/text/table.h"
@@ -57,6 +58,10 @@ constexpr std::array<std::string_view, 11> kAttributes{"material",  "name",  "at
                                                        "dominance", "blend", "each",       "translate",
                                                        "rotate",    "scale", "mirror"};
 
+constexpr std::array<std::string_view, 12> kCriteria{"dimension",   "name",     "material", "attributes",
+                                                     "region",      "front of", "behind",   "from",
+                                                     "source face", "between",  "inside",   "touching"};
+
 template <class Range>
 bool contains(const Range& range, std::string_view name) {
   return std::find(range.begin(), range.end(), name) != range.end();
@@ -91,6 +96,7 @@ class TreeReader {
 
   void read(const YAML::Node& root) {
     const Value top(document_, root, {});
+    check_no_result(top);
     const Fields fields(top, "a tree file", {"cnrg", "materials", "nodes", "result", "weld"});
     const Value& version = fields.at("cnrg", "1");
     if (version.number("`cnrg`") != 1) version.fail("this program reads version 1 of tree files; write `cnrg: 1`");
@@ -134,6 +140,17 @@ class TreeReader {
   }
 
  private:
+  /// An exact result is JSON, and so YAML.
+  void check_no_result(const Value& top) const {
+    if (!top.is_map()) return;
+    const YAML::Node format = top.node()["format"];
+    if (!format.IsDefined() || !format.IsScalar() || format.Scalar() != "cnrg result") return;
+    const bool named = document_.file != kStandardInput;
+    const std::string name = named ? std::filesystem::path(document_.file).filename().string() : "FILE.json";
+    top.fail("this is a result, not a tree; to read it back, write a tree with the leaf `part: {cnrg: " + name +
+             "}`");
+  }
+
   void check_material(const Value& value) {
     std::vector<std::string_view> names;
     for (const Material& m : tree_.materials) {
@@ -240,10 +257,23 @@ class TreeReader {
     return contains(kAttributes, e.key);
   }
 
+  /// `yes` is a text in YAML 1.2, and so the name of a node.
+  void check_boolean(const Value::Entry& e) const {
+    constexpr std::array<std::string_view, 6> kWords{"true", "yes", "on", "false", "no", "off"};
+    if (e.key != "regularize" || !e.value.is_text() || e.value.as_bool() || tree_.names.count(e.value.raw()) != 0)
+      return;
+    std::string word = e.value.raw();
+    for (char& c : word) c = char(std::tolower(static_cast<unsigned char>(c)));
+    const auto at = std::find(kWords.begin(), kWords.end(), word);
+    if (at == kWords.end()) return;
+    e.value.fail_type("`regularize`", "true, false or the name of a node");
+  }
+
   void read_node(NodeId id, const Value& value) {
     const std::string what = "the node `" + tree_.nodes[id].name + "`";
     if (!value.is_map()) value.fail_type(what, "a map {OPERATOR: ..., ATTRIBUTE: ...}");
     const std::vector<Value::Entry> entries = value.entries(what);
+    for (const Value::Entry& e : entries) check_boolean(e);
     const bool has_operator = std::any_of(entries.begin(), entries.end(), [](const Value::Entry& e) {
       return e.key != "simplify" && (contains(leaf_names(), e.key) || find_operator(e.key)) &&
              !is_attribute(e, false);
@@ -299,6 +329,16 @@ class TreeReader {
 
   void check_operator_name(const Value::Entry& e, const std::string& what) {
     if (find_operator(e.key) || contains(leaf_names(), e.key)) return;
+    if (e.key == "of") {
+      document_.fail(e.key_at,
+                     "`of` stands in the map of `select` or `simplify`; a node that is moved or gets "
+                     "attributes is written {simplify: NODE, translate: [1, 0, 0]}");
+    }
+    if (contains(kCriteria, e.key)) {
+      document_.fail(e.key_at, "`" + e.key +
+                                   "` is a criterion of `select`; write it in its map, {select: {of: NODE, " +
+                                   e.key + ": ...}}");
+    }
     std::vector<std::string_view> known(leaf_names().begin(), leaf_names().end());
     for (const OperatorName& o : kOperators) known.push_back(o.name);
     known.insert(known.end(), kAttributes.begin(), kAttributes.end());
@@ -357,8 +397,7 @@ class TreeReader {
                                              : "a map {of: NODE, ...} with what is picked, such as {of: model, "
                                                "dimension: 2}");
     }
-    std::vector<std::string_view> keys{"dimension", "name", "material",    "attributes", "region", "front of",
-                                       "behind",    "from", "source face", "between",    "inside", "touching"};
+    std::vector<std::string_view> keys(kCriteria.begin(), kCriteria.end());
     if (!of.valid()) keys.push_back("of");
     const Fields f(value, "select", keys);
     if (std::none_of(keys.begin(), keys.end(), [&](auto key) { return key != "of" && f.has(key); })) {
@@ -567,11 +606,26 @@ Tree parse_tree(const std::string& text, const std::string& file, const ReadOpti
   return tree;
 }
 
+namespace {
+
+YAML::Node load_criteria(const Document& document, const std::string& criteria) {
+  try {
+    return load_yaml(document, criteria);
+  } catch (const TreeError&) {
+    const std::size_t first = criteria.find_first_not_of(" \t\r\n");
+    if (first == std::string::npos || criteria[first] == '{') throw;
+    document.fail(
+        {}, "criteria stand in braces, such as {dimension: 2, from: NODE}; write {" + excerpt(criteria) + "}");
+  }
+}
+
+}  // namespace
+
 NodeId add_selection(Tree& tree, NodeId of, const std::string& criteria, const std::string& file) {
   Document document{file, criteria.size() + 1'000'000};
   const std::size_t before = tree.nodes.size();
   try {
-    return TreeReader(document, tree, {}).add_selection(of, load_yaml(document, criteria));
+    return TreeReader(document, tree, {}).add_selection(of, load_criteria(document, criteria));
   } catch (...) {
     tree.nodes.resize(before);
     throw;

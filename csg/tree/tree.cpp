@@ -18,6 +18,10 @@ NodeId Tree::find(const std::string& name) const {
   std::vector<std::string_view> known;
   for (const auto& [key, id] : names) known.push_back(key);
   std::string hint = did_you_mean(name, known);
+  const std::string whole = name.substr(0, name.rfind('#'));
+  if (whole != name && names.count(whole) != 0)
+    hint = "; rows call `" + whole + "` so at one of its places: name `" + whole +
+           "`, or give that place a node of its own, {simplify: " + whole + ", translate: [1, 0, 0]}";
   if (hint.empty()) {
     constexpr std::size_t kListed = 10;
     for (std::size_t i = 0; i < std::min(known.size(), kListed); ++i)

@@ -6,6 +6,7 @@
 
 #include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg::welding {
 namespace {
@@ -16,12 +17,9 @@ constexpr double kFlat = 1.0 / 1024;
 /// they would grow without bound.
 constexpr std::size_t kLonger = 32;
 
-std::size_t bits(const Rational& x) {
-  return mpz_sizeinbase(x.get_num_mpz_t(), 2) + mpz_sizeinbase(x.get_den_mpz_t(), 2);
-}
-/// Of the longest of three fractions.
-std::size_t bits(const RationalPoint& p) { return std::max({bits(p[0]), bits(p[1]), bits(p[2])}); }
-std::size_t bits(const Plane& plane) { return std::max(bits(plane.normal), bits(plane.offset)); }
+/// Binary digits of the longest fraction.
+std::size_t longest(const RationalPoint& p) { return std::max({bits_of(p[0]), bits_of(p[1]), bits_of(p[2])}); }
+std::size_t longest(const Plane& plane) { return std::max(longest(plane.normal), bits_of(plane.offset)); }
 
 Rational side_of(const Plane& plane, const RationalPoint& p) {  // times the length of the normal
   return dot(plane.normal, p) - plane.offset;
@@ -66,10 +64,10 @@ class Placer {
   Placer(Incidence& incidence, const Rational& d) : all_(incidence), square_(d * d) {
     for (const auto& p : all_.points) {
       at_.push_back(to_doubles(p.at));
-      most_bits_ = std::max(most_bits_, kLonger * bits(p.at));
+      most_bits_ = std::max(most_bits_, kLonger * longest(p.at));
     }
     for (const auto& plane : all_.planes) {
-      most_bits_ = std::max(most_bits_, kLonger * bits(plane.plane));
+      most_bits_ = std::max(most_bits_, kLonger * longest(plane.plane));
       const Vector n = to_doubles(plane.plane.normal);
       normal_.push_back(unit(n));
       double extent = 0;
@@ -178,7 +176,7 @@ class Placer {
       if (obeyed.size() < 3 && independent(obeyed, plane.normal)) {
         obeyed.push_back(&plane);
         const RationalPoint there = nearest_on(obeyed, point.at);
-        if (bits(there) <= most_bits_ && is_near(point, there)) {
+        if (longest(there) <= most_bits_ && is_near(point, there)) {
           at = there;
           continue;
         }
@@ -213,7 +211,7 @@ class Placer {
       if (obeyed.size() < 3 && widens(obeyed, at)) {
         obeyed.push_back(&at);
         const Plane there = like(through.plane, obeyed);
-        if (!is_zero(there.normal) && bits(there) <= most_bits_ && is_near(through, there)) {
+        if (!is_zero(there.normal) && longest(there) <= most_bits_ && is_near(through, there)) {
           plane = there;
           continue;
         }

@@ -11,6 +11,7 @@
 #include "csg/weld/planes.h"
 #include "kernel/base/union_find.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/integers.h"
 #include "kernel/exact/trigonometry.h"
 #include "kernel/refine/box_tree.h"
 
@@ -19,11 +20,11 @@ namespace {
 
 using Pair = std::array<Index, 2>;
 
-std::size_t digits(const Rational& x) {
-  return mpz_sizeinbase(x.get_num_mpz_t(), 2) + mpz_sizeinbase(x.get_den_mpz_t(), 2);
+template <class Value>
+std::size_t digits(const Value& value) {
+  return bits_of(value);
 }
-std::size_t digits(const RationalPoint& p) { return digits(p[0]) + digits(p[1]) + digits(p[2]); }
-std::size_t digits(const AxisLine& line) { return digits(line.direction) + digits(line.foot); }
+std::size_t digits(const AxisLine& line) { return bits_of(line.direction) + bits_of(line.foot); }
 
 Rational distance_bound(const RationalPoint& a, const RationalPoint& b) { return root_above(dot(a - b, a - b)); }
 

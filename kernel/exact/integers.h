@@ -53,6 +53,15 @@ inline unsigned long gmp_unsigned(std::size_t n) {
   return static_cast<unsigned long>(n);
 }
 
+/// Binary digits.
+inline std::size_t bits_of(const Integer& n) { return mpz_sizeinbase(n.get_mpz_t(), 2); }
+/// Of numerator and denominator together.
+inline std::size_t bits_of(const Rational& x) {
+  return mpz_sizeinbase(x.get_num_mpz_t(), 2) + mpz_sizeinbase(x.get_den_mpz_t(), 2);
+}
+/// Of all three coordinates together.
+inline std::size_t bits_of(const RationalPoint& p) { return bits_of(p[0]) + bits_of(p[1]) + bits_of(p[2]); }
+
 /// 10^exponent.
 inline Integer power_of_ten(std::size_t exponent) {
   Integer out;

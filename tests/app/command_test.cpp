@@ -416,6 +416,10 @@ TEST_CASE("check reads and validates only", "[app]") {
   const Outcome o = w.run("check t.yaml");
   CHECK(o.status == 0);
   CHECK(o.out == "t.yaml: 7 nodes, 4 of them leaves; no faults\n");
+  CHECK(w.run("check -", "cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n").out ==
+        "<stdin>: 1 node, a leaf; no faults\n");
+  CHECK(w.run("check -", "cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}, b: {unify: a}}\nresult: b\n").out ==
+        "<stdin>: 2 nodes, 1 of them a leaf; no faults\n");
 }
 
 TEST_CASE("uncertain crossings of curved surfaces are told, and an error if that is asked for", "[app]") {

@@ -343,6 +343,25 @@ TEST_CASE("products have the names of regions, colours those of materials", "[ex
   CHECK_THAT(text.str(), Contains("'material: steel'"));
 }
 
+TEST_CASE("what bounds no region is called as its leaves or by what is said of it, not as its component",
+          "[exports]") {
+  Scene scene(
+      "materials: {steel: {}}\n"
+      "nodes:\n  block: {box: {min: [0, 0, 0], max: [6, 6, 6]}}\n"
+      "  fault: {polygon: [[1, 1, 1], [5, 1, 1], [5, 5, 5], [1, 5, 5]], attributes: {aperture: 1}}\n"
+      "  bolt:  {polyline: [[3, 3, 4], [3, 3, 5]], material: steel}\n"
+      "  line:  {polyline: [[7, 7, 7], [8, 8, 8]]}\n"
+      "  spots: {points: [[1, 1, 5]], name: spot}\n"
+      "  model: {unify: {union: [fault, bolt, line, spots, block], dominance: left}}");
+  scene.step();
+  std::ostringstream text;
+  text << std::ifstream(scene.file("m.step")).rdbuf();
+  for (const std::string product : {"'block','block',''", "'fault','fault',''", "'bolt','bolt','material: steel'",
+                                    "'line','line',''", "'spot','spot',''"}) {
+    CHECK_THAT(text.str(), Contains("PRODUCT(" + product));
+  }
+}
+
 TEST_CASE("a CAD model that went through a tree has its surfaces", "[exports]") {
   Scene scene(
       "nodes:\n  ball: {sphere: {center: [0, 0, 0], radius: 2, segments: 24}}\n"

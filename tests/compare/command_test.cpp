@@ -35,8 +35,18 @@ TEST_CASE("compare takes results, meshes and trees in JSON", "[compare][command]
       "tree.json",
       R"({"materials": {}, "cnrg": 1, "nodes": {"x": {"box": {"min": [0,0,0], "max": [1,1,1]}}}, "result": "x"})");
   REQUIRE(w.run("eval a.yaml --quiet -o a.json -o a.off").status == 0);
+  // The other formats of a `mesh` leaf.
+  w.write("a.vtk",
+          "# vtk DataFile Version 3.0\na box\nASCII\nDATASET POLYDATA\nPOINTS 8 double\n0 0 0 1 0 0 0 1 0 1 1 0 "
+          "0 0 1 1 0 1 0 1 1 1 1 1\nPOLYGONS 6 30\n4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 "
+          "5\n");
+  w.write(
+      "a.TS",
+      "GOCAD TSurf 1\nHEADER {\nname: a\n}\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nVRTX 4 1 1 0\n"
+      "VRTX 5 0 0 1\nVRTX 6 1 0 1\nVRTX 7 0 1 1\nVRTX 8 1 1 1\nTRGL 1 3 4\nTRGL 1 4 2\nTRGL 5 6 8\nTRGL 5 8 7\n"
+      "TRGL 1 2 6\nTRGL 1 6 5\nTRGL 3 7 8\nTRGL 3 8 4\nTRGL 1 5 7\nTRGL 1 7 3\nTRGL 2 4 8\nTRGL 2 8 6\nEND\n");
   for (const std::string a : {"a.yaml", "a.json", "a.off", "tree.json"}) {
-    for (const std::string b : {"a.yaml", "a.json", "a.off", "tree.json"}) {
+    for (const std::string b : {"a.yaml", "a.json", "a.off", "tree.json", "a.vtk", "a.TS"}) {
       INFO(a << " " << b);
       CHECK(w.run("compare " + a + " " + b).status == 0);
     }

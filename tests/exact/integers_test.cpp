@@ -73,5 +73,12 @@ TEST_CASE("exact points have all 53 bits of their doubles", "[integers]") {
   CHECK(p[2] == Rational("1729382256910270720"));
 }
 
+TEST_CASE("bits of a fraction are those of its two numbers", "[integers]") {
+  CHECK(bits_of(Integer(255)) == 8);
+  CHECK(bits_of(Integer(-256)) == 9);
+  CHECK(bits_of(Rational(-3, 8)) == 2 + 4);
+  CHECK(bits_of(Rational(Integer(1) << 1000)) == 1001 + 1);
+}
+
 }  // namespace
 }  // namespace cnrg

@@ -70,6 +70,71 @@ TEST_CASE("groups by name, material and texts in every dimension", "[formats][at
   }
 }
 
+/// The words of the lines of a text that begin with `first`, without it.
+std::vector<std::string> lines_after(const std::string& text, const std::string& first) {
+  std::vector<std::string> out;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with(first)) out.push_back(line.substr(first.size()));
+  }
+  return out;
+}
+
+TEST_CASE("what lies in its component for what is said of it is written, or refused with what helps",
+          "[formats][attributes]") {
+  const std::string kParts = R"(cnrg: 1
+materials: {steel: {}}
+nodes:
+  block: {box: {min: [0, 0, 0], max: [6, 6, 6]}}
+  other: {box: {min: [6, 0, 0], max: [8, 6, 6]}}
+  fault: {polygon: [[1, 1, 1], [5, 1, 1], [5, 5, 5], [1, 5, 5]], attributes: {aperture: 1}}
+  bolt:  {polyline: [[3, 3, 4], [3, 3, 5]], material: steel}
+  spot:  {points: [[1, 1, 5]], name: spot}
+  all:   {union: [fault, bolt, spot, block, other], dominance: left}
+  model: {unify: all}
+  solid: {regularize: {select: {of: model, dimension: 3}}, each: true}
+)";
+  const auto made = [&](const std::string& node) {
+    return evaluate(parse_tree(kParts + "result: " + node + "\n", "t.yaml"), {}).result();
+  };
+  const Result model = made("model"), solid = made("solid");
+  CHECK(model.volume(1) == Rational(288));
+  const ScratchFolder dir;
+  write(dir / "m.obj", model);
+  const std::string obj = text_of(dir / "m.obj");
+  const auto groups = lines_after(obj, "g face");
+  CHECK(std::count_if(groups.begin(), groups.end(), [](const auto& g) { return g.ends_with(" model model"); }) ==
+        1);
+  CHECK(lines_after(obj, "l ").size() == 1);
+  CHECK(lines_after(obj, "p ").size() == 1);
+  write(dir / "m.glb", model);
+  const std::string glb = text_of(dir / "m.glb");
+  for (const std::string name : {"face of fault", "wire of bolt", "spot"}) {
+    CHECK(glb.find("\"name\":\"" + name + "\"") != std::string::npos);
+  }
+  for (const std::string file : {"m.off", "m.stl", "m.ply", "m.3mf"}) {
+    CAPTURE(file);
+    std::string message;
+    try {
+      write(dir / file, model);
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    CHECK(message.find("1 face inside of a region, 1 wire, 1 isolated point;") != std::string::npos);
+    CHECK(message.find("`regularize` with `each: true` to a `select` of `dimension: 3`") != std::string::npos);
+    CHECK_NOTHROW(write(dir / file, solid));
+  }
+  // The cells of the refinement that say nothing are no shapes, also where they are kept.
+  EvaluateOptions raw;
+  raw.raw = true;
+  const Result cut = evaluate(parse_tree(kParts + "  plain: {unify: {sum: [block, {box: {min: [5, 5, 5], max: [9, "
+                                                  "9, 9]}}]}}\nresult: plain\n",
+                                         "t.yaml"),
+                              raw)
+                         .result();
+  CHECK_NOTHROW(write(dir / "raw.off", cut));
+}
+
 TEST_CASE("a group has all regions of a name, and each dimension its own", "[formats][attributes]") {
   // A name that is given to two layers and the horizon between them.
   const std::string nodes = R"(cnrg: 1

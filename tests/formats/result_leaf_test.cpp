@@ -499,8 +499,9 @@ TEST_CASE("what a file says and its cells do not is refused at the first cell") 
   const auto wire = [&](const char* x, const char* y, const char* z) {
     return fault([&](Json& json) { json["points"][8] = {x, y, z}; });
   };
-  CHECK_THAT(wire("2", "2", "3"), Contains("/edges/") && Contains(" meets face ") &&
-                                      Contains(" in (2, 2, 4), where the file has no point"));
+  CHECK_THAT(
+      wire("2", "2", "3"),
+      Contains("/edges/") && Contains("another cell meets this one in (2, 2, 4), where the file has no point"));
   CHECK_THAT(wire("2", "2", "4"), Contains("/faces/") && Contains("isolated"));
   // Numbers of things that do not exist.
   CHECK_THAT(put("/vertices/0/origin/0/leaf", 99), Contains("/vertices/0/origin/0/leaf: leaf 99 does not exist"));
@@ -529,6 +530,32 @@ TEST_CASE("what a file says and its cells do not is refused at the first cell") 
   REQUIRE(at != std::string::npos);
   const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
   CHECK_THAT(volume, Contains(place + std::to_string(line) + ":14: error: "));
+}
+
+TEST_CASE("a region of a file is in one piece") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_box(soup, {5, 0, 0}, {6, 1, 1});
+  Case c(soup);
+  c.show(unify(*c.complex, components_of(*c.complex, c.unite())).value);
+  const ScratchFolder dir;
+  write(dir / "two.json", c.view());
+  Json json = Json::parse(text_of(dir / "two.json"));
+  REQUIRE(json["regions"].size() == 3);
+  std::vector<int> number(3), active;
+  for (int i = 0; i < 3; ++i) {
+    if (json["regions"][i]["component"] == 1) active.push_back(i);
+  }
+  REQUIRE(active.size() == 2);
+  for (int i = 0; i < 3; ++i) number[i] = i == active[1] ? active[0] : i - (i > active[1]);
+  json["regions"].erase(active[1]);
+  for (auto& face : json["faces"]) {
+    for (auto& region : face["regions"]) region = number[region.get<int>()];
+  }
+  std::ofstream(dir / "one.json") << json.dump();
+  CHECK_THROWS_WITH(prepare_result({dir / "one.json"}), Catch::Contains("/faces/") &&
+                                                            Catch::Contains("/regions/") &&
+                                                            Catch::Contains("does not look into that region"));
 }
 
 TEST_CASE("components have the numbers of their file, also beside leaves that cut them") {

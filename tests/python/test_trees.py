@@ -458,13 +458,34 @@ class Files(Folder):
             with self.subTest(given=given), self.assertRaises(cnrg.InputError) as error:
                 here = line(); model.select(**given).evaluate()
             self.assertEqual(error.exception.line, here)
-        for given in [dict(from_="low"), dict(inside=3), dict(attributes=3)]:
+        for given in [dict(inside=3), dict(attributes=3)]:
             with self.subTest(given=given), self.assertRaises(TypeError):
                 model.select(**given)
+        for key in ("each", "regularize"):
+            with self.assertRaisesRegex(TypeError, f"{key}: True or False is wanted, not 'no'"):
+                model.with_(**{key: "no"})
+        for key in ("from_", "inside", "touching", "behind"):
+            with self.assertRaisesRegex(TypeError, f"{key}: a node is wanted, not its name 'low'; give the variable"):
+                model.select(**{key: "low"})
         listed = {(s.key, s.value): s for s in model.evaluate().selectables()}
         self.assertEqual(listed["dimension", "3"][2:6], (2, 0, 0, 0))
         self.assertEqual(listed["between", "[high, low]"][2:6], (0, 1, 4, 5))
         self.assertEqual(listed["from", "low"].source_faces, [0, 1, 2, 3, 4, 5])
+
+    def test_materials_picked_by(self):
+        block = cnrg.box([0, 0, 0], [2, 2, 2], material="rock")
+        with self.assertRaisesRegex(cnrg.InputError, "no node has the material 'rokc'; did you mean 'rock'?"):
+            block.select(material="rokc").evaluate()
+        with self.assertRaisesRegex(cnrg.InputError, r"no node has the material 'gold'; .* give cnrg.material\('gold'\)"):
+            block.select(material="gold").evaluate()
+        self.assertEqual(len(block.select(material=cnrg.material("gold")).evaluate().regions), 0)
+        with tempfile.TemporaryDirectory() as folder:
+            block.evaluate().write(f"{folder}/block.json")
+            read = cnrg.load(f"{folder}/block.json").select(dimension=3, material=cnrg.material("rock"))
+            self.assertEqual(read.evaluate().volume, 8)
+            tree = cnrg.parse(read.to_yaml())
+            self.assertEqual(tree.result.evaluate().volume, 8)  # a node of a tree that was read knows its materials
+            self.assertEqual(pickle.loads(pickle.dumps(read)).evaluate().volume, 8)
 
 
 if __name__ == "__main__":

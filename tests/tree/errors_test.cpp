@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "csg/tree/selector.h"
 #include "csg/tree/suggest.h"
 #include "csg/tree/tree.h"
 #include "tests/catch.h"
@@ -43,6 +44,42 @@ TEST_CASE("a missing tree file is a FileError with its path", "[tree][errors]") 
   CHECK_THROWS_WITH(read_tree("no/such/tree.yaml"),
                     Catch::StartsWith("no/such/tree.yaml:1:1: error: ") && Catch::Contains("there is no file"));
   CHECK_THROWS_WITH(read_tree("."), Catch::Contains("directory"));
+}
+
+TEST_CASE("what was probably meant is said", "[tree][errors]") {
+  expect("{\n\"format\": \"cnrg result\",\n\"version\": 1}\n", 1, 1,
+         {"this is a result, not a tree", "with the leaf `part: {cnrg: t.yaml}`"});
+  expect("format: other\ncnrg: 1\n", 1, 1, {"unknown key `format` in a tree file"});
+  expect_node("select: p, dimension: 0", 12,
+              {"`dimension` is a criterion of `select`", "{select: {of: NODE, dimension: ...}}"});
+  expect_node("simplify: p, front of: p", 14, {"`front of` is a criterion of `select`"});
+  expect_node("of: p, translate: [1, 0, 0]", 1,
+              {"`of` stands in the map of `select` or `simplify`", "{simplify: NODE, translate: [1, 0, 0]}"});
+  for (const std::string word : {"yes", "No", "on", "\"true\""})
+    expect_node("simplify: p, regularize: " + word, 26,
+                {"`regularize` must be true, false or the name of a node"});
+  expect("cnrg: 1\nnodes:\n  a: {regularize: yes}\n  b: {points: [[0, 0, 0]]}\nresult: a\n", 3, 19,
+         {"`regularize` must be true, false or the name of a node, not the text `yes`"});
+  CHECK_FALSE(fault("cnrg: 1\nnodes:\n  a: {regularize: yes}\n  yes: {points: [[0, 0, 0]]}\nresult: a\n"));
+  expect_node("simplify: p, rotate: [0, 0, 90]", 22,
+              {"`rotate` must be a map, such as {axis: [0, 0, 1], degrees: 90}, not a list of 3"});
+  expect_node("simplify: p, mirror: 1", 22,
+              {"`mirror` must be a map, such as {normal: [1, 0, 0], point: [0, 0, 0]}"});
+  expect_node("cnrg: x.vtu", 7, {"`x.vtu` is none; write the result by `cnrg eval -o` as .json"});
+  expect_node("cnrg: part.PLY", 7, {"{mesh: {file: part.PLY}}"});
+  expect_node("cnrg: part.stp", 7, {"{step: {file: part.stp}}"});
+  expect_node("cnrg: part.brep", 7, {"{brep: {file: part.brep}}"});
+  Tree tree = parse_tree("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", "t.yaml");
+  CHECK_THROWS_WITH(tree.find("a#1"),
+                    Catch::Contains("t.yaml has no node called `a#1`; rows call `a` so at one of its "
+                                    "places: name `a`, or give that place a node of its own"));
+  const auto select = [&](const std::string& criteria) { add_selection(tree, tree.result, criteria, "--select"); };
+  CHECK_THROWS_WITH(select("dimension: 0, from: a"),
+                    Catch::StartsWith("--select:1:1: error: criteria stand in braces") &&
+                        Catch::EndsWith("; write {dimension: 0, from: a}"));
+  CHECK_THROWS_WITH(select("{dimension: 0, from: a"), Catch::Contains("this is no YAML"));
+  CHECK(tree.nodes.size() == 1);
+  CHECK_NOTHROW(select("dimension: 0"));
 }
 
 TEST_CASE("faults of the file as a whole", "[tree][errors]") {

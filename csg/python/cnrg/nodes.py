@@ -212,12 +212,19 @@ class MeshArrays:
 class Picked:
     """What `select` picks: criteria by their keys in a tree; the nodes below that it names, by key, too (`from`, `front
     of`, `behind`); and how many operands behind the first one are those of `inside`; the others are those of
-    `touching`."""
+    `touching`. `materials`: those that are given as such, and not by name."""
 
-    __slots__ = ("criteria", "sources", "inside")
+    __slots__ = ("criteria", "sources", "inside", "materials")
 
-    def __init__(self, criteria: Mapping[str, Any], sources: Mapping[str, Iterable[Node]], inside: int):
+    def __init__(
+        self,
+        criteria: Mapping[str, Any],
+        sources: Mapping[str, Iterable[Node]],
+        inside: int,
+        materials: Iterable[Material] = (),
+    ):
         self.criteria = dict(criteria)
+        self.materials = tuple(materials)
         self.sources = {key: tuple(nodes) for key, nodes in sources.items()}
         self.inside = inside
 
@@ -355,7 +362,7 @@ class Node:
         """What of it is picked: cells for which all that is given holds; of several values one suffices.
 
         dimension: 3 regions, 2 faces, 1 edges, 0 vertices. name, material, attributes: of regions and of what stands
-        for itself, sheets, wires, points. region: the cell is, bounds or lies in a region of that name or number.
+        for itself, sheets, wires, points; a material that only a file has is given as `cnrg.material(NAME)`. region: the cell is, bounds or lies in a region of that name or number.
         front_of, behind: that region is on this side of each of these surfaces, and not on the other side, too.
         from_: it came from that leaf, or from one below that node; source_face: from that face of the leaf. between:
         ("rock", "clay"), or several such pairs: a wall between regions of these names or materials; None is no region.
@@ -373,7 +380,9 @@ class Node:
         below = {"from": ("from_", from_), "front of": ("front_of", front_of), "behind": ("behind", behind)}
         sources = {key: _listed(*nodes) for key, nodes in below.items()}
         within = _listed("inside", inside)
-        picked = Picked({k: criterion(k, v) for k, v in criteria.items() if v is not None}, sources, len(within))
+        one = material is None or isinstance(material, (str, Material))
+        given = [m for m in ([material] if one else material) if isinstance(m, Material)]  # type: ignore[union-attr]
+        picked = Picked({k: criterion(k, v) for k, v in criteria.items() if v is not None}, sources, len(within), given)
         return made("select", (self, *within, *_listed("touching", touching)), picked)
 
     # Attributes and transforms, as in a tree file.
@@ -497,6 +506,8 @@ def _attributes(given: Mapping[str, Any], keys: Iterable[str] = ()) -> list[tupl
         elif name == "scale" and isinstance(value, str):
             value = exact(value)
         elif name in ("each", "regularize"):
+            if isinstance(value, str):
+                raise TypeError(f"{name}: True or False is wanted, not {value!r}")
             value = bool(value)
         else:
             value = _exactly(value)
@@ -522,7 +533,7 @@ def _property(value: Any) -> Any:
 def _listed(what: str, given: Node | Iterable[Node] | None) -> tuple[Node, ...]:
     if given is None:
         return ()
-    return _operands(what, (given,) if isinstance(given, Node) else tuple(given))
+    return _operands(what, (given,) if isinstance(given, (Node, str)) else tuple(given))
 
 
 def criterion(key: str, value: Any) -> Any:
@@ -570,9 +581,13 @@ def _boolean(operator: str, a: Node, b: Node) -> Any:
 
 
 def _operands(operator: str, nodes: Sequence[Any]) -> tuple[Node, ...]:
-    if len(nodes) == 1 and not isinstance(nodes[0], Node) and isinstance(nodes[0], Iterable):
+    if len(nodes) == 1 and not isinstance(nodes[0], (Node, str)) and isinstance(nodes[0], Iterable):
         nodes = tuple(nodes[0])
     for node in nodes:
+        if isinstance(node, str):
+            raise TypeError(
+                f"{operator}: a node is wanted, not its name {node!r}; give the variable that holds it, or tree[{node!r}]"
+            )
         if not isinstance(node, Node):
             raise TypeError(f"{operator}: nodes are wanted, not {type(node).__name__}")
     return tuple(nodes)

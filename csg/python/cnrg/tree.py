@@ -7,6 +7,7 @@ in the script where that node was made.
 
 from __future__ import annotations
 
+import difflib
 import os
 import re
 from itertools import chain
@@ -42,6 +43,12 @@ def _of_regions(node: Node) -> Iterator[str]:
             yield name
 
 
+def _picked_materials(node: Node) -> list[str]:
+    """The names of the materials by which a node picks."""
+    wanted = node.value.criteria.get("material", []) if isinstance(node.value, Picked) else []
+    return [wanted] if isinstance(wanted, str) else list(wanted)
+
+
 def _sources(node: Node) -> tuple[Node, ...]:
     """Nodes that a node names beside its operands."""
     return tuple(chain.from_iterable(node.value.sources.values())) if isinstance(node.value, Picked) else ()
@@ -52,9 +59,11 @@ def _own_material(node: Node) -> Material | None:
 
 
 def _own_materials(node: Node) -> list[Material]:
-    """The node's own material and those in its stops, at any depth, each once."""
+    """The materials that the node has or picks by, and those in their stops, at any depth, each once."""
     own = _own_material(node)
     listed = [] if own is None else [own]
+    if isinstance(node.value, Picked):
+        listed += node.value.materials
     seen = {id(m) for m in listed}
     for m in listed:
         for inner in m.mixed:
@@ -126,9 +135,7 @@ def check_form(node: Node) -> None:
     own = _own_material(node)
     if own is not None:
         names.add(own.name)
-    if isinstance(node.value, Picked):
-        wanted = node.value.criteria.get("material", [])
-        names.update([wanted] if isinstance(wanted, str) else wanted)
+    names.update(_picked_materials(node))
     is_short = len(node.operands) <= 2 or isinstance(node.value, Picked)
     short = node if is_short else Node(node.operator, node.operands[:2], node.value, node.attributes)
     value = "".join(
@@ -241,6 +248,12 @@ class _Text:
             for name in _mixed(m.data):
                 if name not in declared:
                     declared[name] = Material(name, {}, None, m.site)
+        for node in self.nodes:
+            for name in _picked_materials(node):
+                if name not in declared:
+                    near = difflib.get_close_matches(name, declared, 1)
+                    hint = f"did you mean {near[0]!r}?" if near else f"if a file has it, give cnrg.material({str(name)!r})"
+                    raise InputError(f"select: no node has the material {str(name)!r}; {hint}", *node.site)
         return list(declared.values())
 
     def write(self, result: Node, path: Callable[[str], str], for_file: bool) -> str:
@@ -514,7 +527,8 @@ def _as_expressions(tree: Any, file: str) -> Tree:
                 data[key] = {k: [exact(v[0]) if isinstance(v, tuple) else Text(v) for v in vs] for k, vs in values.items()}
             else:
                 data[key] = criterion(key, values[0] if len(values) == 1 else values)
-        return Picked(data, {key: [nodes[k] for k in listed] for key, listed in sources.items()}, inside)  # type: ignore[misc]
+        by = {key: [nodes[k] for k in listed] for key, listed in sources.items()}
+        return Picked(data, by, inside, [material_of(name) for name in criteria.get("material", [])])  # type: ignore[misc]
 
     def build(i: int) -> Node:
         r = records[i]
