@@ -113,10 +113,12 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
   }
   if (certificate.places.empty()) {
     if (!quiet) {
-      tell(tree.file + ": notice: certified: surfaces meet as their facets do; of " +
-           count(certificate.asked, "pair") + " of facets near each other " + std::to_string(certificate.apart) +
-           " are apart, " + std::to_string(certificate.crossing) + " cross and " +
-           std::to_string(certificate.contacts) + " touch");
+      tell(tree.file + ": notice: certified: surfaces meet as their facets do: " +
+           (certificate.asked == 0
+                ? "no curved face is near another one"
+                : "of " + count(certificate.asked, "pair") + " of facets near each other " +
+                      std::to_string(certificate.apart) + " are apart, " + std::to_string(certificate.crossing) +
+                      " cross and " + std::to_string(certificate.contacts) + " touch"));
     }
     return certificate.asked > 0;
   }
@@ -125,7 +127,7 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
   const Diagnostic& first = notices.front();
   throw TreeError(first.file, first.at,
                   first.message + "; --certify found " + count(certificate.places.size(), "such place") +
-                      ": make the leaves finer, move them apart or together, or leave it out");
+                      ": move leaves apart or together, make them finer, or leave it out");
 }
 
 void require_distinct(const std::vector<std::string>& files) {

@@ -1,4 +1,4 @@
-// Transforms of jets, cones of normals, Newton's method; see the header.
+// Transforms of jets, Newton's method; see the header.
 #include "csg/curves/surface_placed.h"
 
 namespace cnrg {
@@ -82,73 +82,6 @@ SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform) {
     for (const auto& [number, form] : given->curve_forms()) take(number, form);
     return result;
   };
-}
-
-namespace {
-
-double middle_of(const Interval& x) { return x.inf() / 2 + x.sup() / 2; }
-
-/// How wide a box of directions is, seen from the origin.
-double width(const Vector3<Interval>& n) {
-  double wide = 0, far = 0;
-  for (const Interval& x : n) {
-    wide = std::max(wide, x.sup() - x.inf());
-    far = std::max(far, std::abs(middle_of(x)));
-  }
-  return far > 0 ? wide / far : HUGE_VAL;
-}
-
-/// Halves the part across the parameter along which its normal turns more.
-std::array<SurfacePart, 2> halves(const SurfacePart& part) {
-  const double u = middle_of(part.u), v = middle_of(part.v);
-  const PlacedSurface& surface = *part.surface;
-  if (width(surface.over(u, part.v).normal) <= width(surface.over(part.u, v).normal)) {
-    return {SurfacePart::of(surface, {part.u.inf(), u}, part.v),
-            SurfacePart::of(surface, {u, part.u.sup()}, part.v)};
-  }
-  return {SurfacePart::of(surface, part.u, {part.v.inf(), v}),
-          SurfacePart::of(surface, part.u, {v, part.v.sup()})};
-}
-
-bool apart(const SurfacePart& a, const SurfacePart& b, int halvings) {
-  for (const Interval& x : cross(a.normal, b.normal)) {
-    if (x.inf() > 0 || x.sup() < 0) return true;
-  }
-  if (halvings == 0) return false;
-  const bool first = b.surface == nullptr || (a.surface != nullptr && width(a.normal) >= width(b.normal));
-  if ((first ? a : b).surface == nullptr) return false;  // two planes
-  for (const SurfacePart& half : halves(first ? a : b)) {
-    if (!(first ? apart(half, b, halvings - 1) : apart(a, half, halvings - 1))) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-std::vector<SurfacePart> quarters(const SurfacePart& part) {
-  if (part.surface == nullptr) return {part};
-  const double u = middle_of(part.u), v = middle_of(part.v);
-  std::vector<SurfacePart> result;
-  for (const Interval& in_u : {Interval(part.u.inf(), u), Interval(u, part.u.sup())}) {
-    for (const Interval& in_v : {Interval(part.v.inf(), v), Interval(v, part.v.sup())})
-      result.push_back(SurfacePart::of(*part.surface, in_u, in_v));
-  }
-  return result;
-}
-
-bool may_meet(const SurfacePart& a, const SurfacePart& b) {
-  const enclosure::RoundOutward outward;
-  const Vector3<Interval> way = difference(a.point, b.point);
-  if (a.surface == nullptr || b.surface == nullptr) {
-    const Interval height = dot(a.surface == nullptr ? a.normal : b.normal, way);
-    return height.inf() <= 0 && height.sup() >= 0;
-  }
-  return std::all_of(way.begin(), way.end(), [](const Interval& x) { return x.inf() <= 0 && x.sup() >= 0; });
-}
-
-bool nowhere_parallel(const SurfacePart& a, const SurfacePart& b, int halvings) {
-  const enclosure::RoundOutward outward;
-  return apart(a, b, halvings);
 }
 
 namespace {

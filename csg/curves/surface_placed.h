@@ -1,10 +1,4 @@
-// True surfaces where a transform put them, and whether two of them can be parallel somewhere.
-//
-// Where two surfaces cross at an angle, all that is near to them crosses alike: finer facets give the same
-// vertices, edges and regions. Where they are parallel, at a point that they share, the smallest change makes a
-// curve of a point or nothing of it. To compare normals at points says nothing about the points between; here
-// normals are boxes over boxes of parameters, and two boxes without parallel vectors prove it for all points in
-// them.
+// True surfaces where a transform put them, and the point that lies on several of them.
 #pragma once
 
 #include <memory>
@@ -38,26 +32,6 @@ class PlacedSurface final : public Surface {
 
 /// The surfaces and curves of a leaf where a transform put them; of a leaf that has none, none.
 SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform);
-
-/// A part of a surface, or of a plane where `surface` is null.
-struct SurfacePart {
-  const PlacedSurface* surface = nullptr;
-  Interval u = 0, v = 0;
-  Vector3<Interval> point{}, normal{};  ///< over the part; of a plane one of its points
-
-  static SurfacePart of(const PlacedSurface& surface, const Interval& u, const Interval& v) {
-    const SurfaceJet<Interval> jet = surface.over(u, v);
-    return {&surface, u, v, jet.point, jet.normal};
-  }
-};
-
-/// Four parts, halved along both parameters; a plane stays whole.
-std::vector<SurfacePart> quarters(const SurfacePart& part);
-/// False if the parts have no point in common, proven.
-bool may_meet(const SurfacePart& a, const SurfacePart& b);
-
-/// True if no normal of one is parallel to one of the other, proven; parts are halved up to `halvings` times.
-bool nowhere_parallel(const SurfacePart& a, const SurfacePart& b, int halvings);
 
 /// A surface with a place on it, or a plane where `surface` is null.
 struct SurfaceSite {

@@ -5,6 +5,7 @@
 //        -> prepared leaves      prepared_leaves.h: files are read, everything that can be checked is checked
 //        -> drawings             drawings.h: leaves that share a curved surface on common lines; where the tree
 //                                has `weld`, what is near coincides
+//        -> proven drawing       proven_drawing.h: if it is asked for, that surfaces meet as facets do
 //        -> sections             sections.h: nodes that are refined apart, mostly none
 //        -> scopes               scopes.h: each section, then the whole tree:
 //             soup -> complex      make_soup.cpp, then the kernel: all leaves of the scope are refined together
@@ -72,7 +73,7 @@ void name_leaves(const PreparedLeaves& leaves, const PlacedLeaves& placed, std::
   for (std::size_t i = 0; i < placed.instances.size(); ++i) {
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
     const PreparedLeaf& leaf = *placed.instances[i].leaf;
-    parameters.push_back({leaf.parameters(), placed.instances[i].transform, leaf.surfaces(), leaf.boxes()});
+    parameters.push_back({leaf.parameters(), placed.instances[i].transform, leaf.surfaces()});
   }
   result.parameters =
       std::make_shared<const SurfaceParameters>(*result.complex, std::move(parameters), std::move(places));

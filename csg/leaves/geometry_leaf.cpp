@@ -175,9 +175,6 @@ void LeafBuilder::facet(PointId a, PointId b, PointId c, PointId d, std::uint32_
       const std::vector<PointId> loop(all.begin(), all.end());
       soup_.add_face(leaf_, std::span(&loop, 1), leaf_face, leaf_face);
     }
-    std::array<std::array<const Rational*, 2>, 4> around;
-    for (std::size_t i = 0; i < cell.size(); ++i) around[i] = at[cell.begin()[i]];
-    boxes_.add(std::span(around.data(), cell.size()));
     if (record_ == nullptr) return;
     std::vector<PatchCorner> corners;
     for (const std::size_t i : cell) corners.push_back({value(all[i]), {*at[i][0], *at[i][1]}});
@@ -195,7 +192,6 @@ void LeafBuilder::facet(PointId a, PointId b, PointId c, std::uint32_t leaf_face
                         const std::array<std::array<const Rational*, 2>, 3>& at) {
   LeafStop::check();
   soup_.add_triangle(leaf_, a, b, c, leaf_face, leaf_face);
-  boxes_.add(at);
   if (record_ == nullptr) return;
   std::vector<PatchCorner> corners;
   for (const PointId p : {a, b, c}) {
@@ -210,11 +206,7 @@ RationalPoint LeafBuilder::value(PointId p) const { return exact_value(soup_, p)
 std::unique_ptr<PreparedLeaf> LeafBuilder::finish(std::vector<std::string> notices) {
   std::vector<Attributes> regions;
   if (fill_ == Fill::winding || fill_ == Fill::parity) regions.emplace_back();
-  // Who adds faces to the soup himself has no boxes of them.
-  const bool boxed = boxes_.size() == soup_.face_count() && !boxes_.empty();
-  auto leaf = std::make_unique<GeometryLeaf>(std::move(soup_), std::move(regions), std::move(notices));
-  if (boxed) leaf->set_boxes(std::make_shared<const FacetBoxes>(std::move(boxes_)));
-  return leaf;
+  return std::make_unique<GeometryLeaf>(std::move(soup_), std::move(regions), std::move(notices));
 }
 
 }  // namespace cnrg

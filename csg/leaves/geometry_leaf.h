@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "csg/leaves/facet_boxes.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/leaf_stop.h"
 #include "csg/leaves/parameters.h"
@@ -67,7 +66,6 @@ class LeafBuilder {
              const std::array<std::array<const Rational*, 2>, 3>& at);
   /// What people call a patch.
   void name_patch(std::uint32_t leaf_face, const char* name) {
-    boxes_.name_patch(leaf_face, name);
     if (record_ != nullptr) record_->name_patch(leaf_face, name);
   }
   RationalPoint value(PointId p) const;
@@ -78,10 +76,8 @@ class LeafBuilder {
   LeafId leaf_;
   Fill fill_;
   LeafParameters* record_;
-  FacetBoxes boxes_;
 
   void note_flat() {
-    boxes_.add_flat();
     if (record_ != nullptr) record_->add_flat_facet();
   }
 };

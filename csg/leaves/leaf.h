@@ -19,7 +19,6 @@
 
 namespace cnrg {
 
-class FacetBoxes;
 class LeafParameters;
 class LeafSurfaces;
 struct CellTable;
@@ -91,10 +90,6 @@ class PreparedLeaf {
   const ParameterSource& parameters() const { return parameters_; }
   void set_parameters(ParameterSource source) { parameters_ = std::move(source); }
 
-  /// Of a curved leaf that was tessellated as a grid, where its facets lie, in the same order. Null for others.
-  const std::shared_ptr<const FacetBoxes>& boxes() const { return boxes_; }
-  void set_boxes(std::shared_ptr<const FacetBoxes> boxes) { boxes_ = std::move(boxes); }
-
   /// How to get the true surfaces of a curved leaf. Empty for others.
   const SurfaceSource& surfaces() const { return surfaces_; }
   void set_surfaces(SurfaceSource source) { surfaces_ = std::move(source); }
@@ -105,7 +100,6 @@ class PreparedLeaf {
 
  private:
   ParameterSource parameters_;
-  std::shared_ptr<const FacetBoxes> boxes_;
   SurfaceSource surfaces_;
   std::shared_ptr<const CurvedForm> form_;
 };

@@ -119,10 +119,7 @@ const LeafParameters& SurfaceParameters::parameters(LeafId leaf) const {
 }
 
 std::string SurfaceParameters::patch_name(LeafId leaf, std::uint32_t patch) const {
-  if (!has(leaf)) return "";
-  const PlacedParameters& placed = leaves_[leaf.index()]->placed;
-  const std::string name = placed.boxes ? placed.boxes->patch_name(patch) : "";
-  return name.empty() ? parameters(leaf).patch_name(patch) : name;
+  return has(leaf) ? parameters(leaf).patch_name(patch) : "";
 }
 std::string SurfaceParameters::curve_name(LeafId leaf, std::uint32_t curve) const {
   return has(leaf) ? parameters(leaf).curve_name(curve) : "";
@@ -154,24 +151,6 @@ std::size_t SurfaceParameters::facet_of(SourceId source) const {
 std::size_t SurfaceParameters::wire_of(WireId wire) const {
   if (places_) return places_->wires[wire];
   return wire.index() - leaves_[complex_.wires[wire].leaf.index()]->first_wire;
-}
-
-std::vector<FacetBoxes::Box> SurfaceParameters::boxes(SourceId source) const {
-  const LeafId leaf = complex_.sources[source].leaf;
-  if (!has(leaf)) return {};
-  if (const auto& boxes = leaves_[leaf.index()]->placed.boxes) {
-    if (!boxes->has(facet_of(source))) return {};
-    return {boxes->of(facet_of(source))};
-  }
-  std::vector<FacetBoxes::Box> result;
-  for (const auto& cell : cells(source)) {
-    FacetBoxes box;
-    std::vector<std::array<const Rational*, 2>> corners;
-    for (const PatchCorner& corner : cell) corners.push_back({&corner.at[0], &corner.at[1]});
-    box.add(corners);
-    result.push_back(box.of(0));
-  }
-  return result;
 }
 
 std::vector<PlacedCell> SurfaceParameters::cells(FaceId f, std::span<const LeafId> leaves) const {

@@ -10,20 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "csg/leaves/facet_boxes.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/parameters.h"
 #include "kernel/complex/complex.h"
 
 namespace cnrg {
 
-/// A leaf of the complex: where its parameters come from (empty: nowhere), how it was placed, its true surfaces,
-/// and where its facets lie.
+/// A leaf of the complex: where its parameters come from (empty: nowhere), how it was placed, its true surfaces.
 struct PlacedParameters {
   ParameterSource source;
   SharedTransform transform{};
   SurfaceSource surfaces{};
-  std::shared_ptr<const FacetBoxes> boxes{};
 };
 
 /// S(at) is near the point asked for, and equal to it where that is a vertex of the tessellation.
@@ -78,8 +75,6 @@ class SurfaceParameters {
 
   /// The cells in which a face of the soup lies, before the leaf's transform; none for a leaf without parameters.
   std::vector<std::vector<PatchCorner>> cells(SourceId source) const;
-  /// Boxes around these, in u and v: known without tessellating the leaf again, where it was made as a grid.
-  std::vector<FacetBoxes::Box> boxes(SourceId source) const;
   /// The cells of patches of the given leaves (ascending) in which a face of the complex lies.
   std::vector<PlacedCell> cells(FaceId f, std::span<const LeafId> leaves) const;
   /// Places on the patches of the given leaves (ascending) of a point of a face, an edge or a vertex of the

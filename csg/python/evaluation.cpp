@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
+#include "csg/certify/certificate.h"
 #include "numbers.h"
 #include "watched.h"
 
@@ -9,18 +10,50 @@ namespace cnrg::python {
 namespace {
 
 std::shared_ptr<const EvaluatedTree> evaluate_tree(const TreeObject& tree, const std::vector<std::size_t>& nodes,
-                                                   int threads, bool rows, bool raw, bool validate,
+                                                   int threads, bool rows, bool raw, bool validate, bool certify,
                                                    const py::object& progress) {
   EvaluateOptions options;
   options.threads = threads;
   options.rows = rows ? Rows::all : Rows::kept;
   options.raw = raw;
   options.validate = validate;
+  options.proof = certify ? AskedProof::with_lines : AskedProof::as_drawn;
   for (const std::size_t node : nodes) options.nodes.emplace_back(node);
   return apart(progress, [shared = tree.tree, options](const Watch& watch) mutable {
     options.watch = watch;
     return std::make_shared<const EvaluatedTree>(EvaluatedTree{shared, evaluate(*shared, options)});
   });
+}
+
+/// Of the result and of the other nodes.
+Certificate certificate_of(const Evaluation& evaluation) {
+  Certificate all;
+  if (evaluation.certificate) all = *evaluation.certificate;
+  for (const Evaluation& other : evaluation.others) {
+    if (other.certificate) all.add(*other.certificate);
+  }
+  return all;
+}
+
+py::dict certificate_data(const Tree& tree, const Certificate& certificate) {
+  py::dict data;
+  data["asked"] = certificate.asked;
+  data["apart"] = certificate.apart;
+  data["crossing"] = certificate.crossing;
+  data["contacts"] = certificate.contacts;
+  py::list places, unknown;
+  for (const UncertainPlace& place : certificate.places) {
+    py::dict one;
+    one["names"] = py::tuple(py::cast(place.names));
+    one["at"] = py::tuple(py::cast(place.at));
+    one["size"] = place.size;
+    one["by_facets"] = place.by_facets;
+    places.append(one);
+  }
+  for (const NodeId node : certificate.unknown) unknown.append(tree.nodes[node].name);
+  data["places"] = places;
+  data["unknown"] = py::tuple(unknown);
+  return data;
 }
 
 py::dict row_data(const NodeRow& row) {
@@ -49,13 +82,19 @@ void bind_evaluation(py::module_& module) {
            })
       .def("diagnostics",
            [](const EvaluatedTree& e) {
+             constexpr std::size_t kTold = 3;
+             std::vector<Diagnostic> all = e.evaluation.diagnostics;
+             for (Diagnostic& d : certificate_of(e.evaluation).notices(*e.tree, kTold))
+               all.push_back(std::move(d));
              py::list list;
-             for (const Diagnostic& d : e.evaluation.diagnostics) {
+             for (const Diagnostic& d : all) {
                list.append(py::make_tuple(d.level == Diagnostic::Level::warning ? "warning" : "notice", d.file,
                                           d.at.line, d.at.column, d.message));
              }
              return list;
            })
+      .def("certificate",
+           [](const EvaluatedTree& e) { return certificate_data(*e.tree, certificate_of(e.evaluation)); })
       .def_property_readonly("refine_seconds", [](const EvaluatedTree& e) { return e.evaluation.refine_seconds; })
       .def("result", [](const std::shared_ptr<EvaluatedTree>& e, std::size_t node) {
         return OneResult{e->evaluation.result(NodeId(node)), e, NodeId(node)};
@@ -63,12 +102,12 @@ void bind_evaluation(py::module_& module) {
   module.def(
       "evaluate",
       [](const TreeObject& tree, const std::vector<std::size_t>& nodes, int threads, bool rows, bool raw,
-         bool validate, const py::object& progress) {
+         bool validate, bool certify, const py::object& progress) {
         return std::const_pointer_cast<EvaluatedTree>(
-            evaluate_tree(tree, nodes, threads, rows, raw, validate, progress));
+            evaluate_tree(tree, nodes, threads, rows, raw, validate, certify, progress));
       },
       py::arg("tree"), py::arg("nodes"), py::arg("threads"), py::arg("rows"), py::arg("raw"), py::arg("validate"),
-      py::arg("progress"));
+      py::arg("certify"), py::arg("progress"));
 }
 
 }  // namespace cnrg::python

@@ -280,6 +280,21 @@ class Places(Folder):
         self.assertEqual((caught.exception.file, caught.exception.line), (__file__, at))
         self.assertIn("closure", caught.exception.message)
 
+    def test_certificates_of_curved_surfaces(self):
+        balls = cnrg.sphere([0, 0, 0], 1) & cnrg.sphere([1.999, 0, 0], 1)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            drawn = cnrg.evaluate(balls)
+        self.assertFalse(drawn.certificate.certified)
+        (place,) = drawn.certificate.places
+        self.assertTrue(place.by_facets)
+        self.assertAlmostEqual(place.at[0], 1, delta=0.1)
+        self.assertRegex(str(told[0].message), "near .*these facets do not tell how they meet")
+        proven = cnrg.evaluate(balls, certify=True)
+        self.assertTrue(proven.certificate.certified)
+        self.assertGreater(proven.certificate.crossing, 0)
+        self.assertEqual(proven.rows[-1].cells, (0, 1, 2, 1))
+
     def test_warnings_and_notices_have_their_place(self):
         at = line() + 1
         a = cnrg.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])

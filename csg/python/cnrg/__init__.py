@@ -15,7 +15,7 @@ A node is an expression, as a tree file has it, and means the same. Everything i
 from ._cnrg import __version__
 from .cells import Cells, Component, Edges, Faces, Lists, Regions, Said, SaidTable, Vertices
 from .errors import Error, FileError, InputError, InvariantError, Notice, Stopped
-from .evaluation import Diagnostic, Evaluation, Row, evaluate
+from .evaluation import Certificate, Diagnostic, Evaluation, Row, UncertainPlace, evaluate
 from .nodes import (
     Material,
     Node,
@@ -66,6 +66,7 @@ from .tree import Tree, parse, read
 __all__ = [
     "__version__",
     "Cells",
+    "Certificate",
     "Comparison",
     "Component",
     "Diagnostic",
@@ -97,6 +98,7 @@ __all__ = [
     "Selectable",
     "Topology",
     "Tree",
+    "UncertainPlace",
     "Vertices",
     "View",
     "aggregate",

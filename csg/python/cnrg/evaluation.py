@@ -52,6 +52,37 @@ class Diagnostic:
         return f"{place}: {self.level}: {self.message}" if place else f"{self.level}: {self.message}"
 
 
+@dataclass(frozen=True)
+class UncertainPlace:
+    """Where it is not proven that curved surfaces meet as their facets do."""
+
+    names: tuple[str, ...]
+    """leaves, each with its patch in brackets"""
+    at: tuple[float, float, float]
+    size: float
+    """nothing nearer to `at` than this length was decided"""
+    by_facets: bool
+    """finer facets would decide"""
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What is proven of pairs of facets near each other, and of the surfaces that they stand for."""
+
+    asked: int
+    apart: int
+    crossing: int
+    contacts: int
+    places: tuple[UncertainPlace, ...]
+    unknown: tuple[str, ...]
+    """leaves with curved faces of which only facets are known: CAD models"""
+
+    @property
+    def certified(self) -> bool:
+        """All surfaces meet as their facets do."""
+        return not self.places and not self.unknown
+
+
 class Evaluation(Sequence[Row]):
     """An evaluated tree.
 
@@ -88,6 +119,13 @@ class Evaluation(Sequence[Row]):
         for level, file, line, column, message in self._evaluation.diagnostics():
             out.append(Diagnostic(level, self._tree.translated(message), *self._tree.site(file, line, column)))
         return out
+
+    @property
+    def certificate(self) -> Certificate:
+        """Whether curved surfaces meet as their facets do, for all that was asked for."""
+        data = self._evaluation.certificate()
+        places = tuple(UncertainPlace(**place) for place in data.pop("places"))
+        return Certificate(places=places, **data)
 
     @property
     def result(self) -> Result:
@@ -140,6 +178,7 @@ def evaluate(
     rows: bool = True,
     raw: bool = False,
     validate: bool = False,
+    certify: bool = False,
     weld: Number | None = None,
     progress: Progress = None,
 ) -> Evaluation:
@@ -148,6 +187,7 @@ def evaluate(
     model: what `Evaluation.result` is of. nodes: others that are wanted, nodes or names.
     threads: 0 for one per core. rows: counts and volumes of all nodes; without them only of those that are asked for.
     raw: cells stay as the refinement has them, nothing is simplified. validate: checks all invariants, slowly.
+    certify: facets get finer where it is not proven that surfaces meet as they do; see `Evaluation.certificate`.
     weld: what is nearer than that is made to coincide, in all leaves together (units of the model).
     progress: None, True for a bar, or a function f(stage, done, total).
 
@@ -158,12 +198,16 @@ def evaluate(
     if isinstance(model, Tree):
         if weld is not None:
             raise TypeError("evaluate: a tree says itself what is welded")
-        return evaluate_tree(model, nodes, threads=threads, rows=rows, raw=raw, validate=validate, progress=progress)
+        return evaluate_tree(
+            model, nodes, threads=threads, rows=rows, raw=raw, validate=validate, certify=certify, progress=progress
+        )
     if not isinstance(model, Node):
         raise TypeError(f"evaluate: a node or a tree is wanted, not {type(model).__name__}")
     others = tuple(node for node in nodes if isinstance(node, Node))
     tree = Tree.of(model, *others, weld=weld)
-    return evaluate_tree(tree, nodes, threads=threads, rows=rows, raw=raw, validate=validate, progress=progress)
+    return evaluate_tree(
+        tree, nodes, threads=threads, rows=rows, raw=raw, validate=validate, certify=certify, progress=progress
+    )
 
 
 def evaluate_tree(
@@ -174,13 +218,16 @@ def evaluate_tree(
     rows: bool = True,
     raw: bool = False,
     validate: bool = False,
+    certify: bool = False,
     progress: Progress = None,
 ) -> Evaluation:
     """`evaluate` for a tree."""
     threads = threads_of(threads)
     kept = [tree.number_of(tree.result)] + [tree.number_of(node) for node in nodes]
     with Shown(progress) as shown, tree.placed():
-        evaluation = _cnrg.evaluate(tree._tree, kept[1:], threads, bool(rows), bool(raw), bool(validate), shown)
+        evaluation = _cnrg.evaluate(
+            tree._tree, kept[1:], threads, bool(rows), bool(raw), bool(validate), bool(certify), shown
+        )
     made = Evaluation(tree, evaluation, kept)
     for notice in made.notices:
         warnings.warn_explicit(str(notice), Notice, *site_of_caller())
