@@ -97,6 +97,10 @@ bool tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) 
     tell(tree.file + ": notice: " + count(certificate.places.size() - kTold, "more place") +
          " where curved surfaces may not meet as their facets do; --certify tells of ten");
   }
+  if (certificate.left > 0) {
+    tell(tree.file + ": notice: " + count(certificate.left, "question") +
+         " whether curved surfaces meet as their facets do left open; --certify asks on");
+  }
   return certificate.asked > 0;
 }
 
@@ -110,6 +114,13 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
         "--certify: `" + node.name +
             "` is a CAD model, and of its curved faces only the facets are known: leave --certify out, or "
             "build the part of shapes");
+  }
+  if (certificate.places.empty() && certificate.left > 0) {
+    throw TreeError(
+        tree.file, tree.nodes[tree.result].at,
+        "--certify: " + count(certificate.left, "question") +
+            " whether curved surfaces meet as their facets do had no answer within the budget of steps: "
+            "certify parts of the tree by --node, or leave --certify out");
   }
   if (certificate.places.empty()) {
     if (!quiet) {

@@ -21,6 +21,7 @@ void Certificate::add(const Certificate& more) {
   apart += more.apart;
   crossing += more.crossing;
   contacts += more.contacts;
+  left += more.left;
   places.insert(places.end(), more.places.begin(), more.places.end());
   unknown.insert(unknown.end(), more.unknown.begin(), more.unknown.end());
 }

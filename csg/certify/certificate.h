@@ -23,6 +23,7 @@ struct UncertainPlace {
 struct Certificate {
   /// Pairs of facets near each other: in all, and what was proven of them and of their surfaces.
   std::size_t asked = 0, apart = 0, crossing = 0, contacts = 0;
+  std::size_t left = 0;  ///< questions that were not answered within the budget
   std::vector<UncertainPlace> places;
   std::vector<NodeId> unknown;  ///< leaves with curved faces of which no surface is known: CAD models
   void add(const Certificate& more);

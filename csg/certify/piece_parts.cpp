@@ -71,6 +71,17 @@ bool outside(const Piece& piece, const std::array<Interval, 2>& range) {
   return false;
 }
 
+/// False if the side from corner i on has no point in the range, proven.
+bool on_side(const Piece& piece, std::size_t i, const std::array<Interval, 2>& range) {
+  const auto &a = piece.at[i], &b = piece.at[(i + 1) % piece.corner_count];
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (std::max(a[k], b[k]) < range[k].inf() || std::min(a[k], b[k]) > range[k].sup()) return false;
+  }
+  const Interval du = Interval(b[0]) - Interval(a[0]), dv = Interval(b[1]) - Interval(a[1]);
+  const Interval off = du * (range[1] - Interval(a[1])) - dv * (range[0] - Interval(a[0]));
+  return off.inf() <= 0 && off.sup() >= 0;
+}
+
 /// To about length 1.
 Interval3 normalized(const Interval3& x) {
   double square = 0;
@@ -168,16 +179,11 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
       x = hull(second == 0 ? piece.along_u : piece.along_v, at_side(first, piece.at[left ? 1 : 0][first]));
     }
   }
-  std::array<bool, 4> corner{};
-  std::array<bool, 4> side{};
-  const auto on = [&](std::size_t i, std::size_t k) {
-    return range[k].inf() <= piece.at[i][k] && piece.at[i][k] <= range[k].sup();
-  };
+  std::array<bool, 4> corner{}, side{};
   for (std::size_t i = 0; i < piece.corner_count; ++i) {
-    corner[i] = !piece.grid || (on(i, 0) && on(i, 1));
-    const std::size_t next = (i + 1) % piece.corner_count;
-    const std::size_t fixed = piece.at[i][0] == piece.at[next][0] ? 0 : 1;
-    side[i] = !piece.grid || on(i, fixed);
+    corner[i] = range[0].inf() <= piece.at[i][0] && piece.at[i][0] <= range[0].sup() &&
+                range[1].inf() <= piece.at[i][1] && piece.at[i][1] <= range[1].sup();
+    side[i] = on_side(piece, i, range);
   }
   for (const auto& [j, bits] : piece.neighbours) {
     bool touches = false;
@@ -262,6 +268,18 @@ std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& 
   return {part_of(all, *part.piece, low, between), part_of(all, *part.piece, high, between)};
 }
 
+const Interval3& PiecePart::middle() const {
+  if (known_middle) return *known_middle;
+  const Interval s(middle_of(range[0]));
+  if (piece->kind == Piece::Kind::cell) {
+    known_middle = piece->surface->over(s, Interval(middle_of(range[1]))).point;
+  } else {
+    const auto at = [&](std::size_t k) { return piece->side[0][k] + s * (piece->side[1][k] - piece->side[0][k]); };
+    known_middle = piece->curve ? piece->curve->over(at(0)).point : piece->surface->over(at(0), at(1)).point;
+  }
+  return *known_middle;
+}
+
 Interval extent(const PiecePart& part, const Vector3<double>& d, Between between) {
   const Piece& piece = *part.piece;
   const Interval3 along{Interval(d[0]), Interval(d[1]), Interval(d[2])};
@@ -287,17 +305,11 @@ Interval extent(const PiecePart& part, const Vector3<double>& d, Between between
   if (piece.kind == Piece::Kind::curve) {
     const Interval chord = dot(along, piece.corners[0]) + part.range[0] * dot(along, piece.along_u);
     if (piece.exact()) return narrowed(of_box, chord);
-    const Interval3 middle =
-        piece.curve ? piece.curve->over(piece.side[0][0] + middle_u * (piece.side[1][0] - piece.side[0][0])).point
-                    : piece.surface
-                          ->over(piece.side[0][0] + middle_u * (piece.side[1][0] - piece.side[0][0]),
-                                 piece.side[0][1] + middle_u * (piece.side[1][1] - piece.side[0][1]))
-                          .point;
-    const Interval curve = dot(along, middle) + away_u * dot(along, part.along_u);
+    const Interval curve = dot(along, part.middle()) + away_u * dot(along, part.along_u);
     return narrowed(of_box, between == Between::surfaces ? curve : hull(chord, curve));
   }
-  const Interval surface = dot(along, piece.surface->over(middle_u, middle_v).point) +
-                           away_u * dot(along, part.along_u) + away_v * dot(along, part.along_v);
+  const Interval surface =
+      dot(along, part.middle()) + away_u * dot(along, part.along_u) + away_v * dot(along, part.along_v);
   if (between == Between::surfaces) return narrowed(of_box, surface);
   return narrowed(of_box, hull(surface, all_of(facet_corners(piece, part.range))));
 }

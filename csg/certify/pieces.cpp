@@ -9,6 +9,7 @@
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 #include "kernel/base/error.h"
+#include "kernel/base/parallel.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -546,10 +547,15 @@ Pieces::Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach)
     const enclosure::RoundOutward outward;
     PieceMaker(*this, leaves, reach);
   }
-  const enclosure::RoundOutward outward;
-  for (Piece& piece : pieces_) {
-    if (piece.kind != Piece::Kind::flat) piece.box = box_of(part_of(pieces_, piece, piece.range).box);
-  }
+  for_each_index(
+      pieces_.size(),
+      [&](std::size_t i) {
+        Piece& piece = pieces_[i];
+        if (piece.kind == Piece::Kind::flat) return;
+        const enclosure::RoundOutward outward;
+        piece.box = box_of(part_of(pieces_, piece, piece.range).box);
+      },
+      256);
 }
 
 }  // namespace cnrg

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -143,6 +144,9 @@ struct PiecePart {
   Interval3 box{}, cone{};
   Interval3 along_u{}, along_v{};  ///< of S
   bool blind = false;              ///< `cone` says nothing
+  /// S in the middle of the range, once it is asked for.
+  const Interval3& middle() const;
+  mutable std::optional<Interval3> known_middle{};
 };
 /// Of all pieces of `all`; who calls keeps an enclosure::RoundOutward alive, here and below.
 PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,

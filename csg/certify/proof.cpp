@@ -22,8 +22,7 @@ constexpr std::size_t kMostSteps = 1000;        // of one question
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
 constexpr std::size_t kMostTold =
     64;  // places of the same patches of which it is asked whether facets are to blame
-constexpr std::size_t kMostInAll = 2'000'000;  // steps of a proof; after them all that is asked is open
-constexpr std::size_t kMostOpen = 1000;        // places of the same patches, after which no more are looked for
+constexpr std::size_t kMostOpen = 1000;  // places of the same patches, after which no more are looked for
 
 bool holds_zero(const Interval& x) { return !(x.inf() > 0 || x.sup() < 0); }
 double size_of(const Interval3& x) {
@@ -75,14 +74,15 @@ bool independent(const Interval3& a, const Interval3& b, const Interval3& c) {
 
 class Prover {
  public:
-  Prover(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for)
-      : pieces_(pieces), all_(pieces.all()), asked_for_(asked_for) {}
+  Prover(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps)
+      : pieces_(pieces), all_(pieces.all()), asked_for_(asked_for), most_steps_(most_steps) {}
 
   Proof run() {
     find_pairs();
     const enclosure::RoundOutward outward;
     together_.resize(all_.size());
     thickness_.assign(all_.size(), -1);
+    roots_.resize(all_.size());
     relate_leaves();
     for (const auto& [a, b] : pairs_) ask_pair(a, b);
     for (std::vector<Index>& near : together_) std::sort(near.begin(), near.end());
@@ -236,10 +236,10 @@ class Prover {
     for (const Index i : tuple) patches.emplace_back(all_[i].leaf, all_[i].patch);
     std::sort(patches.begin(), patches.end());
     std::size_t& open = open_[patches];
-    if (open >= kMostOpen || proof_.steps > kMostInAll) {
-      if (open++ == 0)
-        proof_.open.push_back(
-            {tuple, middle_of(part_of(all_, all_[tuple[0]], all_[tuple[0]].range).box), 0, true});
+    if (open >= kMostOpen) return false;
+    if (answered_at_once(tuple, question, some)) return true;
+    if (proof_.steps >= most_steps_) {
+      ++proof_.left;
       return false;
     }
     Interval3 left{};
@@ -283,10 +283,25 @@ class Prover {
     return std::nullopt;
   }
 
+  const PiecePart& root(Index i) {
+    if (!roots_[i]) roots_[i] = std::make_unique<const PiecePart>(part_of(all_, all_[i], all_[i].range));
+    return *roots_[i];
+  }
+  /// True if no part has to be halved for the answer.
+  bool answered_at_once(const std::vector<Index>& tuple, Question question, bool& some) {
+    PieceParts parts;
+    for (const Index i : tuple) parts.push_back(root(i));
+    std::size_t steps = 0;
+    Interval3 left{};
+    some = false;
+    return answer(parts, question, Between::facets_and_surfaces, steps, some, left);
+  }
   bool answer(const std::vector<Index>& tuple, Question question, Between between, bool& some, Interval3& left) {
     std::size_t steps = between == Between::surfaces ? kMostOfSurfaces : kMostSteps;
     PieceParts parts;
-    for (const Index i : tuple) parts.push_back(part_of(all_, all_[i], all_[i].range, between));
+    for (const Index i : tuple) {
+      parts.push_back(between == Between::surfaces ? part_of(all_, all_[i], all_[i].range, between) : root(i));
+    }
     return answer(parts, question, between, steps, some, left);
   }
 
@@ -409,6 +424,8 @@ class Prover {
   Pieces& pieces_;
   const std::vector<Piece>& all_;
   const std::function<bool(LeafId, LeafId)>& asked_for_;
+  const std::size_t most_steps_;
+  std::vector<std::unique_ptr<const PiecePart>> roots_;  // whole pieces, once they are asked for
   std::vector<std::pair<Index, Index>> pairs_;
   std::vector<std::vector<Index>> together_;
   std::set<std::pair<Index, Index>> smooth_, contacts_;
@@ -420,8 +437,8 @@ class Prover {
 
 }  // namespace
 
-Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for) {
-  return Prover(pieces, asked_for).run();
+Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps) {
+  return Prover(pieces, asked_for, most_steps).run();
 }
 
 }  // namespace cnrg

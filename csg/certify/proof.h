@@ -40,10 +40,12 @@ struct Proof {
   std::size_t crossing = 0;  ///< proven to cross at an angle, if they do
   std::size_t contacts = 0;  ///< proven to touch as their surfaces do (contact.h)
   std::size_t steps = 0;     ///< how often a part was halved
+  std::size_t left = 0;      ///< questions that were not answered for want of steps
   std::vector<OpenPlace> open;
 };
 
 /// `asked_for`: whether leaves are below one node that matters.
-Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for);
+/// `most_steps`: of Proof::steps; what is asked after them is left.
+Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps);
 
 }  // namespace cnrg

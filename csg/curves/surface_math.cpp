@@ -8,13 +8,17 @@ namespace {
 
 /// cos(2 pi r) or, with `odd`, sin(2 pi r), for 0 <= r <= 1/8.
 Interval taylor(double r, bool odd) {
-  const Interval x = turn<Interval>() * Interval(r), square = x * x;
-  // Terms up to x^18 / 18! or x^19 / 19!; they alternate and fall, so the rest is less than the next one, which is
-  // below (pi / 4)^20 / 20! < 1e-20.
-  Interval result(0);
-  for (int n = odd ? 19 : 18; n >= 2; n -= 2) result = -(square * (Interval(1) + result)) / Interval(n * (n - 1));
-  result += Interval(1) + Interval(-1e-20, 1e-20);
-  return odd ? x * result : result;
+  if (r == 0) return odd ? 0 : 1;
+  // Terms up to x^18 / 18! or x^19 / 19!; the rest is below (pi / 4)^20 / 20! < 1e-20. Of doubles, in any rounding
+  // mode: x has a relative error below 2^-51, which changes the value by less than 0.785 * 0.71 * 2^-51 < 2.5e-16;
+  // each step has four operations of a number below 0.31 and what is left of the steps before, times 0.31 at most,
+  // together below 0.31 * 4 * 2^-52 * 1.45 < 4.1e-16; the last sums and products add less than 2^-50.
+  constexpr double kError = 2e-15;
+  const double x = turn<double>() * r, square = x * x;
+  double result = 0;
+  for (int n = odd ? 19 : 18; n >= 2; n -= 2) result = -(square * (1 + result)) / (n * (n - 1));
+  const double value = odd ? x + x * result : 1 + result;
+  return {value - kError, value + kError};
 }
 
 Interval cosine_at(double turns) {

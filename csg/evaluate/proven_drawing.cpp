@@ -14,9 +14,10 @@ namespace cnrg {
 namespace {
 
 constexpr int kMostRounds = 24;
-constexpr std::size_t kMostSteps = 1'000'000;  // of all rounds, as Proof::steps
-constexpr std::size_t kMostLines = 400;        // of a patch, in one direction
-constexpr std::size_t kMostPieces = 30'000;    // more than there were
+constexpr std::size_t kStepsAsDrawn = 20'000;  // as Proof::steps; of a few curved leaves a hundred times less
+constexpr std::size_t kMostSteps = 5'000'000;   // of each round, and after them there is no other
+constexpr std::size_t kMostLines = 400;         // of a patch, in one direction
+constexpr std::size_t kMostPieces = 30'000;     // more than there were
 
 using Patches = std::vector<std::pair<LeafId, std::uint32_t>>;
 
@@ -75,9 +76,12 @@ void ProvenDrawing::prove_it() {
     for (const LeafId leaf : leaves_.below(unfolding_, root)) below.back()[leaf.index()] = 1;
   }
   pieces_ = std::make_unique<Pieces>(drawings_->whole(), options_.reach);
-  proof_ = prove(*pieces_, [&](LeafId a, LeafId b) {
-    return std::ranges::any_of(below, [&](const auto& in) { return in[a.index()] && in[b.index()]; });
-  });
+  proof_ = prove(
+      *pieces_,
+      [&](LeafId a, LeafId b) {
+        return std::ranges::any_of(below, [&](const auto& in) { return in[a.index()] && in[b.index()]; });
+      },
+      options_.proof == AskedProof::as_drawn ? kStepsAsDrawn : kMostSteps);
 }
 
 bool ProvenDrawing::add_lines() {
@@ -123,6 +127,7 @@ std::shared_ptr<const Certificate> ProvenDrawing::certificate(const Evaluation& 
   result->apart = proof_->apart;
   result->crossing = proof_->crossing;
   result->contacts = proof_->contacts;
+  result->left = proof_->left;
   for (const LeafId leaf : pieces_->unknown()) result->unknown.push_back(evaluation.leaves->node_of(leaf));
   std::map<Patches, std::vector<const OpenPlace*>> by_patches;
   for (const OpenPlace& one : proof_->open) by_patches[patches_of(pieces, one)].push_back(&one);

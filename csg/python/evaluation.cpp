@@ -41,6 +41,7 @@ py::dict certificate_data(const Tree& tree, const Certificate& certificate) {
   data["apart"] = certificate.apart;
   data["crossing"] = certificate.crossing;
   data["contacts"] = certificate.contacts;
+  data["left"] = certificate.left;
   py::list places, unknown;
   for (const UncertainPlace& place : certificate.places) {
     py::dict one;

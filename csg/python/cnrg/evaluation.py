@@ -73,6 +73,8 @@ class Certificate:
     apart: int
     crossing: int
     contacts: int
+    left: int
+    """questions that were not answered within the budget"""
     places: tuple[UncertainPlace, ...]
     unknown: tuple[str, ...]
     """leaves with curved faces of which only facets are known: CAD models"""
@@ -80,7 +82,7 @@ class Certificate:
     @property
     def certified(self) -> bool:
         """All surfaces meet as their facets do."""
-        return not self.places and not self.unknown
+        return not self.places and not self.unknown and self.left == 0
 
 
 class Evaluation(Sequence[Row]):
