@@ -120,13 +120,18 @@ void Drawings::find_affected(bool any_refused) {
   else group_ = sharing_groups(before);
   size_.resize(before.size());
   affected_.resize(before.size());
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    ++size_[group_[i]];
+  for (const std::uint32_t group : group_) ++size_[group];
+  for (std::uint32_t i = 0; i < before.size(); ++i) {
+    const std::uint32_t group = group_[i];
+    if (size_[group] == 1 || affected_[group] != 0) continue;
     const LeafInstance& after = whole_.instances[i];
-    if (any_refused || before[i].leaf != after.leaf || !(*before[i].transform == *after.transform))
-      affected_[group_[i]] = 1;
+    const bool anew = before[i].leaf != after.leaf || !(*before[i].transform == *after.transform);
+    affected_[group] = any_refused || (anew && !by_its_lines(LeafId(i)));
   }
-  for (std::size_t g = 0; g < size_.size(); ++g) affected_[g] = affected_[g] != 0 && size_[g] > 1;
+}
+
+bool Drawings::by_its_lines(LeafId leaf) {
+  return extra_.contains(leaf.index()) && drawn_alike(drawn({leaf}).front(), whole_.instances[leaf.index()]);
 }
 
 void Drawings::find_representatives() {

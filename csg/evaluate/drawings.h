@@ -40,6 +40,8 @@ class Drawings {
   using Drawn = std::map<LeafId, LeafInstance>;
   void find_lines(const LeafLines& lines);
   void find_affected(bool any_refused);
+  /// True if a leaf is drawn anew for its own lines alone.
+  bool by_its_lines(LeafId leaf);
   void find_representatives();
   const Drawn& drawn_alone(InstanceId representative);
   PlacedLeaves draw_only(const std::vector<LeafId>& leaves) const;
