@@ -209,7 +209,7 @@ class Scopes {
           else scope.first.emplace(of[i], std::move(value));
         }
       }
-      draft.hold(held.faces, held.edges, held.vertices);
+      draft.hold(std::move(held));
       scope.complex = draft.finish();
     });
     for (Diagnostic& dropped : dropped_faces(tree_, x_.leaves, *scope.complex, report)) {

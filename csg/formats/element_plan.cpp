@@ -4,17 +4,13 @@
 #include <map>
 
 #include "csg/mesh/second_order.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Mesh::Index;
 using Corners = std::array<Index, 3>;
-
-Corners sorted(Corners points) {
-  std::sort(points.begin(), points.end());
-  return points;
-}
 
 /// True if p, q, r are a cyclic exchange of the points of a triangle.
 bool runs_as(const Corners& points, const Corners& other) {

@@ -31,6 +31,8 @@ class Flattener {
   Flattener(const ResultView& view, Flattening what)
       : view_(view),
         whole_(what == Flattening::whole),
+        shapes_(what == Flattening::shapes),
+        drawn_(what != Flattening::cells),
         complex_(*view.complex),
         own_(view.simplified->in_order ? SimplifiedComplex() : *view.simplified),
         simple_(view.simplified->in_order ? *view.simplified : own_),
@@ -56,7 +58,7 @@ class Flattener {
 
  private:
   const ResultView& view_;
-  const bool whole_;
+  const bool whole_, shapes_, drawn_;
   const Complex& complex_;
   SimplifiedComplex own_;            // what is given if that is not in order
   const SimplifiedComplex& simple_;  // in canonical order
@@ -102,9 +104,11 @@ class Flattener {
 
   void make_regions() {
     for (const auto& region : simple_.regions) {
-      flat_.regions.push_back({region.component, region.bounded, region.shells, region.cells,
-                               origin_of(value_.selection.regions, value_.origins.regions, region.cells)});
-      finish(flat_.regions.back().origin);
+      flat_.regions.push_back({region.component, region.bounded, region.shells, region.cells, {}});
+      if (!drawn_) continue;
+      auto& origin = flat_.regions.back().origin;
+      origin = origin_of(value_.selection.regions, value_.origins.regions, region.cells);
+      finish(origin);
     }
   }
 
@@ -238,6 +242,7 @@ class Flattener {
 
   void add_triangles(HalfFace cell, const std::vector<Loop>& loops, std::span<const Index> isolated,
                      ShortList<FlatComplex::Triangle, 1>& triangles) const {
+    if (!drawn_) return;
     if (loops.size() == 1 && loops[0].size() == 3 && isolated.empty()) {
       triangles.push_back({loops[0][0], loops[0][1], loops[0][2]});
       return;
@@ -479,7 +484,7 @@ class Flattener {
       edge.component = from.component;
       edge.wire = walks_[i] == 0;
       edge.slit = slit_[i];
-      if (!whole_ && !edge.wire && !edge.slit && flat_.frame_points.empty()) return;
+      if (shapes_ && !edge.wire && !edge.slit && flat_.frame_points.empty()) return;
       edge.points = loop_of(from.chain);
       if (!from.closed) {
         const Index last = points_.number(complex_.target(from.chain.back()));
@@ -582,7 +587,7 @@ class Flattener {
       vertex.point = points_.number(from.cell);
       vertex.component = from.component;
       vertex.free = !on_edge[vertex.point];
-      if (!whole_ && !vertex.free) return;
+      if (shapes_ && !vertex.free) return;
       auto& regions = PerThread<Regions>::own().list;
       complex_.star_regions(from.cell, regions);
       vertex.entity = from.component != 0 && !inside_component(from.component, regions);

@@ -118,6 +118,7 @@ struct FlatComplex {
 
 enum class Flattening : std::uint8_t {
   whole,
+  cells,   ///< all cells and what bounds them: without what comes of leaves, and without triangles
   shapes,  ///< for formats of mere triangles: without what comes of leaves, and without more than components and
            ///< `wire` of edges and vertices that faces have on them, slits apart
 };

@@ -322,7 +322,6 @@ class Labeller {
       const VertexId v = moved_.points[flat_.vertices[i].point];
       if (v.valid()) here[v].push_back(i);
     }
-    std::vector<std::pair<VertexId, LeafId>> isolated;
     Sources from;
     for (const VertexId v : complex_.vertices) {
       Component around = 0, state = 0;
@@ -352,7 +351,7 @@ class Labeller {
           add(from, vertex, 0);
           feature = feature || vertex.feature;
           for (const LeafCell& cell : vertex.origin.cells) {
-            if (cell.dimension == 0) isolated.emplace_back(v, cell.leaf);
+            if (cell.dimension == 0) sources_.isolated_leaves.emplace_back(v, cell.leaf);
           }
         }
         kept_.vertices.push_back(v);
@@ -360,8 +359,6 @@ class Labeller {
       }
       list(value_.selection.vertices, value_.origins.vertices, v, state, from);
     }
-    sort_unique(isolated);
-    sources_.isolated_leaves = SparseLists(isolated);
   }
 
   /// What meets in a vertex, or came to it by the move.
@@ -433,7 +430,6 @@ class Labeller {
   void take_covers() {
     const LeafId result(exact_.leaf_count);
     sources_.leaf_regions = exact_.leaf_regions;
-    IdVector<SourceId, Soup::Face> sources;
     std::vector<std::vector<std::pair<SourceId, bool>>> of_face;  // on the front of the face of the result, or not
     std::vector<std::pair<Soup::Face, bool>> on;
     const auto order = [](const auto& a, const auto& b) {
@@ -458,34 +454,25 @@ class Labeller {
                on.end());
       on.push_back({{result, i, i, 0, 0, bent[i] ? exact_.surface_count + 1 + i : 0}, true});
       auto& numbers = of_face.emplace_back();
-      for (const auto& [face, same] : on) numbers.emplace_back(sources.push_back(face), same);
+      for (const auto& [face, same] : on) numbers.emplace_back(sources_.sources.push_back(face), same);
     }
-    std::map<std::vector<Cover>, SourceSetId> known;
-    Csr<SourceSetId, Cover> covers;
-    sources_.face_cover.resize(complex_.face_count());
-    std::vector<std::pair<FaceId, LeafCell>> held;
+    DistinctLists<SourceSetId, Cover> covers;
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
       std::vector<Cover> list;
       for (const Index code : moved_.faces[f]) {
         for (const LeafCell& cell : flat_.faces[code >> 1].origin.cells) {
-          if (cell.dimension == 2 && !has_cover(of_face[code >> 1], sources, cell)) held.emplace_back(f, cell);
+          if (cell.dimension == 2 && !has_cover(of_face[code >> 1], cell))
+            sources_.held.faces.emplace_back(f, cell);
         }
         for (const auto& [source, same] : of_face[code >> 1]) list.push_back({source, same == ((code & 1) == 0)});
       }
-      sort_unique(list);
-      const auto [it, fresh] = known.try_emplace(std::move(list));
-      if (fresh) it->second = covers.push_back(it->first);
-      sources_.face_cover[f] = it->second;
+      sources_.face_cover.push_back(covers(std::move(list)));
     }
-    sort_unique(held);
-    sources_.face_leaf_cells = SparseLists(held);
-    sources_.covers = std::move(covers);
-    sources_.sources = std::move(sources);
+    sources_.covers = covers.take();
   }
-  static bool has_cover(const std::vector<std::pair<SourceId, bool>>& list,
-                        const IdVector<SourceId, Soup::Face>& sources, const LeafCell& cell) {
+  bool has_cover(const std::vector<std::pair<SourceId, bool>>& list, const LeafCell& cell) const {
     return std::any_of(list.begin(), list.end(), [&](const auto& entry) {
-      const Soup::Face& source = sources[entry.first];
+      const Soup::Face& source = sources_.sources[entry.first];
       return source.leaf == cell.leaf && source.leaf_face == cell.number;
     });
   }
@@ -494,25 +481,20 @@ class Labeller {
   /// what was a line stays one edge.
   void take_curves() {
     const LeafId result(exact_.leaf_count);
-    IdVector<WireId, Soup::Wire> wires;
     std::vector<std::vector<WireId>> of_edge;
     for (Index i = 0; i < flat_.edges.size(); ++i) {
       auto& numbers = of_edge.emplace_back();
       for (const LeafCell& cell : flat_.edges[i].origin.cells) {
-        if (cell.dimension == 1) numbers.push_back(wires.push_back({cell.leaf, cell.number, {}, {}}));
+        if (cell.dimension == 1) numbers.push_back(sources_.wires.push_back({cell.leaf, cell.number, {}, {}}));
       }
-      numbers.push_back(wires.push_back({result, i, {}, {}}));
+      numbers.push_back(sources_.wires.push_back({result, i, {}, {}}));
     }
-    std::vector<std::pair<SegmentId, WireId>> on;
+    std::vector<WireId> on;
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
-      const SegmentId segment = sources_.segment_ends.push_back(complex_.edge_ends[e]);
-      sources_.edge_segments.push_back(std::array{segment});
-      sources_.segment_faces.push_back(std::array<SourceId, 0>{});
-      for (const Index i : moved_.edges[e])
-        for (const WireId w : of_edge[i]) on.emplace_back(segment, w);
+      on.clear();
+      for (const Index i : moved_.edges[e]) on.insert(on.end(), of_edge[i].begin(), of_edge[i].end());
+      sources_.edge_segments.push_back(std::array{sources_.add_segment(complex_.edge_ends[e], {}, on)});
     }
-    sources_.segment_wires = SparseLists(on);
-    sources_.wires = std::move(wires);
   }
 };
 

@@ -120,7 +120,7 @@ class CarriedGroups::SourcesMaker {
       out_.removed_facets.insert(out_.removed_facets.end(), group.facets_.begin(), group.facets_.end());
     }
     if (out_.removed_facets.empty()) return;
-    std::vector<std::pair<EdgeId, std::uint32_t>> at_edges;
+    auto& at_edges = out_.edge_removed_facets;
     std::map<std::array<Integer, 4>, SheetId> known;
     IdVector<SheetId, char> seen(complex_.sheet_plane.size(), 0);
     const auto see_sheets = [&](EdgeId e) {
@@ -143,8 +143,6 @@ class CarriedGroups::SourcesMaker {
         for (const EdgeId other : complex_.vertex_edges[v]) see_sheets(other);
       }
     }
-    sort_unique(at_edges);
-    out_.edge_removed_facets = SparseLists(at_edges);
     std::size_t next = complex_.sheet_plane.size();
     for (RemovedFacet& facet : out_.removed_facets) {
       const auto [it, fresh] = known.try_emplace(either_side(facet.plane), SheetId(next));
@@ -164,16 +162,14 @@ class CarriedGroups::SourcesMaker {
   /// Sets with what `add` lists for each of their members, each set once; returns what becomes of each set.
   template <class SetId, class Item, class Add>
   static IdVector<SetId, SetId> rename(const Csr<SetId, Item>& sets, Csr<SetId, Item>& out, const Add& add) {
-    std::map<std::vector<Item>, SetId> known;
+    DistinctLists<SetId, Item> known;
     IdVector<SetId, SetId> renamed;
     for (const SetId set : IdRange<SetId>(sets.size())) {
       std::vector<Item> list;
       for (const Item& item : sets[set]) add(item, list);
-      sort_unique(list);
-      const auto [it, fresh] = known.try_emplace(std::move(list), SetId(known.size()));
-      if (fresh) out.push_back(it->first);
-      renamed.push_back(it->second);
+      renamed.push_back(known(std::move(list)));
     }
+    out = known.take();
     return renamed;
   }
 
@@ -195,17 +191,18 @@ class CarriedGroups::SourcesMaker {
 
   /// Those of the soup without the carried leaves, and under carried edges those of the sections.
   void take_segments() {
-    out_.segment_ends = complex_.segment_ends;
-    std::vector<std::pair<SegmentId, WireId>> wires;
+    std::vector<SourceId> faces;
+    std::vector<WireId> wires;
+    const auto add = [&](const std::array<VertexId, 2>& ends) { return out_.add_segment(ends, faces, wires); };
     for (const SegmentId s : IdRange<SegmentId>(complex_.segment_ends.size())) {
-      std::vector<SourceId> faces;
+      faces.clear(), wires.clear();
       for (const SourceId f : complex_.segment_faces[s]) {
         if (kept_[f].valid()) faces.push_back(kept_[f]);
       }
-      out_.segment_faces.push_back(faces);
       for (const WireId w : complex_.segment_wires[s]) {
-        if (kept_wires_[w].valid()) wires.emplace_back(s, kept_wires_[w]);
+        if (kept_wires_[w].valid()) wires.push_back(kept_wires_[w]);
       }
+      add(complex_.segment_ends[s]);
     }
     std::map<Piece, SegmentId> of_edge;  // the first one of those of a carried edge
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
@@ -218,11 +215,10 @@ class CarriedGroups::SourcesMaker {
         const auto [it, fresh] = of_edge.try_emplace(piece, SegmentId(out_.segment_ends.size()));
         if (fresh) {
           for (const Index k : segments) {
-            const SegmentId s = out_.segment_ends.push_back(complex_.edge_ends[e]);
-            std::vector<SourceId> faces;
+            faces.clear(), wires.clear();
             for (const Index f : group.segments_[k].sources) faces.push_back(source_of_[piece.part][f]);
-            out_.segment_faces.push_back(faces);
-            for (const Index w : group.segments_[k].wires) wires.emplace_back(s, wire_of_[piece.part][w]);
+            for (const Index w : group.segments_[k].wires) wires.push_back(wire_of_[piece.part][w]);
+            add(complex_.edge_ends[e]);
           }
         }
         for (std::size_t k = 0; k < segments.size(); ++k) list.push_back(SegmentId(it->second.index() + k));
@@ -230,12 +226,11 @@ class CarriedGroups::SourcesMaker {
       sort_unique(list);
       out_.edge_segments.push_back(list);
     }
-    out_.segment_wires = SparseLists(wires);
   }
 
   /// Isolated points, and ends of curves.
   void take_points() {
-    std::vector<std::pair<VertexId, LeafId>> isolated, curve_ends;
+    auto &isolated = out_.isolated_leaves, &curve_ends = out_.curve_ends;
     for (const VertexId v : complex_.vertices) {
       for (const LeafId leaf : complex_.isolated_leaves[v]) {
         if (is_own(leaf)) isolated.emplace_back(v, leaf);
@@ -248,38 +243,21 @@ class CarriedGroups::SourcesMaker {
         for (const LeafId leaf : vertex.curve_ends) curve_ends.emplace_back(v, leaf);
       }
     }
-    sort_unique(isolated), sort_unique(curve_ends);
-    out_.isolated_leaves = SparseLists(isolated);
-    out_.curve_ends = SparseLists(curve_ends);
   }
 
   /// What held cells and was removed in the sections.
   void take_removed() {
-    std::vector<std::pair<FaceId, LeafCell>> at_faces;
-    std::vector<Piece> pieces;
-    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
-      pieces.clear();
-      carried_.cells_.for_each_piece(complex_, f, [&](const Piece& piece) { pieces.push_back(piece); });
-      add_removed(f, pieces, at_faces);
+    const auto add = [&](auto cell, const Piece& piece, auto& list) {
+      for (const LeafCell& gone : carried_.gone(piece)) list.emplace_back(cell, gone);
+    };
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count()))
+      carried_.cells_.for_each_piece(complex_, f, [&](const Piece& piece) { add(f, piece, out_.held.faces); });
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      for (const Piece& piece : carried_.cells_.pieces(e)) add(e, piece, out_.held.edges);
     }
-    out_.face_leaf_cells = SparseLists(at_faces);
-    std::vector<std::pair<EdgeId, LeafCell>> at_edges;
-    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count()))
-      add_removed(e, carried_.cells_.pieces(e), at_edges);
-    out_.edge_leaf_cells = SparseLists(at_edges);
-    std::vector<std::pair<VertexId, LeafCell>> at_vertices;
-    for (const VertexId v : complex_.vertices) add_removed(v, carried_.cells_.pieces(v), at_vertices);
-    out_.vertex_leaf_cells = SparseLists(at_vertices);
-  }
-  template <class IdT>
-  void add_removed(IdT cell, std::span<const Piece> pieces, std::vector<std::pair<IdT, LeafCell>>& list) const {
-    std::vector<LeafCell> all;
-    for (const Piece& piece : pieces) {
-      const std::vector<LeafCell>& of_piece = carried_.gone(piece);
-      all.insert(all.end(), of_piece.begin(), of_piece.end());
+    for (const VertexId v : complex_.vertices) {
+      for (const Piece& piece : carried_.cells_.pieces(v)) add(v, piece, out_.held.vertices);
     }
-    sort_unique(all);
-    for (const LeafCell& leaf_cell : all) list.emplace_back(cell, leaf_cell);
   }
 
   /// A class of a group stands for the regions of leaves in which its 3-cells lay.

@@ -9,16 +9,9 @@
 #include "csg/leaves/cell_table.h"
 #include "csg/operators/node_value.h"
 #include "csg/transfer/cell_map.h"
+#include "kernel/complex/draft.h"
 
 namespace cnrg {
-
-/// Cells of leaves that hold cells of the complex on which none of their faces and wires lies
-/// (ComplexDraft::hold).
-struct HeldCells {
-  std::vector<std::pair<FaceId, LeafCell>> faces;
-  std::vector<std::pair<EdgeId, LeafCell>> edges;
-  std::vector<std::pair<VertexId, LeafCell>> vertices;
-};
 
 /// The cells of the file as a part of the complex; `points`: the vertices of its points.
 CellMap::Part part_of(LeafId leaf, const CellTable& table, std::span<const VertexId> points);

@@ -88,7 +88,7 @@ class Check {
     view.complex = &c_;
     view.value = &value;
     view.simplified = &simplified;
-    flat_ = flatten(view);
+    flat_ = flatten(view, Flattening::cells);
     compare(facets);
   }
 

@@ -28,6 +28,23 @@ ComplexDraft::ComplexDraft(const Soup& soup, const RefineOptions& options, Refin
   for (const VertexId v : complex.vertices) out.constructed += complex.points.is_constructed(v) ? 1 : 0;
 }
 
+namespace {
+
+template <class IdT, class T>
+SparseLists<IdT, T> lists_of(std::vector<std::pair<IdT, T>> pairs) {
+  sort_unique(pairs);
+  return SparseLists(pairs);
+}
+
+template <class IdT>
+void add(SparseLists<IdT, LeafCell>& lists, std::vector<std::pair<IdT, LeafCell>> more) {
+  if (more.empty()) return;
+  lists.for_each([&](IdT id, const LeafCell& cell) { more.emplace_back(id, cell); });
+  lists = lists_of(std::move(more));
+}
+
+}  // namespace
+
 void ComplexDraft::set_sources(ComplexSources sources) {
   Complex& c = *complex_;
   c.face_cover = std::move(sources.face_cover);
@@ -36,10 +53,10 @@ void ComplexDraft::set_sources(ComplexSources sources) {
   c.edge_segments = std::move(sources.edge_segments);
   c.segment_ends = std::move(sources.segment_ends);
   c.segment_faces = std::move(sources.segment_faces);
-  c.segment_wires = std::move(sources.segment_wires);
+  c.segment_wires = lists_of(std::move(sources.segment_wires));
   c.wires = std::move(sources.wires);
-  c.isolated_leaves = std::move(sources.isolated_leaves);
-  c.curve_ends = std::move(sources.curve_ends);
+  c.isolated_leaves = lists_of(std::move(sources.isolated_leaves));
+  c.curve_ends = lists_of(std::move(sources.curve_ends));
   c.leaf_count = sources.leaf_count;
   c.fills = std::move(sources.fills);
   c.fills.resize(c.leaf_count);
@@ -49,32 +66,17 @@ void ComplexDraft::set_sources(ComplexSources sources) {
     c.region_labels = std::move(sources.region_labels);
     c.label_sets = std::move(sources.label_sets);
   }
-  c.vertex_leaf_cells = std::move(sources.vertex_leaf_cells);
-  c.edge_leaf_cells = std::move(sources.edge_leaf_cells);
-  c.face_leaf_cells = std::move(sources.face_leaf_cells);
+  c.face_leaf_cells = {}, c.edge_leaf_cells = {}, c.vertex_leaf_cells = {};
+  hold(std::move(sources.held));
   c.removed_facets = std::move(sources.removed_facets);
-  c.edge_removed_facets = std::move(sources.edge_removed_facets);
+  c.edge_removed_facets = lists_of(std::move(sources.edge_removed_facets));
   number_surfaces(c);
 }
 
-namespace {
-
-template <class IdT>
-void add(SparseLists<IdT, LeafCell>& lists, std::vector<std::pair<IdT, LeafCell>> more) {
-  if (more.empty()) return;
-  lists.for_each([&](IdT id, const LeafCell& cell) { more.emplace_back(id, cell); });
-  sort_unique(more);
-  lists = SparseLists(more);
-}
-
-}  // namespace
-
-void ComplexDraft::hold(const std::vector<std::pair<FaceId, LeafCell>>& faces,
-                        const std::vector<std::pair<EdgeId, LeafCell>>& edges,
-                        const std::vector<std::pair<VertexId, LeafCell>>& vertices) {
-  add(complex_->face_leaf_cells, faces);
-  add(complex_->edge_leaf_cells, edges);
-  add(complex_->vertex_leaf_cells, vertices);
+void ComplexDraft::hold(HeldCells held) {
+  add(complex_->face_leaf_cells, std::move(held.faces));
+  add(complex_->edge_leaf_cells, std::move(held.edges));
+  add(complex_->vertex_leaf_cells, std::move(held.vertices));
 }
 
 void ComplexDraft::label(const Soup& soup) {
