@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/integers.h"
 
 namespace cnrg {
 namespace {
@@ -117,7 +118,7 @@ void trim(Polynomial& p) {
 }
 Polynomial derivative(const Polynomial& p) {
   Polynomial d;
-  for (std::size_t i = 1; i < p.size(); ++i) d.push_back(p[i] * Rational(static_cast<long>(i)));
+  for (std::size_t i = 1; i < p.size(); ++i) d.push_back(p[i] * Rational(to_integer(i)));
   return d;
 }
 Polynomial remainder(Polynomial p, const Polynomial& q) {
@@ -147,14 +148,13 @@ Polynomial characteristic(const Matrix& a, const Matrix& b) {
   for (std::size_t x = 0; x <= n; ++x) {
     Matrix m = a;
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) m[i][j] -= Rational(static_cast<long>(x)) * b[i][j];
+      for (std::size_t j = 0; j < n; ++j) m[i][j] -= Rational(to_integer(x)) * b[i][j];
     }
     values.push_back(determinant(std::move(m)));
   }
   // Newton's divided differences.
   for (std::size_t level = 1; level <= n; ++level) {
-    for (std::size_t i = n; i >= level; --i)
-      values[i] = (values[i] - values[i - 1]) / Rational(static_cast<long>(level));
+    for (std::size_t i = n; i >= level; --i) values[i] = (values[i] - values[i - 1]) / Rational(to_integer(level));
   }
   result.assign(n + 1, 0);
   for (std::size_t k = 0; k <= n; ++k) {
@@ -162,7 +162,7 @@ Polynomial characteristic(const Matrix& a, const Matrix& b) {
     Polynomial next(basis.size() + 1, 0);
     for (std::size_t i = 0; i < basis.size(); ++i) {
       next[i + 1] += basis[i];
-      next[i] -= Rational(static_cast<long>(k)) * basis[i];
+      next[i] -= Rational(to_integer(k)) * basis[i];
     }
     basis = std::move(next);
   }

@@ -244,7 +244,9 @@ std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d) {
   const auto gain = [&](std::size_t k, const Interval3& along) {
     const double width = part.range[k].sup() - part.range[k].inf(),
                  whole = piece.range[k].sup() - piece.range[k].inf();
-    if (width <= 1e-15 * whole) return;  // no halves
+    const double middle = middle_of(part.range[k]);
+    if (width <= 1e-15 * whole || middle <= part.range[k].inf() || middle >= part.range[k].sup())
+      return;  // no halves
     const Vector3<double> way = middle_of(along);
     const double length = std::sqrt(dot(way, way)) * width;
     result[k] = std::abs(dot(way, d)) * width + piece.turn[k] * (width / whole) * length + 1e-9 * length;

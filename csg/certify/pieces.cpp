@@ -18,8 +18,6 @@ using namespace surface_math;
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
-
 /// Numbers of exact points, equal for equal ones.
 class PointNumbers {
  public:

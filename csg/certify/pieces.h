@@ -38,6 +38,8 @@ inline Interval3 hull(const Interval3& a, const Interval3& b) {
 inline Interval3 enclose3(const RationalPoint& p) {
   return {surface_math::enclose(p[0]), surface_math::enclose(p[1]), surface_math::enclose(p[2])};
 }
+/// Also where nothing is known of x (NaN).
+inline bool holds_zero(const Interval& x) { return !(x.inf() > 0 || x.sup() < 0); }
 inline bool holds_zero(const Interval3& x) {
   return std::all_of(x.begin(), x.end(), [](const Interval& c) { return c.inf() <= 0 && c.sup() >= 0; });
 }

@@ -24,7 +24,6 @@ constexpr std::size_t kMostTold =
     64;  // places of the same patches of which it is asked whether facets are to blame
 constexpr std::size_t kMostOpen = 1000;  // places of the same patches, after which no more are looked for
 
-bool holds_zero(const Interval& x) { return !(x.inf() > 0 || x.sup() < 0); }
 double size_of(const Interval3& x) {
   double size = 0;
   for (const Interval& c : x) size = std::max(size, c.sup() - c.inf());

@@ -424,19 +424,18 @@ TEST_CASE("check reads and validates only", "[app]") {
 
 TEST_CASE("uncertain crossings of curved surfaces are told, and an error if that is asked for", "[app]") {
   const Workshop w;
-  w.write("dip.yaml",
-          "cnrg: 1\nnodes:\n  pipe: {cylinder: {from: [-4, 0, 0.999], to: [4, 0, 0.999], radius: 1}}\n"
-          "  slab: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n  model: {union: [pipe, slab]}\nresult: model\n");
-  const std::string told = w.run("eval dip.yaml").err;
-  CHECK_THAT(told, StartsWith("dip.yaml:3:10: notice: `pipe` (cylinder side) and `slab` near [") &&
-                       Contains("]: these facets do not tell how they meet\n"));
-  CHECK(w.run("eval dip.yaml --finer 8").err.empty());
-  CHECK(w.run("eval dip.yaml --quiet").err.empty());
-  for (const std::string command : {"eval dip.yaml", "mesh dip.yaml -o dip.msh"}) {
+  w.write("lens.yaml",
+          "cnrg: 1\nnodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1}}\n"
+          "  b: {sphere: {center: [1.999, 0, 0], radius: 1}}\n  lens: {intersection: [a, b]}\nresult: lens\n");
+  CHECK_THAT(w.run("eval lens.yaml").err,
+             StartsWith("lens.yaml:3:7: notice: `a` (sphere) and `b` (sphere) near [") &&
+                 Contains("]: these facets do not tell how they meet\n"));
+  CHECK(w.run("eval lens.yaml --quiet").err.empty());
+  for (const std::string command : {"eval lens.yaml", "mesh lens.yaml -o lens.msh"}) {
     INFO(command);
     const Outcome o = w.run(command + " --certify --threads 2");
     CHECK(o.status == 0);
-    CHECK_THAT(o.err, StartsWith("dip.yaml: notice: certified: surfaces meet as their facets do: of "));
+    CHECK_THAT(o.err, StartsWith("lens.yaml: notice: certified: surfaces meet as their facets do: of "));
   }
   // Equal pipes touch and cross in two points.
   w.write(

@@ -195,7 +195,7 @@ void check_borders(const LeafInstance& instance, const Kind& kind, const ExtraLi
   }
 }
 
-Soup soup_of(const LeafInstance& instance) {
+Soup faces_of(const LeafInstance& instance) {
   Soup soup;
   instance.leaf->add_to(soup, instance.transform);
   return soup;
@@ -220,13 +220,13 @@ TEST_CASE("leaves of every kind have the lines that are asked for", "[random]") 
         CHECK(off_surface(own[0]) < 1e-12 * size);
         REQUIRE(off_surface(made[0]) < 1e-12 * size);
         check_borders(made[0], kind, lines);
-        const Soup after = soup_of(made[0]);
-        CHECK(after.face_count() <= 16 * soup_of(own[0]).face_count());
+        const Soup after = faces_of(made[0]);
+        CHECK(after.face_count() <= 16 * faces_of(own[0]).face_count());
         if (!kind.solid) continue;
         REQUIRE(closed(after));
         // On the same even lines.
         if (kind.convex)
-          REQUIRE(volume(after) >= volume(soup_of(with_common_lines(own, nullptr, nullptr, {}, {{0, {}}})[0])));
+          REQUIRE(volume(after) >= volume(faces_of(with_common_lines(own, nullptr, nullptr, {}, {{0, {}}})[0])));
       }
     }
   }
@@ -234,7 +234,7 @@ TEST_CASE("leaves of every kind have the lines that are asked for", "[random]") 
 
 /// The facets of a leaf, each from its least corner on.
 std::set<std::vector<RationalPoint>> facets_of(const LeafInstance& instance) {
-  const Soup soup = soup_of(instance);
+  const Soup soup = faces_of(instance);
   std::set<std::vector<RationalPoint>> result;
   for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
     std::vector<RationalPoint> loop = test::loops(soup, f)[0];
@@ -374,7 +374,7 @@ TEST_CASE("leaves that touch have their lines together and meet as they do witho
         for (std::size_t i = 0; i < made.size(); ++i) {
           CAPTURE(i);
           REQUIRE((facets_of(others[own.size() - 1 - i]) == facets_of(made[i])));
-          REQUIRE(closed(soup_of(made[i])) == closed(soup_of(own[i])));
+          REQUIRE(closed(faces_of(made[i])) == closed(faces_of(own[i])));
           if (!made[i].leaf->surfaces()) continue;
           REQUIRE(off_surface(made[i]) < 1e-12);
           const auto& of = lines.at(static_cast<std::uint32_t>(i));
@@ -451,7 +451,7 @@ TEST_CASE("lines go to leaves that share the surface, and to no others") {
   for (const std::size_t i : {0, 1}) {
     for (const Rational& u : lines.of[2][0]) check_border(boxes_of(made[i], 2), 0, to_double(u), true);
   }
-  CHECK(soup_of(made[1]).face_count() == soup_of(without[1]).face_count() + 2);
+  CHECK(faces_of(made[1]).face_count() == faces_of(without[1]).face_count() + 2);
   for (const std::size_t i : {2, 3, 4, 5}) CHECK(made[i].leaf == own[i].leaf);
   // A line that is there already changes nothing.
   ExtraLines known;

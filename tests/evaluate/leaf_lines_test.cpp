@@ -30,8 +30,8 @@ std::shared_ptr<const LeafLines> lines_of(const Tree& tree, const std::string& n
   return lines;
 }
 
-Evaluation evaluated(const Tree& tree, const std::shared_ptr<const LeafLines>& lines,
-                     const std::vector<std::string>& nodes = {}, const std::string& result = "model") {
+Evaluation with_lines(const Tree& tree, const std::shared_ptr<const LeafLines>& lines,
+                      const std::vector<std::string>& nodes = {}, const std::string& result = "model") {
   EvaluateOptions options;
   options.lines = lines;
   options.result = node_named(tree, result);
@@ -59,19 +59,19 @@ const char* const kNodes =
 TEST_CASE("nodes have the lines of their leaves in every drawing") {
   const Tree tree = tree_with("", kNodes);
   const auto lines = lines_of(tree, "shaft", 2);
-  const Evaluation all = evaluated(tree, lines), without = evaluated(tree, nullptr);
+  const Evaluation all = with_lines(tree, lines), without = with_lines(tree, nullptr);
   CHECK(all.with_lines == std::vector<LeafId>{LeafId(2)});
   for (const NodeRow& row : without.rows) {
     CHECK(row_of(all, row.name).cells == row.cells);
     // What is said of a node does not depend on leaves that are not below it.
-    const NodeRow alone = evaluated(tree, lines, {}, row.name).rows.back();
+    const NodeRow alone = with_lines(tree, lines, {}, row.name).rows.back();
     CHECK(row_of(all, row.name).volume() == alone.volume());
   }
   CHECK(*row_of(all, "shaft").volume() > *row_of(without, "shaft").volume());
   CHECK(row_of(all, "plate").volume() == row_of(without, "plate").volume());
   CHECK(row_of(all, "ball").volume() == row_of(without, "ball").volume());
   // The same where roots are evaluated each for itself.
-  const Evaluation two = evaluated(tree, lines, {"plate", "shaft"});
+  const Evaluation two = with_lines(tree, lines, {"plate", "shaft"});
   REQUIRE(two.others.size() == 2);
   CHECK(two.with_lines.size() == 1);
   CHECK(two.others[0].with_lines.empty());
@@ -79,7 +79,7 @@ TEST_CASE("nodes have the lines of their leaves in every drawing") {
   CHECK(two.others[1].rows.back().volume() == row_of(all, "shaft").volume());
   // Three meridians more, cut once: of a prism with 10 sides 13, of each side two facets.
   CHECK(two.others[1].rows.back().raw_cells[2] == 2 * 13 + 2);
-  CHECK(evaluated(tree, nullptr, {}, "shaft").rows.back().raw_cells[2] == 10 + 2);
+  CHECK(with_lines(tree, nullptr, {}, "shaft").rows.back().raw_cells[2] == 10 + 2);
 }
 
 TEST_CASE("a leaf that lies twice has lines where they are asked for") {
@@ -88,16 +88,16 @@ TEST_CASE("a leaf that lies twice has lines where they are asked for") {
                               "  moved: {simplify: ball, translate: [5, 0, 0]}\n"
                               "  model: {union: [ball, moved]}\n");
   const auto count = [&](const Evaluation& of) { return row_of(of, "model").raw_cells[2]; };
-  const std::size_t none = count(evaluated(tree, nullptr));
-  const Evaluation one = evaluated(tree, lines_of(tree, "ball", 0)),
-                   other = evaluated(tree, lines_of(tree, "ball", 0, Transform::translation({5, 0, 0})));
+  const std::size_t none = count(with_lines(tree, nullptr));
+  const Evaluation one = with_lines(tree, lines_of(tree, "ball", 0)),
+                   other = with_lines(tree, lines_of(tree, "ball", 0, Transform::translation({5, 0, 0})));
   CHECK(one.with_lines.size() == 1);
   CHECK(other.with_lines.size() == 1);
   CHECK(one.with_lines != other.with_lines);
   CHECK(count(one) == count(other));
   // 11 columns of 5 rows in the place of 8 columns of 4.
   CHECK(count(one) > none);
-  CHECK(evaluated(tree, lines_of(tree, "ball", 0, Transform::translation({6, 0, 0}))).with_lines.empty());
+  CHECK(with_lines(tree, lines_of(tree, "ball", 0, Transform::translation({6, 0, 0}))).with_lines.empty());
 }
 
 TEST_CASE("lines with a weld, and below a node that joins") {
@@ -105,14 +105,14 @@ TEST_CASE("lines with a weld, and below a node that joins") {
       "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 1, segments: 10}}\n"
       "  b: {cylinder: {from: [0, 0, 1], to: [0, 0, 3], radius: 1.0001, segments: 7}}\n";
   const Tree welded = tree_with("weld: 0.001\n", nodes + "  model: {difference: [a, b]}\n");
-  const Evaluation one = evaluated(welded, lines_of(welded, "a", 2)), none = evaluated(welded, nullptr);
+  const Evaluation one = with_lines(welded, lines_of(welded, "a", 2)), none = with_lines(welded, nullptr);
   CHECK(one.with_lines == std::vector<LeafId>{LeafId(0)});
   CHECK(one.rows.back().cells == none.rows.back().cells);
   CHECK(one.rows.back().raw_cells[2] > none.rows.back().raw_cells[2]);
   const Tree joins = tree_with("", nodes +
                                        "  joined: {simplify: {of: a, within: 0.001}}\n"
                                        "  model: {union: [joined, b]}\n");
-  const Evaluation finer = evaluated(joins, lines_of(joins, "a", 2)), as_before = evaluated(joins, nullptr);
+  const Evaluation finer = with_lines(joins, lines_of(joins, "a", 2)), as_before = with_lines(joins, nullptr);
   REQUIRE(finer.joined.size() == 1);
   CHECK(finer.joined[0].rows.back().raw_cells[2] == as_before.joined[0].rows.back().raw_cells[2] + 16);
 }
@@ -122,7 +122,7 @@ TEST_CASE("what cannot have lines is drawn as before, and said") {
       tree_with("",
                 "  model: {extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[2, 2, 0]]}, [0, 2, 0]], "
                 "vector: [0, 0, 3], twist: 20, segments: 5}}\n");
-  const Evaluation with = evaluated(tree, lines_of(tree, "model", 3)), without = evaluated(tree, nullptr);
+  const Evaluation with = with_lines(tree, lines_of(tree, "model", 3)), without = with_lines(tree, nullptr);
   CHECK(with.with_lines.empty());
   CHECK(with.rows.back().raw_cells == without.rows.back().raw_cells);
   CHECK(with.rows.back().volume() == without.rows.back().volume());
