@@ -112,8 +112,8 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
     throw TreeError(
         tree.file, node.operator_at,
         "--certify: `" + node.name +
-            "` is a CAD model, and of its curved faces only the facets are known: leave --certify out, or "
-            "build the part of shapes");
+            "` is a CAD model: of its curved faces only the facets are known, which do not decide how they "
+            "meet: build the part of shapes, or leave it out");
   }
   if (certificate.places.empty() && certificate.left > 0) {
     throw TreeError(
