@@ -55,12 +55,15 @@ bool on_line(const MeridianPiece& line, const Point& p) {
   return part >= 0 && part <= 1;
 }
 
-/// True for a point of the piece, ends included; of a net only for its ends.
+}  // namespace
+
 bool on_piece(const MeridianPiece& piece, const Point& p, const Rational& square) {
   if (p == piece.from || p == piece.to) return true;
   if (piece.kind == Kind::line) return on_line(piece, p);
   return piece.kind == Kind::arc && on_circle(piece, p, square) && arc_holds(piece, p, square);
 }
+
+namespace {
 
 void join_lines(const MeridianPiece& p, const MeridianPiece& q, MeridianContact& result) {
   if (p.flat() || q.flat()) return;

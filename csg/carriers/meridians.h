@@ -26,6 +26,9 @@ struct MeridianContact {
 /// the true ones, on a straight piece exactly. Of nets only their ends are seen, and equal nets.
 MeridianContact contact(const MeridianPiece& p, const MeridianPiece& q, const Rational& square);
 
+/// True for a point of the piece, ends included; of a net only for its ends.
+bool on_piece(const MeridianPiece& piece, const MeridianPoint& p, const Rational& square);
+
 /// The pieces of leaves about one axis, and the points on which all of them are drawn.
 class MeridianPlane {
  public:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/carriers/meridians.h"
 #include "csg/carriers/sectors.h"
 #include "csg/curves/surface_math.h"
 #include "kernel/base/vectors.h"
@@ -23,14 +24,16 @@ bool nearly(double a, double b, double size) {
   return !(std::abs(a - b) > 1e-6 * (size + std::abs(a) + std::abs(b)));
 }
 
-template <class Flats, class Arcs, class Tubes>
+template <class Flats, class Arcs, class Tubes, class Slants>
 void RoundLeaf::each_piece(const std::vector<std::vector<MeridianPiece>>& lines, const Flats& flat,
-                           const Arcs& arc, const Tubes& tube) const {
+                           const Arcs& arc, const Tubes& tube, const Slants& slant) const {
   for (const auto& line : lines) {
     for (const MeridianPiece& piece : line) {
       if (piece.flat()) flat(piece.from.t, piece.from.r, piece.to.r);
       if (piece.kind == MeridianPiece::Kind::arc) arc(piece);
-      if (piece.kind == MeridianPiece::Kind::line && piece.from.r == piece.to.r && piece.from.r > 0) tube(piece);
+      if (piece.kind != MeridianPiece::Kind::line || piece.flat()) continue;
+      if (piece.from.r != piece.to.r) slant(piece);
+      else if (piece.from.r > 0) tube(piece);
     }
     if (!form_->discs) continue;
     flat(line.front().from.t, 0, line.front().from.r);
@@ -60,7 +63,11 @@ RoundLeaf::RoundLeaf(const RevolvedInstance& of, const RevolvedForm& form) : of_
         balls_.emplace_back(middle, radius);
         if (arc.middle.r > 0) rings_.emplace_back(middle, scale * to_double(arc.middle.r), radius);
       },
-      [&](const MeridianPiece& tube) { tubes_.emplace_back(center, scale * to_double(tube.from.r)); });
+      [&](const MeridianPiece& tube) { tubes_.emplace_back(center, scale * to_double(tube.from.r)); },
+      [&](const MeridianPiece& slant) {
+        slants_.push_back({std::pair(at(slant.from.t), scale * to_double(slant.from.r)),
+                           std::pair(at(slant.to.t), scale * to_double(slant.to.r))});
+      });
 }
 
 bool RoundLeaf::make_exact() {
@@ -85,6 +92,9 @@ bool RoundLeaf::make_exact() {
       [&](const MeridianPiece& tube) {
         exact.tubes.push_back({axis.foot, axis.direction, tube.from.r, std::min(tube.from.t, tube.to.t),
                                std::max(tube.from.t, tube.to.t)});
+      },
+      [&](const MeridianPiece& slant) {
+        exact.slants.push_back({slant.from, slant.to});
       });
   return true;
 }
@@ -93,8 +103,65 @@ bool RoundLeaf::may_touch(const Point3& normal, double offset) const {
   const auto is_near = [&](const std::pair<Point3, double>& of) {
     return nearly(std::abs(surface_math::dot(normal, of.first) - offset), of.second, size_of(of.first));
   };
-  return std::any_of(balls_.begin(), balls_.end(), is_near) || std::any_of(tubes_.begin(), tubes_.end(), is_near);
+  if (std::any_of(balls_.begin(), balls_.end(), is_near) || std::any_of(tubes_.begin(), tubes_.end(), is_near))
+    return true;
+  const double sine = length(surface_math::cross(normal, along_));
+  const auto gap = [&](const Point3& p) { return std::abs(surface_math::dot(normal, p) - offset); };
+  for (const auto& [p, r, tube] : rings_) {
+    const double size = size_of(p) + r + tube;  // a gap may be nothing but rounding
+    if (nearly(gap(p), r * sine + tube, size) || nearly(gap(p), std::abs(r * sine - tube), size)) return true;
+  }
+  return std::any_of(slants_.begin(), slants_.end(), [&](const auto& ends) {
+    const auto& [from, to] = ends;
+    const double size = size_of(from.first) + size_of(to.first) + from.second + to.second;
+    return nearly(gap(from.first), from.second * sine, size) && nearly(gap(to.first), to.second * sine, size);
+  });
 }
+
+bool RoundLeaf::may_touch_beside(const RoundLeaf& b) const {
+  const auto apart = [&](double distance, double sum, const Point3& p) {
+    return nearly(distance, sum, size_of(p));
+  };
+  for (const auto& [p, r, tube] : rings_) {
+    for (const auto& [q, s] : b.balls_) {
+      const Point3 off = difference(q, p);
+      const double up = surface_math::dot(off, along_), out = length(surface_math::cross(off, along_));
+      if (apart(std::hypot(out - r, up), tube + s, p)) return true;
+    }
+    for (const auto& [q, s] : b.tubes_) {
+      const Point3 off = difference(q, p), turn = surface_math::cross(along_, b.along_);
+      const double sine = length(turn), out = length(surface_math::cross(off, b.along_));
+      if (sine < 1e-3) {
+        for (const double of : {r + tube, std::abs(r - tube)}) {
+          if (apart(out, of + s, p) || apart(out, std::abs(of - s), p)) return true;
+        }
+        continue;
+      }
+      if (std::abs(surface_math::dot(along_, b.along_)) < 1e-6 &&
+          apart(std::abs(surface_math::dot(off, along_)), tube + s, p))
+        return true;
+      for (const int side : {1, -1}) {
+        const Point3 middle = surface_math::sum(p, surface_math::scaled(side * r / sine, turn));
+        if (apart(length(surface_math::cross(difference(q, middle), b.along_)), tube + s, p)) return true;
+      }
+    }
+    for (const auto& [q, s, other] : b.rings_) {
+      if (apart(length(difference(q, p)), r + tube + s + other, p)) return true;
+    }
+  }
+  for (const auto& [from, to] : slants_) {
+    const double rise = surface_math::dot(difference(to.first, from.first), along_),
+                 wide = to.second - from.second;
+    for (const auto& [q, s] : b.balls_) {
+      const Point3 off = difference(q, from.first);
+      const double up = surface_math::dot(off, along_),
+                   out = length(surface_math::cross(off, along_)) - from.second;
+      if (apart(std::abs(out * rise - up * wide) / std::hypot(rise, wide), s, q)) return true;
+    }
+  }
+  return false;
+}
+
 /// A meridian of this leaf; all around the axis of b, in a ball of it, or a meridian of it, too.
 bool RoundLeaf::may_share_circle(const RoundLeaf& b) const {
   const double turn = surface_math::dot(along_, b.along_);
@@ -133,7 +200,8 @@ bool RoundLeaf::may_touch(const RoundLeaf& b) const {
     const Point3 off = difference(p, foot), out = surface_math::cross(off, along);
     return length(out);
   };
-  if (may_share_circle(b) || b.may_share_circle(*this)) return true;
+  if (may_share_circle(b) || b.may_share_circle(*this) || may_touch_beside(b) || b.may_touch_beside(*this))
+    return true;
   for (const auto& [p, r] : balls_) {
     for (const auto& [q, s] : b.balls_) {
       const Point3 apart = difference(p, q);
@@ -164,6 +232,14 @@ bool RoundLeaf::covers(const RationalPoint& direction) const {
   const bool with = placed.along != placed.mirrored;
   const Sector turn{with ? placed.start : placed.end, with ? placed.end : placed.start, form_->around()};
   return overlap(turn, {direction, direction, false}, placed.axis.direction);
+}
+
+bool RoundLeaf::holds(const MeridianPoint& p, const RationalPoint& direction) const {
+  const PlacedForm& placed = exact_->placed;
+  const auto has = [&](const MeridianPiece& piece) { return on_piece(piece, p, placed.square()); };
+  return p.r > 0 && covers(direction) &&
+         std::any_of(placed.lines.begin(), placed.lines.end(),
+                     [&](const auto& line) { return std::any_of(line.begin(), line.end(), has); });
 }
 
 bool RoundLeaf::goes_around(const MeridianPoint& p) const {

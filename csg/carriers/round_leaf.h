@@ -28,6 +28,11 @@ struct Ring {
   Rational radius;
 };
 
+/// A piece of a cone: along one of its lines a plane may touch it.
+struct Slant {
+  MeridianPoint from, to;
+};
+
 /// Nearly equal lengths, in doubles: what is not certainly is not exactly either.
 bool nearly(double a, double b, double size);
 
@@ -39,6 +44,7 @@ class RoundLeaf {
     std::vector<Ball3> balls;
     std::vector<Tube> tubes;
     std::vector<Ring> rings;
+    std::vector<Slant> slants;
     std::vector<Flat> flats;  ///< its own planes across the axis
   };
 
@@ -59,13 +65,18 @@ class RoundLeaf {
   bool covers(const RationalPoint& direction) const;
   /// True if it has the circle about its axis.
   bool goes_around(const MeridianPoint& p) const;
+  /// True if one of its meridians has the point, in the half-plane of the direction.
+  bool holds(const MeridianPoint& p, const RationalPoint& direction) const;
 
  private:
   bool may_share_circle(const RoundLeaf& other) const;
-  /// Calls `flat(t, r, s)`, `arc(piece)` and `tube(piece)` for the pieces of `lines` that are such.
-  template <class Flats, class Arcs, class Tubes>
+  /// Of its rings and slants with whatever the other one has.
+  bool may_touch_beside(const RoundLeaf& other) const;
+  /// Calls `flat(t, r, s)`, `arc(piece)`, `tube(piece)` and `slant(piece)` for the pieces of `lines` that are
+  /// such.
+  template <class Flats, class Arcs, class Tubes, class Slants>
   void each_piece(const std::vector<std::vector<MeridianPiece>>& lines, const Flats& flat, const Arcs& arc,
-                  const Tubes& tube) const;
+                  const Tubes& tube, const Slants& slant) const;
 
   const RevolvedInstance* of_;
   const RevolvedForm* form_;
@@ -73,7 +84,9 @@ class RoundLeaf {
   std::vector<std::pair<Point3, double>> balls_{};           ///< centres and radii; of arcs about the axis, too
   std::vector<std::pair<Point3, double>> tubes_{};           ///< points of the axis and radii
   std::vector<std::tuple<Point3, double, double>> rings_{};  ///< centres, and radii of circles and of their tubes
-  std::vector<double> flats_{};                              ///< offsets of its planes across the axis
+  /// Circles about the axis, of which a slant goes from the first to the second: centres and radii.
+  std::vector<std::array<std::pair<Point3, double>, 2>> slants_{};
+  std::vector<double> flats_{};  ///< offsets of its planes across the axis
   std::optional<Exact> exact_{};
 };
 

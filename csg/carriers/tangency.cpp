@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "csg/carriers/round_leaf.h"
+#include "csg/carriers/contact_marks.h"
 #include "csg/curves/surface_math.h"
 #include "csg/geometry/circle.h"
 #include "csg/leaves/unbounded.h"
@@ -37,10 +37,10 @@ Point3 point_image(const Transform& transform, const Point3& p) {
   return q;
 }
 
-class Finder {
+class Finder : ContactMarks {
  public:
   Finder(const std::vector<LeafInstance>& instances, const Transform& to_space)
-      : instances_(instances), to_space_(to_space), in_space_of_tree_(to_space.identity()) {}
+      : ContactMarks(instances), to_space_(to_space), in_space_of_tree_(to_space.identity()) {}
 
   void add(const RevolvedInstance& of) {
     place_.emplace(of.instance, rounds_.size());
@@ -158,16 +158,49 @@ class Finder {
       for (const Rational& end : {tube.low, tube.high}) mark_rim(*owner, on + end * tube.axis);
     }
     const AxisLine& axis = round.exact().placed.axis;
-    if (round.exact().rings.empty() || !is_zero(cross(flat.normal, axis.direction))) return;
+    const RationalPoint across =
+        flat.normal - Rational(dot(flat.normal, axis.direction) / round.exact().placed.square()) * axis.direction;
+    if (is_zero(across)) {
+      flat_on_rings(round, flat);
+    } else if (const auto out = rational_root(dot(across, across))) {
+      // Where they touch and this root is not rational, numbers would be equal of which one is not rational
+      // either, but for a plane through the middle of a ring: its two contacts are no points that could be
+      // vertices.
+      for (const int side : {1, -1}) steep_flat(round, flat, Rational(side / *out) * across, owner);
+    }
+  }
+  /// A plane across the axis, which touches rings in circles.
+  void flat_on_rings(const RoundLeaf& round, const Flat& flat) {
+    const AxisLine& axis = round.exact().placed.axis;
     const Rational t = (flat.offset - dot(flat.normal, axis.foot)) / dot(flat.normal, axis.direction);
     for (const Ring& ring : round.exact().rings) {
       const Rational up = t - ring.middle.t;
       if (ring.middle.r == 0 || up * up * round.exact().placed.square() != ring.radius * ring.radius) continue;
-      const RationalPoint center = axis.foot + t * axis.direction;
-      if (!flat.meets_circle(center, ring.middle.r)) continue;
-      TangencyMarks& marks = marks_[round.instance()];
-      marks.circles.push_back({ring.middle.r, t});
-      marks.needed = marks.needed || !has_vertex(round, center + ring.middle.r * round.exact().placed.start);
+      if (!flat.meets_circle(axis.foot + t * axis.direction, ring.middle.r)) continue;
+      mark_circle(round, {ring.middle.r, t});
+    }
+  }
+  /// Any other plane, which touches rings in points and cones along lines, in the half-plane of the direction.
+  void steep_flat(const RoundLeaf& round, const Flat& flat, const RationalPoint& direction,
+                  const RoundLeaf* owner) {
+    const AxisLine& axis = round.exact().placed.axis;
+    const auto place = [&](const MeridianPoint& p) { return axis.foot + p.t * axis.direction + p.r * direction; };
+    const auto gap = [&](const MeridianPoint& p) -> Rational { return flat.offset - dot(flat.normal, place(p)); };
+    const std::optional<Rational> length = rational_root(dot(flat.normal, flat.normal));
+    for (const Ring& ring : round.exact().rings) {
+      if (ring.middle.r == 0 || !length) continue;
+      const Rational way = gap(ring.middle);
+      if (abs(way) != ring.radius * *length) continue;
+      const RationalPoint at = place(ring.middle) + Rational(way / (*length * *length)) * flat.normal;
+      if (!flat.meets(at, at) || !mark_ring(round, at)) continue;
+      if (owner != nullptr) mark_rim(*owner, at);
+    }
+    for (const Slant& slant : round.exact().slants) {
+      if (gap(slant.from) != 0 || gap(slant.to) != 0 || !round.covers(direction)) continue;
+      if (!flat.meets(place(slant.from), place(slant.to))) continue;
+      mark_line(round, direction, place(slant.from), place(slant.to));
+      if (owner == nullptr) continue;
+      for (const MeridianPoint& end : {slant.from, slant.to}) mark_rim(*owner, place(end));
     }
   }
 
@@ -183,6 +216,19 @@ class Finder {
     for (const Tube& p : a.exact().tubes) {
       for (const Ball3& q : b.exact().balls) ball_and_tube(b, q, a, p);
       for (const Tube& q : b.exact().tubes) two_tubes(a, p, b, q);
+    }
+    for (const auto& [p, q] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+      for (const Ring& ring : p->exact().rings) {
+        if (ring.middle.r == 0) continue;
+        for (const Ball3& ball : q->exact().balls) ring_and_ball(*p, ring, *q, ball);
+        for (const Tube& tube : q->exact().tubes) ring_and_tube(*p, ring, *q, tube);
+      }
+      for (const Slant& slant : p->exact().slants) {
+        for (const Ball3& ball : q->exact().balls) slant_and_ball(*p, slant, *q, ball);
+      }
+    }
+    for (const Ring& p : a.exact().rings) {
+      for (const Ring& q : b.exact().rings) two_rings(a, p, b, q);
     }
   }
 
@@ -241,16 +287,6 @@ class Finder {
     all.insert({a.instance(), own});
     all.insert({b.instance(), direction});
   }
-  /// A point on a plane of the leaf that lies on its rim, too.
-  void mark_rim(const RoundLeaf& round, const RationalPoint& at) {
-    for (const Tube& tube : round.exact().tubes) {
-      const Rational t = dot(at - tube.foot, tube.axis) / dot(tube.axis, tube.axis);
-      const RationalPoint off = at - (tube.foot + t * tube.axis);
-      if (t < tube.low || t > tube.high || dot(off, off) != tube.radius * tube.radius) continue;
-      mark_direction(round, Rational(1 / tube.radius) * off, tube);
-    }
-  }
-
   /// How two radii make a distance: r + s, or r - s where one is inside of the other; nothing where they do not.
   static std::optional<Rational> gauge(const Rational& square, const Rational& r, const Rational& s) {
     if (square == 0) return std::nullopt;
@@ -339,47 +375,102 @@ class Finder {
     mark_direction(b, Rational(beside ? -1 : 1) * direction, q);
   }
 
-  // --- marks
+  // --- rings and cones beside others
 
-  /// True if the leaf has a vertex there as it is.
-  bool has_vertex(const RoundLeaf& round, const RationalPoint& p) const {
-    const auto* leaf = dynamic_cast<const GeometryLeaf*>(instances_[round.instance()].leaf.get());
-    if (leaf == nullptr) return false;
-    const RationalPoint own = round.transform().inverse().apply(p);
-    const Point3 rough = to_doubles(own);
-    const Soup& soup = leaf->geometry();
-    for (const PointId v : IdRange<PointId>(soup.point_count())) {
-      const double* x = soup.xyz(v);
-      if (std::abs(x[0] - rough[0]) + std::abs(x[1] - rough[1]) + std::abs(x[2] - rough[2]) >
-          1e-9 * (std::abs(rough[0]) + std::abs(rough[1]) + std::abs(rough[2])))
-        continue;
-      if (exact_value(soup, v) == own) return true;
+  /// From outside. On the inner half of a ring, where the plane that touches both would cut the ring, the ball is
+  /// inside of the cone that touches both; so it is inside of a cone that it touches from there.
+  void ring_and_ball(const RoundLeaf& a, const Ring& ring, const RoundLeaf& b, const Ball3& ball) {
+    const PlacedForm& placed = a.exact().placed;
+    const auto [center, direction] = about_axis(placed.axis, ball.center);
+    if (!direction) return;
+    const MeridianPoint way = center - ring.middle;
+    const Rational sum = ring.radius + ball.radius;
+    if (way.r * way.r + placed.square() * way.t * way.t != sum * sum) return;
+    const RationalPoint at =
+        ball.center - Rational(ball.radius / sum) * (way.r * *direction + way.t * placed.axis.direction);
+    if (!mark_ring(a, at)) return;
+    mark_point(b, at);
+    if (way.r < 0 && b.is_sphere()) inside_.push_back({b.instance(), a.instance(), *direction});
+  }
+
+  void slant_and_ball(const RoundLeaf& a, const Slant& slant, const RoundLeaf& b, const Ball3& ball) {
+    const PlacedForm& placed = a.exact().placed;
+    const auto [center, direction] = about_axis(placed.axis, ball.center);
+    if (!direction || !a.covers(*direction)) return;
+    const MeridianPoint way = slant.to - slant.from, off = center - slant.from;
+    const auto product = [square = placed.square()](const MeridianPoint& p, const MeridianPoint& q) -> Rational {
+      return p.r * q.r + square * p.t * q.t;
+    };
+    const Rational part = product(way, off) / product(way, way);
+    const MeridianPoint foot = slant.from + part * way, apart = off - part * way;
+    if (part < 0 || part > 1 || foot.r <= 0 || product(apart, apart) != ball.radius * ball.radius) return;
+    const auto place = [&](const MeridianPoint& p) {
+      return placed.axis.foot + p.t * placed.axis.direction + p.r * *direction;
+    };
+    mark_line(a, *direction, place(slant.from), place(slant.to));
+    mark_point(b, place(foot));
+    if (apart.r < 0 && b.is_sphere()) inside_.push_back({b.instance(), a.instance(), *direction});
+  }
+
+  /// About parallel axes, the outermost or the innermost circle of the ring; else where a normal of the ring's
+  /// circle of centres that meets the axis of the tube is at right angles to both axes, or parallel to its own.
+  void ring_and_tube(const RoundLeaf& a, const Ring& ring, const RoundLeaf& b, const Tube& tube) {
+    const PlacedForm& placed = a.exact().placed;
+    const AxisLine& axis = placed.axis;
+    const RationalPoint center = axis.foot + ring.middle.t * axis.direction;
+    if (axis.direction == tube.axis) {
+      for (const Rational& r : {Rational(ring.middle.r + ring.radius), Rational(ring.middle.r - ring.radius)}) {
+        if (r > 0 && a.holds({r, ring.middle.t}, placed.start))
+          two_tubes(a, {axis.foot, axis.direction, r, ring.middle.t, ring.middle.t}, b, tube);
+      }
+      return;
     }
-    return false;
+    const RationalPoint turn = cross(axis.direction, tube.axis);
+    if (const auto sine = rational_root(dot(turn, turn))) {
+      for (const int side : {1, -1})
+        bead_and_tube(a, ring, Rational(side * ring.middle.r / *sine) * turn, b, tube);
+    }
+    if (dot(axis.direction, tube.axis) != 0) return;
+    const RationalPoint off = tube.foot - center,
+                        out = off - Rational(dot(off, axis.direction) / placed.square()) * axis.direction;
+    const Rational square = dot(tube.axis, tube.axis);
+    const RationalPoint nearest = out - Rational(dot(out, tube.axis) / square) * tube.axis;
+    if (const auto reach =
+            rational_root(Rational((ring.middle.r * ring.middle.r - dot(nearest, nearest)) / square))) {
+      for (const int side : {1, -1})
+        bead_and_tube(a, ring, nearest + Rational(side * *reach) * tube.axis, b, tube);
+    }
+  }
+  /// `out`: from the centre of the ring's circle to a point of it.
+  void bead_and_tube(const RoundLeaf& a, const Ring& ring, const RationalPoint& out, const RoundLeaf& b,
+                     const Tube& tube) {
+    const AxisLine& axis = a.exact().placed.axis;
+    const RationalPoint middle = axis.foot + ring.middle.t * axis.direction + out;
+    const Rational t = dot(middle - tube.foot, tube.axis) / dot(tube.axis, tube.axis),
+                   sum = ring.radius + tube.radius;
+    const RationalPoint apart = tube.foot + t * tube.axis - middle;
+    if (t < tube.low || t > tube.high || dot(apart, apart) != sum * sum) return;
+    if (dot(apart, cross(axis.direction, out)) != 0) return;
+    if (mark_ring(a, middle + Rational(ring.radius / sum) * apart))
+      mark_direction(b, Rational(-1 / sum) * apart, tube);
   }
 
-  void mark_point(const RoundLeaf& round, const RationalPoint& at) {
-    TangencyMarks& marks = marks_[round.instance()];
-    if (std::find(marks.points.begin(), marks.points.end(), at) != marks.points.end()) return;
-    marks.points.push_back(at);
-    marks.needed = marks.needed || !has_vertex(round, at);
+  /// Beside each other, their outermost circles.
+  void two_rings(const RoundLeaf& a, const Ring& p, const RoundLeaf& b, const Ring& q) {
+    const AxisLine &first = a.exact().placed.axis, &second = b.exact().placed.axis;
+    const RationalPoint center = first.foot + p.middle.t * first.direction,
+                        apart = second.foot + q.middle.t * second.direction - center;
+    const Rational own = p.middle.r + p.radius, sum = own + q.middle.r + q.radius;
+    if (p.middle.r == 0 || q.middle.r == 0 || dot(apart, apart) != sum * sum) return;
+    if (dot(apart, first.direction) != 0 || dot(apart, second.direction) != 0) return;
+    const RationalPoint at = center + Rational(own / sum) * apart;
+    if (mark_ring(a, at)) mark_ring(b, at);
   }
 
-  void mark_direction(const RoundLeaf& round, const RationalPoint& direction, const Tube& tube) {
-    TangencyMarks& marks = marks_[round.instance()];
-    if (std::find(marks.directions.begin(), marks.directions.end(), direction) != marks.directions.end()) return;
-    marks.directions.push_back(direction);
-    marks.needed = marks.needed ||
-                   !has_vertex(round, tube.foot + tube.low * tube.axis + tube.radius * direction) ||
-                   !has_vertex(round, tube.foot + tube.high * tube.axis + tube.radius * direction);
-  }
-
-  const std::vector<LeafInstance>& instances_;
   const Transform& to_space_;
   bool in_space_of_tree_;
   std::vector<RoundLeaf> rounds_;
   std::map<Index, std::size_t> place_;
-  std::map<Index, TangencyMarks> marks_;
   std::vector<std::array<Index, 2>> nested_;
   std::vector<Inside> inside_;
   std::map<CircleInSpace, std::set<HasCircle>> circles_;

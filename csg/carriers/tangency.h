@@ -19,13 +19,13 @@ namespace cnrg {
 /// What an instance must have in its tessellation beside what it shares with others about its axis.
 struct TangencyMarks {
   std::vector<RationalPoint> directions;  ///< at right angles to the axis: unit vectors, exactly
-  std::vector<RationalPoint> points;      ///< on balls, whole ones or parts
+  std::vector<RationalPoint> points;      ///< on balls and rings, whole ones or parts
   std::vector<MeridianPoint> circles;     ///< on arcs, as `place` (axes.h) has them
   bool needed = false;                    ///< some are no vertices of the leaf as it is
 };
 
-/// A ball or tube that touches a tube from inside, about another axis that is parallel: see nested_turns.h. The
-/// unit vector `direction` points from both axes to the contact.
+/// A ball, tube or ring that touches a tube, or a ball that touches a ring or cone, from inside, about another axis
+/// that is parallel: see nested_turns.h. The unit vector `direction` points from both axes to the contact.
 struct Inside {
   std::uint32_t inner = 0, outer = 0;
   RationalPoint direction;

@@ -74,12 +74,14 @@ Turns::Turns(const RationalPoint& axis, const RationalPoint& start, int segments
   });
   std::vector<Line> kept;
   for (std::size_t i = 0; i < lines_.size();) {
-    // Those of one ray: the best direction, and the exact turn if one of them has it.
+    // Those of one ray: the best direction, and the exact turn if one of them has it. An even step gives way to
+    // one that others have, however near to a unit vector: they have its very point.
     Line line = lines_[i];
     bool fixed = !line.even, is_mark = line.mark;
     for (++i; i < lines_.size() && compare(frame_, line.direction, lines_[i].direction) == 0; ++i) {
       fixed = fixed || !lines_[i].even;
       is_mark = is_mark || lines_[i].mark;
+      if (line.even && !line.mark && !lines_[i].even && !lines_[i].mark) line.direction = lines_[i].direction;
       if (!lines_[i].even || line.even) continue;
       line.turn = lines_[i].turn;
       line.even = true;
