@@ -12,6 +12,11 @@
 //
 // The same holds for a ball in a tube: about the axis through its centre that is parallel to that of the tube, and
 // with a circle across it through its centre, it is in its shadow along the axis, which is a polygon as above.
+// A tube that touches a larger ball is inside of it in the plane across, and leaves it above and below.
+//
+// A ball beside the inner half of a torus or in a cone is inside of the cone that touches both. About its own axis
+// it has such a cone, too, moved along the line in which they touch; with the same directions the one is in the
+// other.
 #pragma once
 
 #include <memory>

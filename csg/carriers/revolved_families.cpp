@@ -113,21 +113,20 @@ class Space {
     }
   }
 
-  /// Balls and tubes in tubes about parallel axes, likewise.
+  /// Balls and tubes in tubes about parallel axes, and the like, likewise.
   void touch_inside() {
     for (const auto& [inner, outer, direction] : of_.contacts.inside) {
-      const auto tube = of_leaf_.find(outer);
+      const auto tube = of_leaf_.find(of_leaf_.contains(outer) ? outer : inner);
       if (tube == of_leaf_.end()) continue;
-      const Index around = tube->second[0];
-      Index in = around;
-      if (const auto leaf = of_leaf_.find(inner); leaf != of_leaf_.end()) {
-        in = leaf->second[0];
-      } else {
-        const Ball ball = ball_of(inner);
-        const AxisLine axis = axis_line(ball.center, nodes_[around].placed.axis.direction);
-        in = ball_node(ball, axis, ball_on(ball, axis));
+      const auto node = [&](Index i, const RationalPoint& along) {
+        if (const auto leaf = of_leaf_.find(i); leaf != of_leaf_.end()) return leaf->second[0];
+        const Ball ball = ball_of(i);
+        const AxisLine axis = axis_line(ball.center, along);
         on_axes_.insert(ball);
-      }
+        return ball_node(ball, axis, ball_on(ball, axis));
+      };
+      const RationalPoint along = nodes_[tube->second[0]].placed.axis.direction;
+      const Index in = node(inner, along), around = node(outer, along);
       inside_.push_back({in, around, direction});
       nested_nodes_.insert({in, around});
     }

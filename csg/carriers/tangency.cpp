@@ -320,12 +320,14 @@ class Finder : ContactMarks {
     const RationalPoint foot = tube.foot + t * tube.axis, apart = ball.center - foot;
     if (!may_be(apart, tube.radius, ball.radius)) return;
     const auto sum = gauge(dot(apart, apart), tube.radius, ball.radius);
-    // A tube that touches a larger ball from inside leaves it on both sides: there the surfaces cross.
-    if (!sum || *sum < 0) return;
+    if (!sum) return;
     const RationalPoint direction = Rational(1 / *sum) * apart;
+    // A tube that touches a larger ball from inside leaves it on both sides: there the surfaces cross. In the
+    // plane across the tube it is inside.
     if (*sum != tube.radius + ball.radius) {
       if (!a.is_sphere() && a.exact().placed.axis.direction != tube.axis) return;
-      inside_.push_back({a.instance(), b.instance(), direction});
+      const bool in_tube = *sum > 0;
+      inside_.push_back({(in_tube ? a : b).instance(), (in_tube ? b : a).instance(), direction});
     }
     mark_point(a, foot + tube.radius * direction);
     mark_direction(b, direction, tube);

@@ -24,8 +24,8 @@ struct TangencyMarks {
   bool needed = false;                    ///< some are no vertices of the leaf as it is
 };
 
-/// A ball, tube or ring that touches a tube, or a ball that touches a ring or cone, from inside, about another axis
-/// that is parallel: see nested_turns.h. The unit vector `direction` points from both axes to the contact.
+/// A leaf that touches another one from inside, about another axis that is parallel: see nested_turns.h. The unit
+/// vector `direction` points from both axes to the contact. One of them is no ball.
 struct Inside {
   std::uint32_t inner = 0, outer = 0;
   RationalPoint direction;

@@ -1,5 +1,5 @@
-// Rings and cones that planes and others touch in a point or along a line, in random rational frames: the contact
-// is there at any fineness, and nothing else.
+// Rings, cones and balls that planes and others touch in a point or along a line, in random rational frames: the
+// contact is there at any fineness, and nothing else.
 #include "kernel/exact/exact_vectors.h"
 #include "tests/carriers/rows.h"
 #include "tests/catch.h"
@@ -154,6 +154,18 @@ TEST_CASE("a cone touches a plane along a line, and a ball beside it in a point"
     // Beside it, and in a conical hole.
     check(cone, of.ball({f(3, 2) + f(8, 5), 0, 2 + f(6, 5)}, "2"), {{1, 0, 0, 0}, {0, 1, 2, 1}});
     check(cone, of.ball({f(3, 2) - f(4, 5), 0, 2 - f(3, 5)}, "1"), {{0, 0, 1, 1}, {1, 1, 3, 1}});
+  }
+}
+
+TEST_CASE("a rod that touches a larger ball from inside leaves it above and below") {
+  for (const unsigned seed : {71U, 72U, 73U, 74U, 75U, 76U}) {
+    std::mt19937_64 random(seed);
+    const Frame frame(random);
+    Leaves of(frame, random);
+    CAPTURE(seed);
+    const Truth touching{{1, 2, 3, 1}, {1, 2, 2, 1}};
+    check(of.ball(origin, "2"), of.rod({f(3, 5), f(4, 5), -3}, {f(3, 5), f(4, 5), 3}, "1"), touching);
+    check(of.ball(origin, "5/2"), of.rod({2, 0, -3}, {2, 0, 3}, "1/2"), touching);
   }
 }
 
