@@ -11,6 +11,7 @@
 #include "csg/evaluate/rows.h"
 #include "csg/evaluate/simplified_value.h"
 #include "csg/leaves/geometry_leaf.h"
+#include "csg/tree/selector.h"
 #include "kernel/base/sorted.h"
 
 namespace cnrg {
