@@ -11,7 +11,8 @@ using namespace surface_math;
 
 namespace {
 
-bool at_apex(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range);
+Interval3 with_pole(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
+                    Interval3 cone);
 
 /// Points whose convex hull holds F over a part of a cell.
 std::vector<Interval3> facet_corners(const Piece& piece, const std::array<Interval, 2>& range) {
@@ -152,8 +153,8 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
   part.along_v = jet.along_v;
   if (between == Between::surfaces) {
     part.box = jet.point;
-    part.cone = jet.normal;
-    part.blind = holds_zero(jet.normal) || at_apex(all, piece, range);
+    part.cone = with_pole(all, piece, range, jet.normal);
+    part.blind = holds_zero(part.cone);
     return part;
   }
   part.box = hull(facet_box(piece, range), jet.point);
@@ -222,18 +223,21 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
 
 namespace {
 
-/// True if the part has a pole at which the normals of all cells about it are not on one side of a plane.
-bool at_apex(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range) {
+/// The normals of a part and, where it has a pole, those of all cells about it there: at an apex they differ.
+Interval3 with_pole(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
+                    Interval3 cone) {
   for (std::size_t i = 0; piece.grid && i < 4; ++i) {
-    if (piece.points[i] != piece.points[(i + 1) % 4]) continue;
-    const std::size_t fixed = piece.at[i][0] == piece.at[(i + 1) % 4][0] ? 0 : 1;
-    if (piece.at[i][fixed] < range[fixed].inf() || piece.at[i][fixed] > range[fixed].sup()) continue;
-    std::array<Interval, 2> there = range;
-    there[fixed] = Interval(piece.at[i][fixed]);
-    const PiecePart pole = part_of(all, piece, there);
-    if (pole.blind || holds_zero(pole.cone)) return true;
+    const std::size_t next = (i + 1) % 4, fixed = piece.at[i][0] == piece.at[next][0] ? 0 : 1;
+    const double pole = piece.at[i][fixed];
+    if (piece.points[i] != piece.points[next] || pole < range[fixed].inf() || pole > range[fixed].sup()) continue;
+    for (const auto& [j, bits] : piece.neighbours) {
+      if ((bits >> i & 1u) == 0) continue;
+      std::array<Interval, 2> there = all[j].range;
+      there[fixed] = Interval(pole);
+      cone = hull(normalized(cone), normalized(piece.surface->over(there[0], there[1]).normal));
+    }
   }
-  return false;
+  return cone;
 }
 
 }  // namespace
@@ -254,6 +258,10 @@ std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d) {
   if (piece.kind == Piece::Kind::flat) return result;
   if (piece.kind == Piece::Kind::curve) {
     gain(0, piece.along_u);
+    if (result[0] > 0) {  // how it bends is not known
+      const Vector3<double> way = middle_of(piece.along_u);
+      result[0] = std::sqrt(dot(way, way)) * (part.range[0].sup() - part.range[0].inf());
+    }
     return result;
   }
   gain(0, part.along_u);

@@ -120,6 +120,9 @@ class Prover {
       const bool one_sheet = all_[a].sheet == all_[b].sheet;
       if (all_[a].leaf != all_[b].leaf) {
         if (!one_sheet) continue;
+        if (parted({part_of(all_, all_[a], all_[a].range), part_of(all_, all_[b], all_[b].range)},
+                   Between::facets_and_surfaces))
+          continue;
         if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, middle_of(all_[a].corners[0]), 0, false});
         joined.emplace_back(a, b);
       } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b)) {
@@ -243,7 +246,7 @@ class Prover {
     }
     Interval3 left{};
     some = false;
-    if (answer(tuple, question, Between::facets_and_surfaces, some, left)) return true;
+    if (answer(tuple, question, Between::facets_and_surfaces, kMostSteps, some, left)) return true;
     if (tuple.size() == 2 && is_cell(tuple[0]) && is_cell(tuple[1])) {
       if (const auto known = touch(tuple[0], tuple[1])) {
         some = *known;
@@ -252,9 +255,13 @@ class Prover {
     }
     some = true;
     OpenPlace place{tuple, middle_of(left), size_of(left), true};
-    if (++open <= kMostTold && !hopeless_.contains(patches)) {
+    ++open;
+    if (!hopeless_.contains(patches)) {
       bool any = false;
-      place.by_facets = answer(tuple, question, Between::surfaces, any, left);
+      place.by_facets =
+          answer(tuple, question, Between::surfaces, open <= kMostTold ? kMostOfSurfaces : kMostSteps / 2, any,
+                 left) ||
+          (open > kMostTold && answer(tuple, question, Between::surfaces, kMostOfSurfaces, any, left));
       if (!place.by_facets) {
         place.at = middle_of(left);
         place.size = size_of(left);
@@ -278,7 +285,7 @@ class Prover {
     if (contact->kind == Contact::Kind::none) return false;
     bool some = false;
     Interval3 left{};
-    if (answer({a, b}, Question::apart, Between::surfaces, some, left)) return false;
+    if (answer({a, b}, Question::apart, Between::surfaces, kMostOfSurfaces, some, left)) return false;
     return std::nullopt;
   }
 
@@ -295,8 +302,8 @@ class Prover {
     some = false;
     return answer(parts, question, Between::facets_and_surfaces, steps, some, left);
   }
-  bool answer(const std::vector<Index>& tuple, Question question, Between between, bool& some, Interval3& left) {
-    std::size_t steps = between == Between::surfaces ? kMostOfSurfaces : kMostSteps;
+  bool answer(const std::vector<Index>& tuple, Question question, Between between, std::size_t steps, bool& some,
+              Interval3& left) {
     PieceParts parts;
     for (const Index i : tuple) {
       parts.push_back(between == Between::surfaces ? part_of(all_, all_[i], all_[i].range, between) : root(i));

@@ -82,7 +82,7 @@ struct Truth {
   Cells common, rest;  ///< of a and b, and of a less b
 };
 
-void check(const std::string& a, const std::string& b, const Truth& truth) {
+void check_contact(const std::string& a, const std::string& b, const Truth& truth) {
   const std::string nodes = "  a: {" + a + "}\n  b: {" + b + "}\n  common: {intersection: [a, b]}\n" +
                             "  rest: {difference: [a, b]}\n  model: {union: [common, rest], dominance: left}\n";
   INFO(nodes);
@@ -107,13 +107,13 @@ TEST_CASE("a ring touches a plane in any direction") {
     const std::string ring = of.ring(origin, z, "radius: 2, tube: 1");
     // Upright, oblique, from below; of a half-space and of a prism.
     const RationalPoint n{f(3, 5), 0, f(4, 5)}, along{f(4, 5), 0, f(-3, 5)};
-    check(ring, of.half({3, 0, 0}, {-1, 0, 0}), in_a_point);
-    check(ring, of.half({0, f(-33, 25), f(-44, 25)}, {0, 3, 4}), in_a_point);
-    check(ring, of.slab(f(11, 5) * n, Rational(-1) * n, along, y), in_a_point);
+    check_contact(ring, of.half({3, 0, 0}, {-1, 0, 0}), in_a_point);
+    check_contact(ring, of.half({0, f(-33, 25), f(-44, 25)}, {0, 3, 4}), in_a_point);
+    check_contact(ring, of.slab(f(11, 5) * n, Rational(-1) * n, along, y), in_a_point);
     // From inside of the ring the plane cuts it, and touches it where the section passes through itself.
-    check(ring, of.half({1, 0, 0}, x), {{1, 2, 3, 1}, {1, 2, 3, 1}});
+    check_contact(ring, of.half({1, 0, 0}, x), {{1, 2, 3, 1}, {1, 2, 3, 1}});
     // Through its middle, in two circles that cross in two contacts.
-    check(of.ring(origin, z, "radius: 2, tube: 6/5"), of.half(origin, n), {{2, 4, 3, 1}, {2, 4, 3, 1}});
+    check_contact(of.ring(origin, z, "radius: 2, tube: 6/5"), of.half(origin, n), {{2, 4, 3, 1}, {2, 4, 3, 1}});
   }
 }
 
@@ -125,18 +125,18 @@ TEST_CASE("a ring touches balls, tubes and rings beside it") {
     CAPTURE(seed);
     const std::string ring = of.ring(origin, z, "radius: 3, tube: 1");
     // Above its outer half, on its top, in its hole above the middle, in its middle.
-    check(ring, of.ball({f(21, 5), 0, f(8, 5)}, "1"), in_a_point);
-    check(ring, of.ball({f(9, 5), f(12, 5), 3}, "2"), in_a_point);
-    check(ring, of.ball({0, f(9, 5), f(8, 5)}, "1"), in_a_point);
-    check(ring, of.ball({-1, 0, 0}, "1"), in_a_point);
+    check_contact(ring, of.ball({f(21, 5), 0, f(8, 5)}, "1"), in_a_point);
+    check_contact(ring, of.ball({f(9, 5), f(12, 5), 3}, "2"), in_a_point);
+    check_contact(ring, of.ball({0, f(9, 5), f(8, 5)}, "1"), in_a_point);
+    check_contact(ring, of.ball({-1, 0, 0}, "1"), in_a_point);
     // Upright outside of it and in its hole, across its side, on its top.
-    check(ring, of.rod({3, 4, -2}, {3, 4, 2}, "1"), in_a_point);
-    check(ring, of.rod({f(3, 5), f(4, 5), -2}, {f(3, 5), f(4, 5), 2}, "1"), in_a_point);
-    check(ring, of.rod({-3, f(23, 5), f(6, 5)}, {2, f(23, 5), f(6, 5)}, "1"), in_a_point);
-    check(ring, of.rod({f(9, 5), -4, 2}, {f(9, 5), 5, 2}, "1"), {{2, 0, 0, 0}, {0, 0, 1, 1}});
+    check_contact(ring, of.rod({3, 4, -2}, {3, 4, 2}, "1"), in_a_point);
+    check_contact(ring, of.rod({f(3, 5), f(4, 5), -2}, {f(3, 5), f(4, 5), 2}, "1"), in_a_point);
+    check_contact(ring, of.rod({-3, f(23, 5), f(6, 5)}, {2, f(23, 5), f(6, 5)}, "1"), in_a_point);
+    check_contact(ring, of.rod({f(9, 5), -4, 2}, {f(9, 5), 5, 2}, "1"), {{2, 0, 0, 0}, {0, 0, 1, 1}});
     // In one plane, and in planes that cross at right angles.
-    check(ring, of.ring({f(18, 5), f(24, 5), 0}, z, "radius: 3/2, tube: 1/2"), in_a_point);
-    check(ring, of.ring({6, 0, 0}, {0, f(3, 5), f(4, 5)}, "radius: 3/2, tube: 1/2"), in_a_point);
+    check_contact(ring, of.ring({f(18, 5), f(24, 5), 0}, z, "radius: 3/2, tube: 1/2"), in_a_point);
+    check_contact(ring, of.ring({6, 0, 0}, {0, f(3, 5), f(4, 5)}, "radius: 3/2, tube: 1/2"), in_a_point);
   }
 }
 
@@ -149,11 +149,11 @@ TEST_CASE("a cone touches a plane along a line, and a ball beside it in a point"
     const std::string cone = of.cone(origin, {0, 0, 4}, "radius: 3"),
                       part = of.cone(origin, {0, 0, 2}, "radius: 3, top: 3/2");
     const RationalPoint n{f(4, 5), 0, f(3, 5)}, along{f(-3, 5), 0, f(4, 5)};
-    check(cone, of.half({0, 0, 4}, Rational(-1) * n), {{2, 1, 0, 0}, {0, 1, 2, 1}});
-    check(part, of.slab({3, 0, 0}, Rational(-1) * n, along, y), {{2, 1, 0, 0}, {0, 2, 3, 1}});
+    check_contact(cone, of.half({0, 0, 4}, Rational(-1) * n), {{2, 1, 0, 0}, {0, 1, 2, 1}});
+    check_contact(part, of.slab({3, 0, 0}, Rational(-1) * n, along, y), {{2, 1, 0, 0}, {0, 2, 3, 1}});
     // Beside it, and in a conical hole.
-    check(cone, of.ball({f(3, 2) + f(8, 5), 0, 2 + f(6, 5)}, "2"), {{1, 0, 0, 0}, {0, 1, 2, 1}});
-    check(cone, of.ball({f(3, 2) - f(4, 5), 0, 2 - f(3, 5)}, "1"), {{0, 0, 1, 1}, {1, 1, 3, 1}});
+    check_contact(cone, of.ball({f(3, 2) + f(8, 5), 0, 2 + f(6, 5)}, "2"), {{1, 0, 0, 0}, {0, 1, 2, 1}});
+    check_contact(cone, of.ball({f(3, 2) - f(4, 5), 0, 2 - f(3, 5)}, "1"), {{0, 0, 1, 1}, {1, 1, 3, 1}});
   }
 }
 
@@ -164,8 +164,8 @@ TEST_CASE("a rod that touches a larger ball from inside leaves it above and belo
     Leaves of(frame, random);
     CAPTURE(seed);
     const Truth touching{{1, 2, 3, 1}, {1, 2, 2, 1}};
-    check(of.ball(origin, "2"), of.rod({f(3, 5), f(4, 5), -3}, {f(3, 5), f(4, 5), 3}, "1"), touching);
-    check(of.ball(origin, "5/2"), of.rod({2, 0, -3}, {2, 0, 3}, "1/2"), touching);
+    check_contact(of.ball(origin, "2"), of.rod({f(3, 5), f(4, 5), -3}, {f(3, 5), f(4, 5), 3}, "1"), touching);
+    check_contact(of.ball(origin, "5/2"), of.rod({2, 0, -3}, {2, 0, 3}, "1/2"), touching);
   }
 }
 

@@ -281,14 +281,14 @@ class Places(Folder):
         self.assertIn("closure", caught.exception.message)
 
     def test_certificates_of_curved_surfaces(self):
-        balls = cnrg.sphere([0, 0, 0], 1) & cnrg.sphere([1.999, 0, 0], 1)
+        balls = cnrg.sphere([0, 0, 0], 1) & cnrg.sphere([1.1994, 1.5992, 0], 1)
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
             drawn = cnrg.evaluate(balls)
         self.assertFalse(drawn.certificate.certified)
         (place,) = drawn.certificate.places
         self.assertTrue(place.by_facets)
-        self.assertAlmostEqual(place.at[0], 1, delta=0.1)
+        self.assertAlmostEqual(place.at[0], 0.6, delta=0.1)
         self.assertRegex(str(told[0].message), "near .*these facets do not tell how they meet")
         proven = cnrg.evaluate(balls, certify=True)
         self.assertTrue(proven.certificate.certified)
