@@ -424,9 +424,10 @@ TEST_CASE("check reads and validates only", "[app]") {
 
 TEST_CASE("uncertain crossings of curved surfaces are told, and an error if that is asked for", "[app]") {
   const Workshop w;
-  w.write("lens.yaml",
-          "cnrg: 1\nnodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1}}\n"
-          "  b: {sphere: {center: [1.1994, 1.5992, 0], radius: 1}}\n  lens: {intersection: [a, b]}\nresult: lens\n");
+  w.write(
+      "lens.yaml",
+      "cnrg: 1\nnodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1}}\n"
+      "  b: {sphere: {center: [1.1994, 1.5992, 0], radius: 1}}\n  lens: {intersection: [a, b]}\nresult: lens\n");
   CHECK_THAT(w.run("eval lens.yaml").err,
              StartsWith("lens.yaml:3:7: notice: `a` (sphere) and `b` (sphere) near [") &&
                  Contains("]: these facets do not tell how they meet\n"));
