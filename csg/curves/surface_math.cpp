@@ -6,26 +6,35 @@
 namespace cnrg::surface_math {
 namespace {
 
-/// cos(2 pi r) or, with `odd`, sin(2 pi r), for 0 <= r <= 1/8.
-Interval taylor(double r, bool odd) {
-  if (r == 0) return odd ? 0 : 1;
-  // Terms up to x^18 / 18! or x^19 / 19!; the rest is below (pi / 4)^20 / 20! < 1e-20. Of doubles, in any rounding
-  // mode: x has a relative error below 2^-51, which changes the value by less than 0.785 * 0.71 * 2^-51 < 2.5e-16;
-  // each step has four operations of a number below 0.31 and what is left of the steps before, times 0.31 at most,
-  // together below 0.31 * 4 * 2^-52 * 1.45 < 4.1e-16; the last sums and products add less than 2^-50.
+/// cos(2 pi r) or, with `odd`, sin(2 pi r), for 0 <= r <= 1/8: Taylor's polynomial up to x^18 / 18! or x^19 / 19!.
+/// Terms alternate and fall, so the rest is less than the next one, which is below (pi / 4)^20 / 20! < 1e-20.
+template <class N>
+N taylor(double r, bool odd) {
+  const N x = turn<N>() * N(r), square = x * x;
+  N result(0);
+  for (int n = odd ? 19 : 18; n >= 2; n -= 2) result = -(square * (N(1) + result)) / N(n * (n - 1));
+  if constexpr (std::is_same_v<N, Interval>) result += Interval(-1e-20, 1e-20);
+  return odd ? x + x * result : N(1) + result;
+}
+
+/// The same, of doubles and wider, in a tenth of the time. In any rounding mode x has a relative error below
+/// 2^-51, which changes the value by less than 0.785 * 0.71 * 2^-51 < 2.5e-16; each step has four operations of a
+/// number below 0.31 and what is left of the steps before, times 0.31 at most, together below 0.31 * 4 * 2^-52
+/// * 1.45 < 4.1e-16; the last sums and products add less than 2^-50.
+Interval wide_taylor(double r, bool odd) {
   constexpr double kError = 2e-15;
-  const double x = turn<double>() * r, square = x * x;
-  double result = 0;
-  for (int n = odd ? 19 : 18; n >= 2; n -= 2) result = -(square * (1 + result)) / (n * (n - 1));
-  const double value = odd ? x + x * result : 1 + result;
+  if (r == 0) return odd ? 0 : 1;
+  const double value = taylor<double>(r, odd);
   return {value - kError, value + kError};
 }
 
-Interval cosine_at(double turns) {
+Interval cosine_at(double turns, bool tight) {
   double r = std::abs(turns - std::floor(turns + 0.5));  // all steps are exact, in any rounding mode
   const bool negative = r > 0.25;
   if (negative) r = std::abs(0.5 - r);
-  const Interval c = r > 0.125 ? taylor(0.25 - r, true) : taylor(r, false);
+  const bool odd = r > 0.125;
+  if (odd) r = 0.25 - r;
+  const Interval c = tight ? taylor<Interval>(r, odd) : wide_taylor(r, odd);
   return negative ? -c : c;
 }
 
@@ -69,7 +78,8 @@ double cosine(double turns) {
 Interval cosine(const Interval& turns) {
   const double a = turns.inf(), b = turns.sup();
   if (!(b - a < 1) || !(std::abs(a) < 1e9)) return {-1, 1};
-  const Interval from = cosine_at(a), to = cosine_at(b);
+  const bool point = a == b;
+  const Interval from = cosine_at(a, point), to = point ? from : cosine_at(b, false);
   double low = std::min(from.inf(), to.inf()), high = std::max(from.sup(), to.sup());
   if (std::floor(b) >= std::ceil(a)) high = 1;
   const double half = std::ceil(2 * a);  // doubling is exact
