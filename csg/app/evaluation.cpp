@@ -11,8 +11,8 @@
 
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
-#include "csg/certify/certificate.h"
 #include "csg/evaluate/prepared_leaves.h"
+#include "csg/evaluate/proven_drawing.h"
 #include "csg/text/input_file.h"
 #include "csg/tree/read_from_input.h"
 
@@ -29,16 +29,6 @@ struct Stage {
 };
 constexpr std::array<Stage, 4> kStages{
     {{"leaves", "leaves"}, {"crossings", "crossings"}, {"refine", "refinement"}, {"nodes", "nodes"}}};
-
-/// Of the result and of the nodes that were asked for besides.
-Certificate certificate_of(const Evaluation& evaluation) {
-  Certificate all;
-  if (evaluation.certificate) all = *evaluation.certificate;
-  for (const Evaluation& other : evaluation.others) {
-    if (other.certificate) all.add(*other.certificate);
-  }
-  return all;
-}
 
 }  // namespace
 

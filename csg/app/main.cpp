@@ -255,8 +255,7 @@ int run(int argc, char** argv) {
   sub->add_flag("--binary", eval.binary, "Of .stl (numbers of 24 bits) and .ply (doubles): the binary form");
   constexpr const char* kCertify =
       "Prove that curved surfaces meet as their facets do, which get finer where that is needed; a place that is "
-      "left "
-      "is an error";
+      "left is an error";
   sub->add_flag("--certify", eval.certify, kCertify);
   sub->add_flag("--parameters", eval.parameters,
                 "In .json and .vtu: the parameters u, v of faces on curved patches")

@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "kernel/base/parallel.h"
 #include "kernel/refine/box_pairs.h"
 
 namespace cnrg {

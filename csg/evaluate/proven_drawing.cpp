@@ -45,6 +45,15 @@ std::array<bool, 2> bends(const Piece& piece) {
 
 }  // namespace
 
+Certificate certificate_of(const Evaluation& evaluation) {
+  Certificate all;
+  if (evaluation.certificate) all = *evaluation.certificate;
+  for (const Evaluation& other : evaluation.others) {
+    if (other.certificate) all.add(*other.certificate);
+  }
+  return all;
+}
+
 ProvenDrawing::ProvenDrawing(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
                              const EvaluateOptions& options)
     : tree_(tree), unfolding_(unfolding), leaves_(leaves), options_(options), lines_(options.lines) {

@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "csg/certify/certificate.h"
+#include "csg/evaluate/proven_drawing.h"
 #include "numbers.h"
 #include "watched.h"
 
@@ -23,16 +23,6 @@ std::shared_ptr<const EvaluatedTree> evaluate_tree(const TreeObject& tree, const
     options.watch = watch;
     return std::make_shared<const EvaluatedTree>(EvaluatedTree{shared, evaluate(*shared, options)});
   });
-}
-
-/// Of the result and of the other nodes.
-Certificate certificate_of(const Evaluation& evaluation) {
-  Certificate all;
-  if (evaluation.certificate) all = *evaluation.certificate;
-  for (const Evaluation& other : evaluation.others) {
-    if (other.certificate) all.add(*other.certificate);
-  }
-  return all;
 }
 
 py::dict certificate_data(const Tree& tree, const Certificate& certificate) {
