@@ -11,8 +11,8 @@
 
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
+#include "csg/certify/certificate.h"
 #include "csg/evaluate/prepared_leaves.h"
-#include "csg/evaluate/proven_drawing.h"
 #include "csg/text/input_file.h"
 #include "csg/tree/read_from_input.h"
 

@@ -20,6 +20,8 @@ struct UncertainPlace {
   bool by_facets = false;  ///< finer facets would decide
 };
 
+struct Evaluation;
+
 struct Certificate {
   /// Pairs of facets near each other: in all, and what was proven of them and of their surfaces.
   std::size_t asked = 0, apart = 0, crossing = 0, contacts = 0;
@@ -30,5 +32,8 @@ struct Certificate {
   /// Of the first places.
   std::vector<Diagnostic> notices(const Tree& tree, std::size_t most) const;
 };
+
+/// Of the result and of the nodes that were asked for besides, as EvaluateOptions::proof said.
+Certificate certificate_of(const Evaluation& evaluation);
 
 }  // namespace cnrg

@@ -16,9 +16,6 @@
 
 namespace cnrg {
 
-/// Of the result and of the nodes that were asked for besides, as EvaluateOptions::proof said.
-Certificate certificate_of(const Evaluation& evaluation);
-
 class ProvenDrawing {
  public:
   /// As `options` say. All that is given must outlive this. Throws as `Drawings`.

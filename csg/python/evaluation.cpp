@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "csg/evaluate/proven_drawing.h"
+#include "csg/certify/certificate.h"
 #include "numbers.h"
 #include "watched.h"
 
