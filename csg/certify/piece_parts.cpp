@@ -17,7 +17,6 @@ Interval3 with_pole(const std::vector<Piece>& all, const Piece& piece, const std
 /// Points whose convex hull holds F over a part of a cell.
 std::vector<Interval3> facet_corners(const Piece& piece, const std::array<Interval, 2>& range) {
   if (!piece.grid) return {piece.corners.begin(), piece.corners.begin() + piece.corner_count};
-  // F is bilinear: its hull is that of its corners.
   const std::size_t first = piece.at[0][0] != piece.at[1][0] ? 0 : 1, second = 1 - first;
   const auto place = [](double x, double from, double to) {
     return (Interval(x) - Interval(from)) / (Interval(to) - Interval(from));
@@ -26,6 +25,37 @@ std::vector<Interval3> facet_corners(const Piece& piece, const std::array<Interv
     return sum(a, scaled(x, difference(b, a)));
   };
   std::vector<Interval3> result;
+  if (piece.bent) {
+    // F is linear on two triangles: its hull is that of its corners and of the ends of the diagonal.
+    const auto at = [&](const Interval& s, const Interval& t) {
+      const auto by = [&](std::size_t corner, const Interval& x, const Interval& y) {
+        return sum(piece.corners[0], sum(scaled(x, difference(piece.corners[corner], piece.corners[0])),
+                                         scaled(y, difference(piece.corners[2], piece.corners[0]))));
+      };
+      const Interval3 low = by(1, s - t, t), high = by(3, t - s, s);
+      if (s.inf() >= t.sup()) return low;
+      return t.inf() >= s.sup() ? high : hull(low, high);
+    };
+    std::array<std::array<Interval, 2>, 2> ends{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::size_t by = k == 0 ? first : second, far = k == 0 ? 1 : 3;
+      ends[k] = {place(range[by].inf(), piece.at[0][by], piece.at[far][by]),
+                 place(range[by].sup(), piece.at[0][by], piece.at[far][by])};
+      if (ends[k][0].inf() > ends[k][1].inf()) std::swap(ends[k][0], ends[k][1]);
+    }
+    for (const Interval& s : ends[0]) {
+      for (const Interval& t : ends[1]) result.push_back(at(s, t));
+    }
+    const Interval from(std::max(ends[0][0].inf(), ends[1][0].inf()),
+                        std::max(ends[0][0].sup(), ends[1][0].sup())),
+        to(std::min(ends[0][1].inf(), ends[1][1].inf()), std::min(ends[0][1].sup(), ends[1][1].sup()));
+    if (from.inf() <= to.sup()) {
+      result.push_back(at(from, from));
+      result.push_back(at(to, to));
+    }
+    return result;
+  }
+  // F is bilinear: its hull is that of its corners.
   for (const double x : {range[first].inf(), range[first].sup()}) {
     const Interval s = place(x, piece.at[0][first], piece.at[1][first]);
     const Interval3 low = mix(piece.corners[0], piece.corners[1], s),

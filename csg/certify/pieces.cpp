@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 
 #include "csg/leaves/geometry_leaf.h"
@@ -18,29 +19,7 @@ using namespace surface_math;
 
 namespace {
 
-/// Numbers of exact points, equal for equal ones.
-class PointNumbers {
- public:
-  std::uint32_t of(const RationalPoint& p) {
-    std::vector<std::uint32_t>& same = by_doubles_[key(p)];
-    for (const std::uint32_t i : same) {
-      if (points_[i] == p) return i;
-    }
-    same.push_back(static_cast<std::uint32_t>(points_.size()));
-    points_.push_back(p);
-    return same.back();
-  }
-  const std::vector<RationalPoint>& points() const { return points_; }
-
- private:
-  static std::size_t key(const RationalPoint& p) {
-    std::size_t h = 0;
-    for (const double x : to_doubles(p)) h = h * 1000003u + std::hash<double>()(x == 0 ? 0.0 : x);
-    return h;
-  }
-  std::unordered_map<std::size_t, std::vector<std::uint32_t>> by_doubles_;
-  std::vector<RationalPoint> points_;
-};
+constexpr const char* kPoints = "points";
 
 /// A prepared leaf, before any transform, with the numbers of its points.
 struct Mould {
@@ -48,6 +27,7 @@ struct Mould {
     std::uint32_t patch = 0;
     std::vector<std::uint32_t> points;
     std::vector<std::array<Interval, 2>> at;
+    bool bent = false;  // Piece::bent
   };
   struct Flat {
     std::uint32_t patch = 0;
@@ -58,7 +38,7 @@ struct Mould {
     std::array<std::uint32_t, 2> points{};
     std::array<Interval, 2> at{0, 0};
   };
-  PointNumbers numbers;
+  ExactNumbers<RationalPoint> numbers;
   std::vector<Cell> cells;
   std::vector<Flat> flats;
   std::vector<Wire> wires;
@@ -74,18 +54,23 @@ struct Mould {
     std::vector<std::uint32_t> number(soup.point_count(), kNone);
     const auto number_of = [&](PointId p) {
       std::uint32_t& n = number[p.index()];
-      if (n == kNone) n = numbers.of(exact_value(soup, p));
+      if (n == kNone) n = numbers.of(exact_value(soup, p), kPoints);
       return n;
     };
+    std::vector<Interval> values;
+    if (parameters) {
+      for (const RationalPoint& p : parameters->points()) numbers.of(p, kPoints);
+      for (const Rational& value : parameters->values()) values.push_back(enclose(value));
+    }
     for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
       const std::uint32_t patch = soup.face(f).patch;
       if (surfaces && surfaces->patch(patch) != nullptr) {
-        for (const std::vector<PatchCorner>& corners : parameters->cells(f.index())) {
+        for (const auto& corners : parameters->cells_by_number(f.index())) {
           Cell& cell = cells.emplace_back();
           cell.patch = patch;
-          for (const PatchCorner& corner : corners) {
-            cell.points.push_back(numbers.of(corner.point));
-            cell.at.push_back({enclose(corner.at[0]), enclose(corner.at[1])});
+          for (const LeafParameters::Corner& corner : corners) {
+            cell.points.push_back(corner.point);
+            cell.at.push_back({values[corner.u], values[corner.v]});
           }
         }
         continue;
@@ -103,13 +88,57 @@ struct Mould {
       Wire one{wire.leaf_edge, {number_of(wire.a), number_of(wire.b)}};
       if (parameters && surfaces->curve(wire.leaf_edge) != nullptr) {
         const LeafParameters::Wire known = parameters->wire(i);
-        one.points = {numbers.of(known.ends[0]), numbers.of(known.ends[1])};
+        one.points = {numbers.of(known.ends[0], kPoints), numbers.of(known.ends[1], kPoints)};
         one.at = {enclose(known.at[0]), enclose(known.at[1])};
       }
       wires.push_back(one);
       ++i;
     }
     for (const Soup::Isolated& one : soup.isolated()) isolated.push_back(number_of(one.point));
+    unite_triangles();
+  }
+
+ private:
+  using Corner = std::tuple<std::uint32_t, double, double>;
+  static Corner corner_of(const Cell& cell, std::size_t i) {
+    return {cell.points[i], cell.at[i][0].inf(), cell.at[i][1].inf()};
+  }
+  static bool same(const Interval& a, const Interval& b) { return a.inf() == b.inf() && a.sup() == b.sup(); }
+
+  /// Two triangles of which the sides in common are diagonals of one rectangle of parameters become one cell.
+  void unite_triangles() {
+    std::map<std::tuple<std::uint32_t, Corner, Corner>, std::pair<std::size_t, std::size_t>> waiting;
+    std::vector<char> gone(cells.size(), 0);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (cells[i].points.size() != 3) continue;
+      const auto diagonal = [&](std::size_t k) {
+        const auto &a = cells[i].at[k], &b = cells[i].at[(k + 1) % 3], &c = cells[i].at[(k + 2) % 3];
+        return (same(c[0], a[0]) && same(c[1], b[1])) || (same(c[0], b[0]) && same(c[1], a[1]));
+      };
+      std::size_t side = 0;
+      while (side < 3 && !diagonal(side)) ++side;
+      if (side == 3) continue;
+      const Corner a = corner_of(cells[i], side), b = corner_of(cells[i], (side + 1) % 3);
+      const auto [it, fresh] =
+          waiting.try_emplace({cells[i].patch, std::min(a, b), std::max(a, b)}, std::pair(i, side));
+      if (fresh) continue;
+      Cell& one = cells[it->second.first];
+      const std::size_t from = it->second.second, third = (side + 2) % 3, own = (from + 2) % 3;
+      // The other two corners of the rectangle.
+      const bool whole =
+          !same(cells[i].at[third][0], one.at[own][0]) && !same(cells[i].at[third][1], one.at[own][1]);
+      if (!whole || one.points.size() != 3) continue;
+      const auto pick = [&](const auto& of, const auto& other) {
+        return std::decay_t<decltype(of)>{of[(from + 1) % 3], of[own], of[from], other[third]};
+      };
+      one = {one.patch, pick(one.points, cells[i].points), pick(one.at, cells[i].at), true};
+      gone[i] = 1;
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (gone[i] == 0 && kept++ != i) cells[kept - 1] = std::move(cells[i]);
+    }
+    cells.resize(kept);
   }
 };
 
@@ -124,15 +153,22 @@ PlaneKey plane_key(const RationalPoint& normal, const RationalPoint& on) {
 
 }  // namespace
 
+struct Moulds::All {
+  std::map<std::shared_ptr<const PreparedLeaf>, std::unique_ptr<const Mould>> of;
+};
+Moulds::Moulds() : all_(std::make_unique<All>()) {}
+Moulds::~Moulds() = default;
+
 class PieceMaker {
  public:
-  PieceMaker(Pieces& out, const PlacedLeaves& leaves, std::span<const RationalPoint> reach)
+  PieceMaker(Pieces& out, const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds)
       : out_(out), leaves_(leaves) {
+    auto& known = moulds.all_->of;
     const std::vector<LeafInstance>& instances = leaves.instances;
     for (std::size_t i = 0; i < instances.size(); ++i) {
-      const PreparedLeaf* leaf = instances[i].leaf.get();
+      const std::shared_ptr<const PreparedLeaf>& leaf = instances[i].leaf;
       if (leaf->unbounded()) continue;
-      auto [it, fresh] = moulds_.try_emplace(leaf);
+      auto [it, fresh] = known.try_emplace(leaf);
       if (fresh) it->second = std::make_unique<Mould>(*leaf);
       add(LeafId(i), *it->second, instances[i].transform);
     }
@@ -173,7 +209,7 @@ class PieceMaker {
     Place place{leaf, transform, mould, {}, {}};
     const bool identity = transform.identity();
     exact_.clear();
-    for (const RationalPoint& p : mould.numbers.points()) {
+    for (const RationalPoint& p : mould.numbers.all()) {
       if (identity) {
         place.points.push_back(enclose3(p));
       } else {
@@ -181,7 +217,7 @@ class PieceMaker {
         place.points.push_back(enclose3(exact_.back()));
       }
     }
-    if (identity) exact_ = mould.numbers.points();
+    if (identity) exact_ = mould.numbers.all();
     out_.points_[leaf] = exact_;
     const std::size_t first = out_.pieces_.size();
     if (mould.surfaces) {
@@ -218,7 +254,9 @@ class PieceMaker {
         piece.range[k] = i == 0 ? cell.at[i][k] : hull(piece.range[k], cell.at[i][k]);
       }
     }
+    piece.bent = cell.bent;
     derive(piece);
+    require(!piece.bent || piece.grid, "pieces: two triangles that are no rectangle of parameters");
     measure_turn(piece);
     const auto number = static_cast<std::uint32_t>(out_.pieces_.size());
     for (std::size_t i = 0; i < cell.points.size(); ++i)
@@ -530,7 +568,6 @@ class PieceMaker {
 
   Pieces& out_;
   const PlacedLeaves& leaves_;
-  std::map<const PreparedLeaf*, std::unique_ptr<Mould>> moulds_;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> sheets_;
   std::map<PlaneKey, std::uint32_t> planes_;
   std::map<std::array<double, 4>, std::uint32_t> curves_;
@@ -540,10 +577,10 @@ class PieceMaker {
   std::uint32_t next_ = 1;
 };
 
-Pieces::Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach) {
+Pieces::Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds) {
   {
     const enclosure::RoundOutward outward;
-    PieceMaker(*this, leaves, reach);
+    PieceMaker(*this, leaves, reach, moulds);
   }
   for_each_index(
       pieces_.size(),

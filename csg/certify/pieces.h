@@ -58,6 +58,7 @@ struct Piece {
   enum class Kind : std::uint8_t { cell, flat, curve };
   Kind kind = Kind::cell;
   bool grid = false;   ///< of a cell: four corners, those of `range` in u and v
+  bool bent = false;   ///< of a grid: its facets are two triangles, which share corners 0 and 2
   bool blind = false;  ///< its directions are not known: a net at its pole
   std::uint8_t corner_count = 0;
   LeafId leaf;
@@ -86,15 +87,29 @@ struct Piece {
   bool exact() const { return kind == Kind::flat || (kind == Kind::curve && surface == nullptr && !curve); }
 };
 
+/// What prepared leaves are made of before they are placed; kept from one drawing to the next.
+class Moulds {
+ public:
+  Moulds();
+  ~Moulds();
+
+ private:
+  friend class PieceMaker;
+  struct All;
+  std::unique_ptr<All> all_;
+};
+
 /// All pieces of leaves as they are drawn.
 class Pieces {
  public:
-  Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach);
+  Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds);
   const std::vector<Piece>& all() const { return pieces_; }
   /// True if the pieces, of one leaf, have a corner in common.
   bool adjacent(std::uint32_t a, std::uint32_t b) const;
   /// Parameters of a cell that hold the corners which it has in common with another piece of its leaf.
   std::array<Interval, 2> range_beside(std::uint32_t cell, std::uint32_t other) const;
+  /// By piece: the same one, beside the same ones, in a drawing of the same leaves; kNone if there is none.
+  std::vector<std::uint32_t> same_in(const Pieces& other) const;
   /// Says that one goes on smoothly as the other.
   void join(std::uint32_t a, std::uint32_t b);
   /// True if two cells of one surface, of different leaves, are drawn so that they do not cross: they are equal,
@@ -113,17 +128,25 @@ class Pieces {
   const std::set<LeafId>& unknown() const { return unknown_; }
 
  private:
+  /// A facet of a cell, by its corners, or a flat piece.
+  struct Facet {
+    std::uint32_t piece;
+    std::uint8_t corner_count;
+    std::array<std::uint8_t, 4> corners;
+  };
+  std::vector<Facet> facets_of(std::uint32_t piece) const;
   /// Of a piece that is not flat.
-  const RationalPoint& corner(std::uint32_t piece, std::size_t k) const;
-  RationalPoint normal_of(std::uint32_t cell) const;
+  const RationalPoint& corner(const Facet& facet, std::size_t k) const;
+  RationalPoint normal_of(const Facet& facet) const;
   /// True if the contact, a line or conic, runs along the border of the cell, or not through it.
-  bool along_border(std::uint32_t cell, std::uint32_t other, const Contact& contact) const;
+  bool along_border(const Facet& cell, const Facet& other, const Contact& contact) const;
   /// True if corners of a cell are on the side of a facet on which they are of its quadric.
-  bool on_true_side(std::uint32_t plane, std::uint32_t of, const Contact& contact) const;
-  PlaneEquation equation_of(std::uint32_t piece) const;
-  bool holds(std::uint32_t piece, const std::vector<const RationalPoint*>& points) const;
-  /// The sides of a plane on which corners of a piece are: 1 in front, 2 behind; and those on it.
-  int sides(const PlaneEquation& plane, std::uint32_t of, std::vector<const RationalPoint*>& on) const;
+  bool on_true_side(const Facet& plane, const Facet& of, const Contact& contact) const;
+  PlaneEquation equation_of(const Facet& facet) const;
+  bool holds(const Facet& facet, const std::vector<const RationalPoint*>& points) const;
+  /// The sides of a plane on which corners of a facet are: 1 in front, 2 behind; and those on it.
+  int sides(const PlaneEquation& plane, const Facet& of, std::vector<const RationalPoint*>& on) const;
+  Meeting facets_meet(const Facet& a, const Facet& b, const Contact& contact) const;
   std::vector<std::shared_ptr<const LeafSurfaces>> leaf_surfaces_;
   std::map<std::pair<LeafId, std::uint32_t>, std::unique_ptr<const PlacedSurface>> placed_;
   std::vector<Piece> pieces_;

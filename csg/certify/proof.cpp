@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "kernel/base/limits.h"
 #include "kernel/refine/box_pairs.h"
 
 namespace cnrg {
@@ -16,8 +17,9 @@ namespace {
 
 using Index = std::uint32_t;
 using PieceParts = std::vector<PiecePart>;
+using Patches = std::vector<std::pair<LeafId, std::uint32_t>>;
 
-constexpr std::size_t kMostSteps = 1000;        // of one question
+constexpr std::size_t kMostSteps = 250;         // of one question
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
 constexpr std::size_t kMostTold =
     64;  // places of the same patches of which it is asked whether facets are to blame
@@ -72,8 +74,9 @@ bool independent(const Interval3& a, const Interval3& b, const Interval3& c) {
 
 class Prover {
  public:
-  Prover(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps)
-      : pieces_(pieces), all_(pieces.all()), asked_for_(asked_for), most_steps_(most_steps) {}
+  Prover(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps,
+         const EarlierProof* earlier)
+      : pieces_(pieces), all_(pieces.all()), asked_for_(asked_for), most_steps_(most_steps), earlier_(earlier) {}
 
   Proof run() {
     find_pairs();
@@ -82,6 +85,7 @@ class Prover {
     thickness_.assign(all_.size(), -1);
     roots_.resize(all_.size());
     relate_leaves();
+    if (earlier_ != nullptr) before_ = pieces_.same_in(earlier_->pieces);
     for (const auto& [a, b] : pairs_) ask_pair(a, b);
     for (std::vector<Index>& near : together_) std::sort(near.begin(), near.end());
     for (Index i = 0; i < all_.size(); ++i) {
@@ -233,22 +237,25 @@ class Prover {
 
   /// True if it is proven. `some`: whether they may have a point in common.
   bool ask(const std::vector<Index>& tuple, Question question, bool& some) {
-    std::vector<std::pair<LeafId, std::uint32_t>> patches;
+    Patches patches;
     for (const Index i : tuple) patches.emplace_back(all_[i].leaf, all_[i].patch);
     std::sort(patches.begin(), patches.end());
     std::size_t& open = open_[patches];
     if (open >= kMostOpen) return false;
-    if (answered_at_once(tuple, question, some)) return true;
+    const PieceTuple key = key_of(tuple);
+    if (const Proof::Answer* const before = answered_before(key)) return take(*before, tuple, patches, open, some);
+    if (answered_at_once(tuple, question, some)) return answered(key, some);
     if (proof_.steps >= most_steps_) {
       ++proof_.left;
       return false;
     }
     Interval3 left{};
     some = false;
-    if (answer(tuple, question, Between::facets_and_surfaces, kMostSteps, some, left)) return true;
+    if (answer(tuple, question, Between::facets_and_surfaces, kMostSteps, some, left)) return answered(key, some);
     if (tuple.size() == 2 && is_cell(tuple[0]) && is_cell(tuple[1])) {
       if (const auto known = touch(tuple[0], tuple[1])) {
-        some = *known;
+        some = *known != Proof::Answer::Kind::apart;
+        proof_.answers.try_emplace(key, Proof::Answer{*known});
         return true;
       }
     }
@@ -267,24 +274,70 @@ class Prover {
         hopeless_.insert(patches);
       }
     }
-    proof_.open.push_back(std::move(place));
+    add_open(key, std::move(place));
     return false;
+  }
+
+  static PieceTuple key_of(std::vector<Index> tuple) {
+    std::sort(tuple.begin(), tuple.end());
+    PieceTuple key{kNone, kNone, kNone, kNone};
+    std::ranges::copy(tuple, key.begin());
+    return key;
+  }
+  bool answered(const PieceTuple& key, bool some) {
+    using Kind = Proof::Answer::Kind;
+    proof_.answers.try_emplace(key, Proof::Answer{some ? Kind::crossing : Kind::apart});
+    return true;
+  }
+  void add_open(const PieceTuple& key, OpenPlace place) {
+    proof_.answers.try_emplace(
+        key, Proof::Answer{Proof::Answer::Kind::open, static_cast<std::uint32_t>(proof_.open.size())});
+    proof_.open.push_back(std::move(place));
+  }
+  /// Of the same pieces in the earlier drawing; null if it is not known.
+  const Proof::Answer* answered_before(const PieceTuple& key) const {
+    if (earlier_ == nullptr) return nullptr;
+    PieceTuple there{kNone, kNone, kNone, kNone};
+    for (std::size_t k = 0; k < 4 && key[k] != kNone; ++k) {
+      there[k] = before_[key[k]];
+      if (there[k] == kNone) return nullptr;
+    }
+    std::sort(there.begin(), there.end());
+    const auto it = earlier_->proof.answers.find(there);
+    return it == earlier_->proof.answers.end() ? nullptr : &it->second;
+  }
+  bool take(const Proof::Answer& before, const std::vector<Index>& tuple, const Patches& patches,
+            std::size_t& open, bool& some) {
+    using Kind = Proof::Answer::Kind;
+    some = before.kind != Kind::apart;
+    if (before.kind == Kind::open) {
+      OpenPlace place = earlier_->proof.open[before.place];
+      place.pieces = tuple;
+      ++open;
+      if (!place.by_facets) hopeless_.insert(patches);
+      add_open(key_of(tuple), std::move(place));
+      return false;
+    }
+    if (before.kind == Kind::contact) contacts_.emplace(std::minmax(tuple[0], tuple[1]));
+    proof_.answers.try_emplace(key_of(tuple), before);
+    return true;
   }
   /// Nothing, unless one sheet is on one side of the other, and so are the facets. Then whether they have points
   /// of the contact in common: facets and surfaces both.
-  std::optional<bool> touch(Index a, Index b) {
+  std::optional<Proof::Answer::Kind> touch(Index a, Index b) {
+    using Kind = Proof::Answer::Kind;
     const std::optional<Contact>& contact = pieces_.contact_of(all_[a].sheet, all_[b].sheet);
     if (!contact) return std::nullopt;
     const Pieces::Meeting meeting = pieces_.facets_meet(a, b, *contact);
     if (meeting == Pieces::Meeting::otherwise) return std::nullopt;
     if (meeting == Pieces::Meeting::at_contact) {
       contacts_.emplace(a, b);
-      return true;
+      return Kind::contact;
     }
-    if (contact->kind == Contact::Kind::none) return false;
+    if (contact->kind == Contact::Kind::none) return Kind::apart;
     bool some = false;
     Interval3 left{};
-    if (answer({a, b}, Question::apart, Between::surfaces, kMostOfSurfaces, some, left)) return false;
+    if (answer({a, b}, Question::apart, Between::surfaces, kMostOfSurfaces, some, left)) return Kind::apart;
     return std::nullopt;
   }
 
@@ -430,20 +483,23 @@ class Prover {
   const std::vector<Piece>& all_;
   const std::function<bool(LeafId, LeafId)>& asked_for_;
   const std::size_t most_steps_;
+  const EarlierProof* const earlier_;
+  std::vector<Index> before_;                            // by piece: the same one in the earlier drawing
   std::vector<std::unique_ptr<const PiecePart>> roots_;  // whole pieces, once they are asked for
   std::vector<std::pair<Index, Index>> pairs_;
   std::vector<std::vector<Index>> together_;
   std::set<std::pair<Index, Index>> smooth_, contacts_;
-  std::vector<double> thickness_;  // of pieces; below 0 where it is not known yet
-  std::set<std::vector<std::pair<LeafId, std::uint32_t>>> hopeless_;           // patches that touch somewhere
-  std::map<std::vector<std::pair<LeafId, std::uint32_t>>, std::size_t> open_;  // how many places, by patches
+  std::vector<double> thickness_;        // of pieces; below 0 where it is not known yet
+  std::set<Patches> hopeless_;           // that touch somewhere
+  std::map<Patches, std::size_t> open_;  // how many places
   Proof proof_;
 };
 
 }  // namespace
 
-Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps) {
-  return Prover(pieces, asked_for, most_steps).run();
+Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps,
+            const EarlierProof* earlier) {
+  return Prover(pieces, asked_for, most_steps, earlier).run();
 }
 
 }  // namespace cnrg

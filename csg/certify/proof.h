@@ -18,12 +18,22 @@
 
 #include <cstddef>
 #include <functional>
-#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "csg/certify/pieces.h"
 
 namespace cnrg {
+
+/// Up to four pieces; kNone after them.
+using PieceTuple = std::array<std::uint32_t, 4>;
+struct PieceTupleHash {
+  std::size_t operator()(const PieceTuple& tuple) const {
+    std::uint64_t hash = 0;
+    for (const std::uint32_t i : tuple) hash = (hash ^ i) * 0x9e3779b97f4a7c15u, hash ^= hash >> 29;
+    return hash;
+  }
+};
 
 /// Pieces of which it is not proven that they are in general position.
 struct OpenPlace {
@@ -42,10 +52,24 @@ struct Proof {
   std::size_t steps = 0;     ///< how often a part was halved
   std::size_t left = 0;      ///< questions that were not answered for want of steps
   std::vector<OpenPlace> open;
+  /// By pieces: how questions about them were answered, but for those that are left.
+  struct Answer {
+    enum class Kind : std::uint8_t { apart, crossing, contact, open } kind;
+    std::uint32_t place = 0;  ///< in `open`
+  };
+  std::unordered_map<PieceTuple, Answer, PieceTupleHash> answers;
+};
+
+/// A drawing and its proof: of a later one only that is asked which has other pieces.
+struct EarlierProof {
+  const Pieces& pieces;
+  const Proof& proof;
 };
 
 /// `asked_for`: whether leaves are below one node that matters.
 /// `most_steps`: of Proof::steps; what is asked after them is left.
-Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps);
+/// `earlier`: of the same leaves in the same places, with other lines; null for none.
+Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps,
+            const EarlierProof* earlier = nullptr);
 
 }  // namespace cnrg

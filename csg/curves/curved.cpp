@@ -176,6 +176,11 @@ std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParam
   const RationalPoint& c = shape.center;
   builder.name_patch(0, "sphere");
   const std::vector<Rational> u = fractions(shape.segments), v = fractions(rings);
+  std::vector<std::array<Rational, 2>> around;
+  for (int i = 0; i < shape.segments; ++i) {
+    const Rational longitude = fraction(std::int64_t{360} * i, shape.segments);
+    around.push_back({from_double(cosine_degrees(longitude)), from_double(sine_degrees(longitude))});
+  }
   Ring lower(n, builder.point({c[0], c[1], c[2] - shape.radius}));
   for (int j = 1; j <= rings; ++j) {
     Ring upper;
@@ -185,11 +190,9 @@ std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParam
       const Rational latitude = fraction(std::int64_t{180} * j, rings) - 90;
       const Rational out = shape.radius * from_double(cosine_degrees(latitude));
       const Rational z = rounded_for(c[2] + shape.radius * from_double(sine_degrees(latitude)), shape.radius);
-      for (int i = 0; i < shape.segments; ++i) {
-        const Rational longitude = fraction(std::int64_t{360} * i, shape.segments);
-        upper.push_back(
-            builder.point({rounded_for(c[0] + out * from_double(cosine_degrees(longitude)), shape.radius),
-                           rounded_for(c[1] + out * from_double(sine_degrees(longitude)), shape.radius), z}));
+      for (const auto& [x, y] : around) {
+        upper.push_back(builder.point(
+            {rounded_for(c[0] + out * x, shape.radius), rounded_for(c[1] + out * y, shape.radius), z}));
       }
     }
     add_band(builder, lower, upper, 0, u, v[static_cast<std::size_t>(j) - 1], v[static_cast<std::size_t>(j)]);

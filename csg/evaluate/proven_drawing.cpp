@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMostRounds = 24;
 constexpr std::size_t kStepsAsDrawn = 20'000;  // as Proof::steps; of a few curved leaves a hundred times less
-constexpr std::size_t kMostSteps = 5'000'000;  // of each round, and after them there is no other
+constexpr std::size_t kMostSteps = 5'000'000;  // with lines, of all rounds
 constexpr std::size_t kMostLines = 400;        // of a patch, in one direction
 constexpr std::size_t kMostPieces = 30'000;    // more than there were
 
@@ -63,13 +63,11 @@ ProvenDrawing::ProvenDrawing(const Tree& tree, const Unfolding& unfolding, const
   prove_it();
   if (options.proof != AskedProof::with_lines) return;
   const std::size_t most = pieces_->all().size() + kMostPieces;
-  std::size_t steps = proof_->steps;
-  for (int round = 0; round < kMostRounds && pieces_->all().size() < most && steps < kMostSteps && add_lines();
+  for (int round = 0; round < kMostRounds && pieces_->all().size() < most && steps_ < kMostSteps && add_lines();
        ++round) {
     options.watch.check();
     draw();
     prove_it();
-    steps += proof_->steps;
   }
 }
 
@@ -88,11 +86,17 @@ void ProvenDrawing::prove_it() {
       below.back()[leaf.index()] = options_.proof == AskedProof::with_lines || !read_back;
     }
   }
-  pieces_ = std::make_unique<Pieces>(drawings_->whole(), options_.reach);
+  auto pieces = std::make_unique<Pieces>(drawings_->whole(), options_.reach, moulds_);
+
   const auto asked_for = [&](LeafId a, LeafId b) {
     return std::ranges::any_of(below, [&](const auto& in) { return in[a.index()] && in[b.index()]; });
   };
-  proof_ = prove(*pieces_, asked_for, options_.proof == AskedProof::as_drawn ? kStepsAsDrawn : kMostSteps);
+  const std::size_t most = options_.proof == AskedProof::as_drawn ? kStepsAsDrawn : kMostSteps;
+  std::optional<EarlierProof> earlier;
+  if (proof_) earlier.emplace(EarlierProof{*pieces_, *proof_});
+  proof_ = prove(*pieces, asked_for, most - steps_, earlier ? &*earlier : nullptr);
+  steps_ += proof_->steps;
+  pieces_ = std::move(pieces);
 }
 
 bool ProvenDrawing::add_lines() {

@@ -41,6 +41,8 @@ class ProvenDrawing {
   std::shared_ptr<const LeafLines> lines_;
   std::unique_ptr<Drawings> drawings_;
   std::vector<Diagnostic> diagnostics_;
+  Moulds moulds_;
+  std::size_t steps_ = 0;  // of all proofs so far
   std::unique_ptr<Pieces> pieces_;
   std::optional<Proof> proof_;
 };

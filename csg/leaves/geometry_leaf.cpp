@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -176,14 +177,14 @@ void LeafBuilder::facet(PointId a, PointId b, PointId c, PointId d, std::uint32_
       soup_.add_face(leaf_, std::span(&loop, 1), leaf_face, leaf_face);
     }
     if (record_ == nullptr) return;
-    std::vector<PatchCorner> corners;
-    for (const std::size_t i : cell) corners.push_back({value(all[i]), {*at[i][0], *at[i][1]}});
+    std::vector<LeafParameters::Corner> corners;
+    for (const std::size_t i : cell) corners.push_back(corner(all[i], at[i]));
     record_->add_facet(corners);
   };
   if (a == b) return add({0, 2, 3}, {0, 1, 2, 3});
   if (b == c || c == d) return add({0, 1, 3}, {0, 1, 2, 3});
   if (d == a) return add({0, 1, 2}, {0, 1, 2, 3});
-  if (volume6(value(a), value(b), value(c), value(d)) == 0) return add({0, 1, 2, 3}, {0, 1, 2, 3});
+  if (coplanar(a, b, c, d)) return add({0, 1, 2, 3}, {0, 1, 2, 3});
   add({0, 1, 2}, {0, 1, 2});
   add({0, 2, 3}, {0, 2, 3});
 }
@@ -193,12 +194,35 @@ void LeafBuilder::facet(PointId a, PointId b, PointId c, std::uint32_t leaf_face
   LeafStop::check();
   soup_.add_triangle(leaf_, a, b, c, leaf_face, leaf_face);
   if (record_ == nullptr) return;
-  std::vector<PatchCorner> corners;
-  for (const PointId p : {a, b, c}) {
-    const auto& [u, v] = at[corners.size()];
-    corners.push_back({value(p), {*u, *v}});
-  }
+  std::vector<LeafParameters::Corner> corners;
+  for (const PointId p : {a, b, c}) corners.push_back(corner(p, at[corners.size()]));
   record_->add_facet(corners);
+}
+
+LeafParameters::Corner LeafBuilder::corner(PointId p, const std::array<const Rational*, 2>& at) {
+  if (recorded_.size() <= p.index()) recorded_.resize(soup_.point_count(), kNone);
+  std::uint32_t& number = recorded_[p.index()];
+  if (number == kNone) number = record_->number_of(value(p));
+  return {number, record_->number_of(*at[0]), record_->number_of(*at[1])};
+}
+
+bool LeafBuilder::coplanar(PointId a, PointId b, PointId c, PointId d) const {
+  const std::array<PointId, 4> all{a, b, c, d};
+  if (std::ranges::none_of(all, [&](PointId p) { return soup_.rational(p) != nullptr; })) {
+    // By doubles, where their error leaves no doubt (shewchuk1997, orient3d).
+    double m[3][3], volume = 0, most = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) m[i][k] = soup_.xyz(all[i])[k] - soup_.xyz(d)[k];
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t y = (k + 1) % 3, z = (k + 2) % 3;
+      const double p = m[1][y] * m[2][z], q = m[1][z] * m[2][y];
+      volume += m[0][k] * (p - q);
+      most += std::abs(m[0][k]) * (std::abs(p) + std::abs(q));
+    }
+    if (most > 1e-250 && std::abs(volume) > 1e-15 * most) return false;
+  }
+  return volume6(value(a), value(b), value(c), value(d)) == 0;
 }
 
 RationalPoint LeafBuilder::value(PointId p) const { return exact_value(soup_, p); }

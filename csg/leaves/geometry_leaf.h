@@ -76,7 +76,10 @@ class LeafBuilder {
   LeafId leaf_;
   Fill fill_;
   LeafParameters* record_;
+  std::vector<std::uint32_t> recorded_;  // by point: its number in `record_`; kNone: not yet
 
+  LeafParameters::Corner corner(PointId p, const std::array<const Rational*, 2>& at);
+  bool coplanar(PointId a, PointId b, PointId c, PointId d) const;
   void note_flat() {
     if (record_ != nullptr) record_->add_flat_facet();
   }

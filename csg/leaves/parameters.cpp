@@ -112,35 +112,31 @@ bool holds(std::span<const PatchCorner> corners, const RationalPoint& p) {
   return !(left && right);
 }
 
-LeafParameters::Index LeafParameters::intern(const Rational& value) {
-  const auto [it, fresh] = value_number_.try_emplace(value, next_number(values_.size(), "parameters of points"));
-  if (fresh) values_.push_back(value);
-  return it->second;
-}
-
-LeafParameters::Index LeafParameters::intern(const RationalPoint& point) {
-  const auto [it, fresh] = point_number_.try_emplace(point, next_number(points_.size(), "points"));
-  if (fresh) points_.push_back(point);
-  return it->second;
-}
-
 void LeafParameters::add_facet(std::span<const PatchCorner> corners) {
   const std::vector<PatchCorner> cell(corners.begin(), corners.end());
   add_facet(std::span(&cell, 1));
 }
 
+void LeafParameters::add_facet(std::span<const Corner> corners) {
+  corners_.insert(corners_.end(), corners.begin(), corners.end());
+  end_cell();
+  facets_.push_back(static_cast<Index>(cells_.size() - 1));
+}
+
 void LeafParameters::add_facet(std::span<const std::vector<PatchCorner>> cells) {
   for (const std::vector<PatchCorner>& cell : cells) {
-    for (const PatchCorner& corner : cell) {
-      corners_.push_back({intern(corner.point), intern(corner.at[0]), intern(corner.at[1])});
-    }
-    cells_.push_back(place32(corners_.size(), "corners of facets"));
+    for (const PatchCorner& corner : cell)
+      corners_.push_back({number_of(corner.point), number_of(corner.at[0]), number_of(corner.at[1])});
+    end_cell();
   }
   facets_.push_back(static_cast<Index>(cells_.size() - 1));
 }
 
+void LeafParameters::end_cell() { cells_.push_back(place32(corners_.size(), "corners of facets")); }
+
 void LeafParameters::add_wire(const Wire& wire) {
-  wires_.push_back({intern(wire.ends[0]), intern(wire.ends[1]), intern(wire.at[0]), intern(wire.at[1])});
+  wires_.push_back(
+      {number_of(wire.ends[0]), number_of(wire.ends[1]), number_of(wire.at[0]), number_of(wire.at[1])});
 }
 
 LeafParameters::Wire LeafParameters::wire(std::size_t i) const {
@@ -161,14 +157,20 @@ const std::string& LeafParameters::curve_name(std::uint32_t curve) const {
   return it == curves_.end() ? kNone : it->second;
 }
 
-std::vector<std::vector<PatchCorner>> LeafParameters::cells(std::size_t facet) const {
+std::vector<std::span<const LeafParameters::Corner>> LeafParameters::cells_by_number(std::size_t facet) const {
   require(facet < facet_count(), "parameters: a leaf has fewer facets than its soup");
+  std::vector<std::span<const Corner>> result;
+  for (Index c = facets_[facet]; c < facets_[facet + 1]; ++c)
+    result.push_back(std::span(corners_).subspan(cells_[c], cells_[c + 1] - cells_[c]));
+  return result;
+}
+
+std::vector<std::vector<PatchCorner>> LeafParameters::cells(std::size_t facet) const {
   std::vector<std::vector<PatchCorner>> result;
-  for (Index c = facets_[facet]; c < facets_[facet + 1]; ++c) {
+  for (const std::span<const Corner> cell : cells_by_number(facet)) {
     result.emplace_back();
-    for (Index k = cells_[c]; k < cells_[c + 1]; ++k) {
-      result.back().push_back({points_[corners_[k].point], {values_[corners_[k].u], values_[corners_[k].v]}});
-    }
+    for (const Corner& corner : cell)
+      result.back().push_back({points_[corner.point], {values_[corner.u], values_[corner.v]}});
   }
   return result;
 }

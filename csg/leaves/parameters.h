@@ -25,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/geometry/exact_numbers.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
@@ -63,6 +64,13 @@ class LeafParameters {
   void add_facet(std::span<const PatchCorner> corners);
   /// The next face is the union of parts of cells, none for a face without parameters.
   void add_facet(std::span<const std::vector<PatchCorner>> cells);
+  /// The same, by numbers.
+  struct Corner {
+    std::uint32_t point, u, v;
+  };
+  std::uint32_t number_of(const RationalPoint& point) { return points_.of(point, "points"); }
+  std::uint32_t number_of(const Rational& value) { return values_.of(value, "parameters of points"); }
+  void add_facet(std::span<const Corner> corners);
   void add_flat_facet() { add_facet(std::span<const std::vector<PatchCorner>>()); }
   /// A straight piece of a curve, from C(at[0]) to C(at[1]); parameters are linear between.
   struct Wire {
@@ -80,23 +88,20 @@ class LeafParameters {
   const std::string& curve_name(std::uint32_t curve) const;
   /// The cells of facet i, counted from the leaf's first face.
   std::vector<std::vector<PatchCorner>> cells(std::size_t facet) const;
+  /// The same, by numbers of points() and values().
+  std::vector<std::span<const Corner>> cells_by_number(std::size_t facet) const;
+  const std::vector<RationalPoint>& points() const { return points_.all(); }
+  const std::vector<Rational>& values() const { return values_.all(); }
   /// Wire i, counted from the leaf's first one; its two parameters are equal if it has none.
   Wire wire(std::size_t i) const;
 
  private:
   using Index = std::uint32_t;
-  /// A number of `values_` that is `value`; each value is held once.
-  Index intern(const Rational& value);
-  Index intern(const RationalPoint& point);
+  void end_cell();
 
   std::map<std::uint32_t, std::string> patches_, curves_;
-  std::map<Rational, Index> value_number_;
-  std::map<RationalPoint, Index> point_number_;
-  std::vector<Rational> values_;
-  std::vector<RationalPoint> points_;
-  struct Corner {
-    Index point, u, v;
-  };
+  ExactNumbers<Rational> values_;
+  ExactNumbers<RationalPoint> points_;
   std::vector<Corner> corners_;
   std::vector<Index> cells_{0};              // where the corners of each cell begin, and their end
   std::vector<Index> facets_{0};             // where the cells of each facet begin, and their end
