@@ -26,6 +26,7 @@ struct EvalArguments {
   bool binary = false;      ///< .stl and .ply in their binary forms
   bool parameters = false;  ///< .json and .vtu with the parameters of patches
   bool certify = false;     ///< uncertain crossings of curved patches are an error
+  bool no_certify = false;  ///< nothing is asked of them
   std::string join;         ///< features nearer than this number are joined; empty: none are
   Refining refining = Refining::chosen;
   int threads = 0, finer = 1;
@@ -71,7 +72,7 @@ struct MeshArguments {
   std::vector<std::string> files;
   TetrahedraOptions options;
   bool snap = false, no_snap = false, quiet = false;     ///< as of `eval`
-  bool certify = false;                                  ///< as of `eval`
+  bool certify = false, no_certify = false;              ///< as of `eval`
   bool curved = false;                                   ///< points on the true surfaces, elements of second order
   bool surface = false;                                  ///< triangles on faces, segments on edges, no tetrahedra
   bool quads = false;                                    ///< of `surface`: triangles merged by pairs

@@ -197,7 +197,7 @@ int run_eval(const EvalArguments& arguments) {
   options.raw = arguments.raw;
   options.refining = arguments.refining;
   const bool in_files = std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
-  options.proof = asked_proof(arguments.certify, arguments.quiet);
+  options.proof = asked_proof(arguments.certify, arguments.no_certify);
   options.rows = !arguments.quiet || in_files ? Rows::all : Rows::none;
   options.region_volumes = arguments.trace;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));

@@ -95,7 +95,6 @@ int evaluate_as_told(std::span<char*> words) {
   EvaluateOptions options;
   options.region_volumes = arguments.trace;
   options.threads = arguments.threads;
-  options.proof = AskedProof::as_drawn;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));
   const Evaluation evaluation = evaluate_in_view(tree, options, false, &clock);
   const bool crosses = tell_uncertain(tree, evaluation, false);

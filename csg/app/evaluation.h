@@ -29,9 +29,9 @@ NodeId node_of(const Tree& tree, const std::string& name, const char* option = "
 /// No more threads than asked for until the program ends; 0: as many as there are.
 void limit_threads(int threads);
 
-/// With --certify a proof, without it notices, unless nobody reads them.
-inline AskedProof asked_proof(bool certify, bool quiet) {
-  return certify ? AskedProof::with_lines : quiet ? AskedProof::none : AskedProof::as_drawn;
+/// Of the options --certify and --no-certify.
+inline AskedProof asked_proof(bool certify, bool no_certify) {
+  return certify ? AskedProof::to_the_end : no_certify ? AskedProof::none : AskedProof::within_budget;
 }
 
 /// Evaluates behind a progress bar and prints the diagnostics; `quiet`: no bar, warnings only. The clock is told

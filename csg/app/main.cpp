@@ -254,9 +254,11 @@ int run(int argc, char** argv) {
   sub->add_flag("--no-snap", eval.no_snap, std::string(kNoSnap) + "write the file, and warn")->excludes(snap);
   sub->add_flag("--binary", eval.binary, "Of .stl (numbers of 24 bits) and .ply (doubles): the binary form");
   constexpr const char* kCertify =
-      "Prove that curved surfaces meet as their facets do, which get finer where that is needed; a place that is "
-      "left is an error";
-  sub->add_flag("--certify", eval.certify, kCertify);
+      "Where it is not proven that curved surfaces meet as their facets do: ask with a hundred times the steps, and "
+      "make an error of what is left";
+  constexpr const char* kNoCertify = "Do not ask whether they do: facets stay as they are, right or wrong";
+  CLI::Option* const certify = sub->add_flag("--certify", eval.certify, kCertify);
+  sub->add_flag("--no-certify", eval.no_certify, kNoCertify)->excludes(certify);
   sub->add_flag("--parameters", eval.parameters,
                 "In .json and .vtu: the parameters u, v of faces on curved patches")
       ->excludes(snap);
@@ -389,7 +391,8 @@ int run(int argc, char** argv) {
       sub->add_flag("--constrained", mesh.options.constrained,
                     "Not by TetGen: exact constrained tetrahedra, improved; without it these are made only where "
                     "TetGen fails");
-  sub->add_flag("--certify", mesh.certify, kCertify);
+  CLI::Option* const certifies = sub->add_flag("--certify", mesh.certify, kCertify);
+  sub->add_flag("--no-certify", mesh.no_certify, kNoCertify)->excludes(certifies);
   CLI::Option* const joins = sub->add_option("--join", mesh.join, kJoin)->type_name("D")->check(distance_fault);
   CLI::Option* const curved =
       sub->add_flag("--curved", mesh.curved,

@@ -352,7 +352,7 @@ int run_mesh(const MeshArguments& arguments) {
   options.threads = arguments.threads;
   options.rows = Rows::none;
   options.result = node;
-  options.proof = asked_proof(arguments.certify, arguments.quiet);
+  options.proof = asked_proof(arguments.certify, arguments.no_certify);
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
   else tell_uncertain(tree, evaluation, arguments.quiet);

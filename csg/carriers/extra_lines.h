@@ -21,6 +21,8 @@ namespace cnrg {
 /// each other and its even ones, but none next to these circles.
 struct ExtraLines {
   std::map<std::uint32_t, std::array<std::vector<Rational>, 2>> of;
+  friend bool operator==(const ExtraLines&, const ExtraLines&) = default;
+  friend bool operator<(const ExtraLines& a, const ExtraLines& b) { return a.of < b.of; }
 };
 
 /// By instance.

@@ -85,7 +85,10 @@ class Prover {
     thickness_.assign(all_.size(), -1);
     roots_.resize(all_.size());
     relate_leaves();
-    if (earlier_ != nullptr) before_ = pieces_.same_in(earlier_->pieces);
+    if (earlier_ != nullptr) {
+      before_ = pieces_.same_in(earlier_->pieces);
+      proof_.spent = earlier_->proof.spent;
+    }
     for (const auto& [a, b] : pairs_) ask_pair(a, b);
     for (std::vector<Index>& near : together_) std::sort(near.begin(), near.end());
     for (Index i = 0; i < all_.size(); ++i) {
@@ -245,10 +248,22 @@ class Prover {
     const PieceTuple key = key_of(tuple);
     if (const Proof::Answer* const before = answered_before(key)) return take(*before, tuple, patches, open, some);
     if (answered_at_once(tuple, question, some)) return answered(key, some);
-    if (proof_.steps >= most_steps_) {
-      ++proof_.left;
+    std::vector<LeafId> leaves;
+    for (const auto& [leaf, patch] : patches) {
+      if (leaves.empty() || leaves.back() != leaf) leaves.push_back(leaf);
+    }
+    std::size_t& spent = proof_.spent[leaves];
+    if (spent >= most_steps_) {
+      ++proof_.left[leaves];
       return false;
     }
+    const std::size_t before = proof_.steps;
+    const bool proven = ask_on(key, tuple, question, patches, open, some);
+    spent += proof_.steps - before;
+    return proven;
+  }
+  bool ask_on(const PieceTuple& key, const std::vector<Index>& tuple, Question question, const Patches& patches,
+              std::size_t& open, bool& some) {
     Interval3 left{};
     some = false;
     if (answer(tuple, question, Between::facets_and_surfaces, kMostSteps, some, left)) return answered(key, some);

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -50,7 +51,9 @@ struct Proof {
   std::size_t crossing = 0;  ///< proven to cross at an angle, if they do
   std::size_t contacts = 0;  ///< proven to touch as their surfaces do (contact.h)
   std::size_t steps = 0;     ///< how often a part was halved
-  std::size_t left = 0;      ///< questions that were not answered for want of steps
+  /// By sets of leaves, ascending: steps, those of earlier proofs included, and questions that were not answered
+  /// for want of steps.
+  std::map<std::vector<LeafId>, std::size_t> spent, left;
   std::vector<OpenPlace> open;
   /// By pieces: how questions about them were answered, but for those that are left.
   struct Answer {
@@ -67,7 +70,7 @@ struct EarlierProof {
 };
 
 /// `asked_for`: whether leaves are below one node that matters.
-/// `most_steps`: of Proof::steps; what is asked after them is left.
+/// `most_steps`: of a set of leaves; what is asked of it after them is left.
 /// `earlier`: of the same leaves in the same places, with other lines; null for none.
 Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps,
             const EarlierProof* earlier = nullptr);

@@ -23,12 +23,11 @@ struct Drawing {
   std::vector<NearSurfaces> near;  // that are nearly one, and not welded
   std::vector<LeafWords> refused;  // leaves that share something and yet stay as they are
   std::vector<LeafWords> welded;
-  std::set<std::uint32_t> with_lines;
 };
 
 /// LeafError names leaves by their places in `instances`.
 Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>& weld,
-             const ExtraOfInstances& extra) {
+             const ExtraOfInstances& lines) {
   Drawing out;
   WeldedSurfaces round;
   if (weld) {
@@ -37,7 +36,7 @@ Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>&
     if (!round.notice.empty()) out.welded.push_back(round.notice);
   }
   out.placed.surfaces = surface_numbers(instances, &out.placed.quadrics);
-  instances = with_common_lines(std::move(instances), &out.near, &out.refused, round.anew, extra, &out.with_lines);
+  instances = with_common_lines(std::move(instances), &out.near, &out.refused, round.anew, lines);
   if (weld) {
     WeldedLeaves welded = weld_leaves(instances, *weld, round.farthest);
     instances = std::move(welded.instances);
@@ -89,12 +88,15 @@ bool drawn_alike(const LeafInstance& one, const LeafInstance& other) {
 }  // namespace
 
 Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
-                   const LeafLines* lines, std::vector<Diagnostic>& diagnostics)
-    : tree_(tree), unfolding_(unfolding), leaves_(leaves) {
-  if (lines != nullptr) find_lines(*lines);
+                   const EvaluateOptions& options, std::vector<Diagnostic>& diagnostics)
+    : tree_(tree), unfolding_(unfolding), leaves_(leaves), options_(options) {
   Drawing drawing;
-  leaves.locate_errors([&] { drawing = draw(leaves.instances(), tree.weld, extra_); });
-  with_lines_ = std::move(drawing.with_lines);
+  const auto draw_all = [&](const ExtraOfInstances& lines) -> const PlacedLeaves& {
+    leaves.locate_errors([&] { drawing = draw(leaves.instances(), tree.weld, lines); });
+    if (lines.empty()) first_ = drawing.placed;
+    return drawing.placed;
+  };
+  proven_ = std::make_unique<const ProvenLines>(draw_all, asked_below(unfolding.roots), options, moulds_);
   for (const LeafWords& notice : drawing.welded)
     diagnostics.push_back({tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
   append(diagnostics, leaves.near_notices(drawing.near));
@@ -104,14 +106,19 @@ Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedL
   find_representatives();
 }
 
-void Drawings::find_lines(const LeafLines& lines) {
-  for (const InstanceId id : IdRange<InstanceId>(unfolding_.instances.size())) {
-    const Instance& instance = unfolding_.instances[id];
-    const LeafId leaf = leaves_.leaf_of(id);
-    if (!leaf.valid()) continue;
-    const auto of = lines.of.find({instance.node, Placement(*instance.transform)});
-    if (of != lines.of.end()) extra_[leaf.index()] = of->second;
+ProvenLines::Asked Drawings::asked_below(const std::vector<InstanceId>& roots) const {
+  // Of a result read back only facets are known; most of them are those of a surface beside it, which is no fault.
+  std::vector<std::vector<char>> below;
+  for (const InstanceId root : roots) {
+    below.emplace_back(leaves_.instances().size());
+    for (const LeafId leaf : leaves_.below(unfolding_, root)) {
+      const bool read_back = leaves_.instances()[leaf.index()].leaf->cells() != nullptr;
+      below.back()[leaf.index()] = options_.proof == AskedProof::to_the_end || !read_back;
+    }
   }
+  return [below = std::move(below)](LeafId a, LeafId b) {
+    return std::ranges::any_of(below, [&](const auto& in) { return in[a.index()] && in[b.index()]; });
+  };
 }
 
 void Drawings::find_affected(bool any_refused) {
@@ -124,55 +131,108 @@ void Drawings::find_affected(bool any_refused) {
   for (std::uint32_t i = 0; i < before.size(); ++i) {
     const std::uint32_t group = group_[i];
     if (size_[group] == 1 || affected_[group] != 0) continue;
-    const LeafInstance& after = whole_.instances[i];
-    const bool anew = before[i].leaf != after.leaf || !(*before[i].transform == *after.transform);
-    affected_[group] = any_refused || (anew && !by_its_lines(LeafId(i)));
+    const LeafInstance& after = first_.instances[i];
+    affected_[group] = any_refused || before[i].leaf != after.leaf || !(*before[i].transform == *after.transform);
   }
-}
-
-bool Drawings::by_its_lines(LeafId leaf) {
-  return extra_.contains(leaf.index()) && drawn_alike(drawn({leaf}).front(), whole_.instances[leaf.index()]);
+  for (const Leaves& undecided : proven_->undecided()) {
+    for (const LeafId leaf : undecided) affected_[group_[leaf.index()]] = 1;
+  }
 }
 
 void Drawings::find_representatives() {
   for (const InstanceId id : IdRange<InstanceId>(unfolding_.instances.size())) {
     const LeafId leaf = leaves_.leaf_of(id);
     std::vector<InstanceId> below;
+    bool all = true;
     for (const InstanceId operand : unfolding_.instances[id].operands) {
       if (representative_[operand].valid()) below.push_back(representative_[operand]);
+      else all = false;
     }
     sort_unique(below);
-    if (below.size() == 1) representative_.push_back(below.front());
+    if (below.size() == 1 && all) representative_.push_back(below.front());
     else if (!below.empty() || (leaf.valid() && affected_[group_[leaf.index()]])) representative_.push_back(id);
     else representative_.push_back(InstanceId::none());
   }
 }
 
-PlacedLeaves Drawings::draw_only(const std::vector<LeafId>& leaves) const {
+PlacedLeaves Drawings::draw_only(const Leaves& leaves, const ExtraOfInstances& lines) const {
   std::vector<LeafInstance> instances(whole_.instances.size(), LeafInstance{no_geometry(), {}});
   for (const LeafId leaf : leaves) instances[leaf.index()] = leaves_.instances()[leaf.index()];
   PlacedLeaves placed;
-  leaves_.locate_errors([&] { placed = draw(std::move(instances), tree_.weld, extra_).placed; });
+  leaves_.locate_errors([&] { placed = draw(std::move(instances), tree_.weld, lines).placed; });
   return placed;
 }
 
-const std::vector<LeafInstance>& Drawings::drawn(const std::vector<LeafId>& leaves) {
-  const auto [it, is_new] = drawn_.try_emplace(leaves);
+const std::vector<LeafInstance>& Drawings::drawn(const Leaves& leaves, const ExtraOfInstances& lines) {
+  ExtraOfInstances own;
+  for (const LeafId leaf : leaves) {
+    const auto it = lines.find(static_cast<std::uint32_t>(leaf.index()));
+    if (it != lines.end()) own.insert(*it);
+  }
+  const auto [it, is_new] = drawn_.try_emplace({leaves, own});
   if (!is_new) return it->second;
-  PlacedLeaves placed = draw_only(leaves);
+  PlacedLeaves placed = draw_only(leaves, own);
   for (const LeafId leaf : leaves) it->second.push_back(std::move(placed.instances[leaf.index()]));
   return it->second;
+}
+
+bool Drawings::first_alike(const Leaves& below) {
+  std::map<std::uint32_t, Leaves> groups;
+  for (const LeafId leaf : below) groups[group_[leaf.index()]].push_back(leaf);
+  return std::ranges::all_of(groups, [&](const auto& one) {
+    const auto& [group, list] = one;
+    if (!affected_[group] || list.size() == size_[group]) return true;
+    const std::vector<LeafInstance>& alone = drawn(list, {});
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (!drawn_alike(alone[i], first_.instances[list[i].index()])) return false;
+    }
+    return true;
+  });
+}
+
+// Sets of leaves that were undecided tell what a proof of those below alone would be: the same, as long as no leaf
+// has further lines for the sake of one that is not below.
+ExtraOfInstances Drawings::lines_alone(InstanceId id) {
+  const Leaves below = leaves_.below(unfolding_, id);
+  const auto [it, is_new] = lines_alone_.try_emplace(below);
+  if (!is_new || options_.proof == AskedProof::none) return it->second;
+  const auto in = [&](LeafId leaf) { return std::ranges::binary_search(below, leaf); };
+  bool any_inside = false, any_across = false;
+  for (const Leaves& undecided : proven_->undecided()) {
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(undecided, in));
+    if (count == undecided.size()) any_inside = true;
+    else if (count > 0) any_across = true;
+  }
+  if (first_alike(below) && (!any_inside || !any_across)) {
+    for (const auto& [leaf, lines] : proven_->lines()) {
+      if (any_inside && in(LeafId(leaf))) it->second.emplace(leaf, lines);
+    }
+    return it->second;
+  }
+  PlacedLeaves placed;
+  const auto draw_them = [&](const ExtraOfInstances& lines) -> const PlacedLeaves& {
+    return placed = draw_only(below, lines);
+  };
+  return it->second = ProvenLines(draw_them, asked_below({id}), options_, moulds_).lines();
 }
 
 const Drawings::Drawn& Drawings::drawn_alone(InstanceId representative) {
   const auto [it, is_new] = alone_.try_emplace(representative);
   if (!is_new) return it->second;
-  std::map<std::uint32_t, std::vector<LeafId>> groups;
+  const ExtraOfInstances lines = lines_alone(representative);
+  std::map<std::uint32_t, Leaves> groups;
   for (const LeafId leaf : leaves_.below(unfolding_, representative)) {
     if (affected_[group_[leaf.index()]]) groups[group_[leaf.index()]].push_back(leaf);
   }
+  const auto lines_of = [](const ExtraOfInstances& all, LeafId leaf) {
+    const auto found = all.find(static_cast<std::uint32_t>(leaf.index()));
+    return found == all.end() ? ExtraLines() : found->second;
+  };
   for (const auto& [group, list] : groups) {
-    const std::vector<LeafInstance>* const fewer = list.size() == size_[group] ? nullptr : &drawn(list);
+    const bool same = list.size() == size_[group] && std::ranges::all_of(list, [&](LeafId leaf) {
+                        return lines_of(lines, leaf) == lines_of(proven_->lines(), leaf);
+                      });
+    const std::vector<LeafInstance>* const fewer = same ? nullptr : &drawn(list, lines);
     for (std::size_t i = 0; i < list.size(); ++i)
       it->second.emplace(list[i], fewer == nullptr ? whole_.instances[list[i].index()] : (*fewer)[i]);
   }
@@ -180,8 +240,8 @@ const Drawings::Drawn& Drawings::drawn_alone(InstanceId representative) {
 }
 
 PlacedLeaves Drawings::alone(InstanceId id) {
-  const std::vector<LeafId> below = leaves_.below(unfolding_, id);
-  if (tree_.weld) return draw_only(below);  // surfaces are welded, too
+  const Leaves below = leaves_.below(unfolding_, id);
+  if (tree_.weld) return draw_only(below, lines_alone(id));  // surfaces are welded, too
   PlacedLeaves placed{std::vector<LeafInstance>(whole_.instances.size(), LeafInstance{no_geometry(), {}}),
                       whole_.surfaces, whole_.quadrics};
   for (const LeafId leaf : below) placed.instances[leaf.index()] = whole_.instances[leaf.index()];

@@ -4,8 +4,7 @@
 //        -> instances            csg/tree/unfold.h: a node under each of its transforms; operands before users
 //        -> prepared leaves      prepared_leaves.h: files are read, everything that can be checked is checked
 //        -> drawings             drawings.h: leaves that share a curved surface on common lines; where the tree
-//                                has `weld`, what is near coincides
-//        -> proven drawing       proven_drawing.h: if it is asked for, that surfaces meet as facets do
+//                                has `weld`, what is near coincides; finer where surfaces do not meet as facets do
 //        -> sections             sections.h: nodes that are refined apart, mostly none
 //        -> scopes               scopes.h: each section, then the whole tree:
 //             soup -> complex      make_soup.cpp, then the kernel: all leaves of the scope are refined together
@@ -32,11 +31,11 @@
 #include <utility>
 
 #include "csg/evaluate/diagnostics.h"
+#include "csg/evaluate/drawings.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/joined_nodes.h"
 #include "csg/evaluate/leaf_numbers.h"
 #include "csg/evaluate/prepared_leaves.h"
-#include "csg/evaluate/proven_drawing.h"
 #include "csg/evaluate/scopes.h"
 #include "csg/evaluate/simplified_value.h"
 #include "csg/leaves/leaf_stop.h"
@@ -151,10 +150,8 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   const PreparedLeaves leaves(tree, unfolding, joined);
   append(result.diagnostics, leaves.notices());
 
-  ProvenDrawing proven(tree, unfolding, leaves, options);
+  Drawings drawings(tree, unfolding, leaves, options, result.diagnostics);
   options.watch.begin("refine");
-  append(result.diagnostics, proven.take_diagnostics());
-  Drawings& drawings = proven.drawings();
   const PlacedLeaves& placed = drawings.whole();
   options.watch.check();
   const bool all_alone = !options.drawn_together && !options.keep_all && !options.raw && !options.validate;
@@ -167,7 +164,7 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
     EvaluateOptions alone;
     alone.threads = options.threads;
     alone.watch = options.watch;
-    alone.lines = proven.lines();
+    alone.proof = options.proof;
     alone.rows = Rows::none;
     return evaluate_roots(tree, {node}, alone, false);
   });
@@ -179,7 +176,7 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   result.refine = std::move(made.refine);
   result.refine_seconds = made.refine_seconds;
   name_leaves(leaves, placed, std::move(made.places), result);
-  result.certificate = proven.certificate(result);
+  result.certificate = drawings.certificate(result);
   append(result.diagnostics, std::move(made.diagnostics));
   for (InstanceTold& told : made.told) {
     append(result.diagnostics, std::move(told.diagnostics));
@@ -198,7 +195,6 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   }
   for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});
   result.raw = options.raw;
-  for (const std::uint32_t leaf : drawings.with_lines()) result.with_lines.emplace_back(leaf);
   result.instances = unfolding.instances;
   if (options.keep_all) result.values = values.take();
   return result;

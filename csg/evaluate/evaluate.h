@@ -26,7 +26,6 @@
 
 namespace cnrg {
 
-struct LeafLines;
 class LeafNumbers;
 class NodeValue;
 struct Certificate;
@@ -43,9 +42,13 @@ enum class Refining : std::uint8_t {
 /// Of which nodes rows tell counts and volumes.
 enum class Rows : std::uint8_t { none, kept, all };
 
-/// Whether curved surfaces meet as their facets do (csg/certify/proof.h): not asked, asked, or proven by further
-/// lines of facets where that is needed and possible.
-enum class AskedProof : std::uint8_t { none, as_drawn, with_lines };
+/// Whether curved surfaces meet as their facets do (csg/certify/proof.h). Where that is not proven facets become
+/// finer, within a budget of steps.
+enum class AskedProof : std::uint8_t {
+  none,
+  within_budget,
+  to_the_end,  ///< with a hundred times the steps; results read back are asked about, too
+};
 
 struct EvaluateOptions {
   int threads = 0;        ///< 0: all cores
@@ -58,8 +61,7 @@ struct EvaluateOptions {
   /// Draw all leaves below the roots as one drawing (csg/evaluate/drawings.h), so that all values are on one
   /// complex; also with `raw`, `keep_all` and `validate`. Otherwise each node is said of as it is alone.
   bool drawn_together = false;
-  std::shared_ptr<const LeafLines> lines{};  ///< further lines of curved leaves (csg/evaluate/leaf_lines.h)
-  AskedProof proof = AskedProof::none;
+  AskedProof proof = AskedProof::within_budget;
   NodeId result;                     ///< in the place of the tree's, if valid
   std::vector<NodeId> nodes;         ///< kept besides the result
   std::vector<RationalPoint> reach;  ///< points that will be asked for: planes and half-spaces are cut beyond them
@@ -126,8 +128,6 @@ struct Evaluation {
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
   std::vector<ResultNames::Material> materials;  ///< of the tree
   bool raw = false;                              ///< EvaluateOptions::raw
-  /// Which of its leaves have their lines of EvaluateOptions::lines, ascending; others cannot (common_lines.h).
-  std::vector<LeafId> with_lines;
   /// Of the nodes asked for besides the result, where one is drawn otherwise when it stands alone: each on a
   /// complex of its own, and `kept` has the result alone.
   std::vector<Evaluation> others;

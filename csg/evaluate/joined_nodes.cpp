@@ -25,7 +25,6 @@ EvaluateOptions options_below(const EvaluateOptions& options) {
   below.rows = options.rows == Rows::all ? Rows::all : Rows::none;
   below.region_volumes = options.region_volumes;
   below.refining = options.refining;
-  below.lines = options.lines;
   below.proof = options.proof;
   below.watch = part_of(options.watch, "join");
   return below;

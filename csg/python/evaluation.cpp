@@ -10,14 +10,14 @@ namespace cnrg::python {
 namespace {
 
 std::shared_ptr<const EvaluatedTree> evaluate_tree(const TreeObject& tree, const std::vector<std::size_t>& nodes,
-                                                   int threads, bool rows, bool raw, bool validate, bool certify,
+                                                   int threads, bool rows, bool raw, bool validate, std::optional<bool> certify,
                                                    const py::object& progress) {
   EvaluateOptions options;
   options.threads = threads;
   options.rows = rows ? Rows::all : Rows::kept;
   options.raw = raw;
   options.validate = validate;
-  options.proof = certify ? AskedProof::with_lines : AskedProof::as_drawn;
+  if (certify) options.proof = *certify ? AskedProof::to_the_end : AskedProof::none;
   for (const std::size_t node : nodes) options.nodes.emplace_back(node);
   return apart(progress, [shared = tree.tree, options](const Watch& watch) mutable {
     options.watch = watch;
@@ -93,7 +93,7 @@ void bind_evaluation(py::module_& module) {
   module.def(
       "evaluate",
       [](const TreeObject& tree, const std::vector<std::size_t>& nodes, int threads, bool rows, bool raw,
-         bool validate, bool certify, const py::object& progress) {
+         bool validate, std::optional<bool> certify, const py::object& progress) {
         return std::const_pointer_cast<EvaluatedTree>(
             evaluate_tree(tree, nodes, threads, rows, raw, validate, certify, progress));
       },

@@ -14,7 +14,7 @@ struct Asked {
   Tree tree;
   Evaluation evaluation;
   /// `leaves`: lines of a map of nodes; `result`: an operation with them.
-  Asked(const std::string& leaves, const std::string& result, AskedProof proof = AskedProof::with_lines,
+  Asked(const std::string& leaves, const std::string& result, AskedProof proof = AskedProof::to_the_end,
         int finer = 1)
       : tree(parse_tree("cnrg: 1\nnodes:\n" + leaves + "  r: " + result + "\nresult: r\n", "t.yaml")) {
     make_finer(tree, finer);
@@ -81,7 +81,7 @@ TEST_CASE("near contacts are certified with the counts of the true surfaces, at 
         INFO(known.what << ", finer " << finer << ", " << turned);
         std::string result = known.result;
         result.insert(1, turned);
-        const Asked asked(known.leaves, result, AskedProof::with_lines, finer);
+        const Asked asked(known.leaves, result, AskedProof::to_the_end, finer);
         CHECK(asked.certified());
         CHECK(asked.cells() == known.cells);
       }
@@ -91,7 +91,7 @@ TEST_CASE("near contacts are certified with the counts of the true surfaces, at 
 
 TEST_CASE("what facets do not tell is told", "[certify]") {
   const Known known = near_contacts().front();
-  const Asked asked(known.leaves, known.result, AskedProof::as_drawn);
+  const Asked asked(known.leaves, known.result, AskedProof::within_budget);
   REQUIRE(asked.certificate().places.size() == 1);
   const UncertainPlace& place = asked.certificate().places[0];
   CHECK(place.by_facets);
@@ -118,7 +118,7 @@ TEST_CASE("surfaces that cross at a good angle are certified as they are drawn",
             "  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  b: {box: {min: [0, 0, 0], max: [2, 2, 1]}}\n"),
         std::string("  a: {sphere: {center: [0, 0, 0], radius: 1}}\n  b: {points: [[5, 5, 5]]}\n")}) {
     INFO(leaves);
-    CHECK(Asked(leaves, "{union: [a, b]}", AskedProof::as_drawn).certified());
+    CHECK(Asked(leaves, "{union: [a, b]}", AskedProof::within_budget).certified());
   }
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("contacts of planes and quadrics are certified where they are drawn", 
            {pipe + "  b: {sphere: {center: [0, 0, 2], radius: 1}}\n", {0, 2, 3, 1}}}) {
     for (const int finer : {1, 2}) {
       INFO(leaves << finer);
-      const Asked asked(leaves, "{union: [a, b]}", AskedProof::as_drawn, finer);
+      const Asked asked(leaves, "{union: [a, b]}", AskedProof::within_budget, finer);
       CHECK(asked.certified());
       CHECK(asked.certificate().contacts > 0);
       CHECK(asked.cells() == cells);
@@ -162,23 +162,23 @@ TEST_CASE("where surfaces touch and cross, or a torus touches, it is named", "[c
 TEST_CASE("a facet that happens to lie in a face is none of the surface", "[certify]") {
   CHECK(!Asked("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 5, segments: 4}}\n"
                "  b: {polygon: [[10, -5, 0], [-5, 10, 0], [-5, 10, 1], [10, -5, 1]]}\n",
-               "{union: [a, b]}", AskedProof::as_drawn)
+               "{union: [a, b]}", AskedProof::within_budget)
              .certified());
 }
 
 TEST_CASE("wires and points count, and what is below a joined node", "[certify]") {
   const std::string ball = "  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 24}}\n";
   // Between facet and surface.
-  CHECK(!Asked(ball + "  b: {points: [[0.9955, 0.06, 0.06]]}\n", "{union: [a, b]}", AskedProof::as_drawn)
+  CHECK(!Asked(ball + "  b: {points: [[0.9955, 0.06, 0.06]]}\n", "{union: [a, b]}", AskedProof::within_budget)
              .certified());
   CHECK(!Asked(ball + "  b: {polyline: [[0.9955, -5, 0.06], [0.9955, 5, 0.06]]}\n", "{union: [a, b]}",
-               AskedProof::as_drawn)
+               AskedProof::within_budget)
              .certified());
   CHECK(
-      Asked(ball + "  b: {polyline: [[-5, 0.1, 0.06], [5, 0.2, 0.06]]}\n", "{union: [a, b]}", AskedProof::as_drawn)
+      Asked(ball + "  b: {polyline: [[-5, 0.1, 0.06], [5, 0.2, 0.06]]}\n", "{union: [a, b]}", AskedProof::within_budget)
           .certified());
   const std::string near = ball + "  b: {sphere: {center: [1.1994, 1.5992, 0], radius: 1, segments: 24}}\n";
-  CHECK(!Asked(near, "{simplify: {of: {union: [a, b]}, within: 0.0001}}", AskedProof::as_drawn).certified());
+  CHECK(!Asked(near, "{simplify: {of: {union: [a, b]}, within: 0.0001}}", AskedProof::within_budget).certified());
 }
 
 }  // namespace

@@ -180,7 +180,7 @@ def evaluate(
     rows: bool = True,
     raw: bool = False,
     validate: bool = False,
-    certify: bool = False,
+    certify: bool | None = None,
     weld: Number | None = None,
     progress: Progress = None,
 ) -> Evaluation:
@@ -189,7 +189,8 @@ def evaluate(
     model: what `Evaluation.result` is of. nodes: others that are wanted, nodes or names.
     threads: 0 for one per core. rows: counts and volumes of all nodes; without them only of those that are asked for.
     raw: cells stay as the refinement has them, nothing is simplified. validate: checks all invariants, slowly.
-    certify: facets get finer where it is not proven that surfaces meet as they do; see `Evaluation.certificate`.
+    certify: facets get finer where it is not proven that surfaces meet as they do, see `Evaluation.certificate`; True:
+    with a hundred times the steps, False: not at all.
     weld: what is nearer than that is made to coincide, in all leaves together (units of the model).
     progress: None, True for a bar, or a function f(stage, done, total).
 
@@ -220,7 +221,7 @@ def evaluate_tree(
     rows: bool = True,
     raw: bool = False,
     validate: bool = False,
-    certify: bool = False,
+    certify: bool | None = None,
     progress: Progress = None,
 ) -> Evaluation:
     """`evaluate` for a tree."""
@@ -228,7 +229,7 @@ def evaluate_tree(
     kept = [tree.number_of(tree.result)] + [tree.number_of(node) for node in nodes]
     with Shown(progress) as shown, tree.placed():
         evaluation = _cnrg.evaluate(
-            tree._tree, kept[1:], threads, bool(rows), bool(raw), bool(validate), bool(certify), shown
+            tree._tree, kept[1:], threads, bool(rows), bool(raw), bool(validate), None if certify is None else bool(certify), shown
         )
     made = Evaluation(tree, evaluation, kept)
     for notice in made.notices:

@@ -1,5 +1,5 @@
 // From a drawing to a proof, to further lines, to another drawing; see the header.
-#include "csg/evaluate/proven_drawing.h"
+#include "csg/evaluate/proven_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,16 +8,17 @@
 
 #include "csg/evaluate/leaf_numbers.h"
 #include "csg/leaves/surface_parameters.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 
 namespace cnrg {
 namespace {
 
 constexpr int kMostRounds = 24;
-constexpr std::size_t kStepsAsDrawn = 20'000;  // as Proof::steps; of a few curved leaves a hundred times less
-constexpr std::size_t kMostSteps = 5'000'000;  // with lines, of all rounds
-constexpr std::size_t kMostLines = 400;        // of a patch, in one direction
-constexpr std::size_t kMostPieces = 30'000;    // more than there were
+constexpr std::size_t kStepsByDefault = 20'000;   // of a set of leaves, in all rounds
+constexpr std::size_t kMostSteps = 2'000'000;     // the same with --certify
+constexpr std::size_t kMostLines = 400;           // of a patch, in one direction
+constexpr std::size_t kMostCells = 20'000;        // of a leaf that gets further lines
 
 using Patches = std::vector<std::pair<LeafId, std::uint32_t>>;
 
@@ -54,87 +55,63 @@ Certificate certificate_of(const Evaluation& evaluation) {
   return all;
 }
 
-ProvenDrawing::ProvenDrawing(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
-                             const EvaluateOptions& options)
-    : tree_(tree), unfolding_(unfolding), leaves_(leaves), options_(options), lines_(options.lines) {
-  draw();
+ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOptions& options, Moulds& moulds) {
+  const PlacedLeaves* placed = &draw(lines_);
   if (options.proof == AskedProof::none) return;
+  const auto curved = [](const LeafInstance& one) { return static_cast<bool>(one.leaf->surfaces()); };
+  if (std::ranges::none_of(placed->instances, curved)) return;
   options.watch.begin("crossings");
-  prove_it();
-  if (options.proof != AskedProof::with_lines) return;
-  const std::size_t most = pieces_->all().size() + kMostPieces;
-  for (int round = 0; round < kMostRounds && pieces_->all().size() < most && steps_ < kMostSteps && add_lines();
-       ++round) {
+  for (int round = 0;; ++round) {
     options.watch.check();
-    draw();
-    prove_it();
-  }
-}
-
-void ProvenDrawing::draw() {
-  diagnostics_.clear();
-  drawings_ = std::make_unique<Drawings>(tree_, unfolding_, leaves_, lines_.get(), diagnostics_);
-}
-
-void ProvenDrawing::prove_it() {
-  // Of a result read back only facets are known; most of them are those of a surface beside it, which is no fault.
-  std::vector<std::vector<char>> below;
-  for (const InstanceId root : unfolding_.roots) {
-    below.emplace_back(leaves_.instances().size());
-    for (const LeafId leaf : leaves_.below(unfolding_, root)) {
-      const bool read_back = leaves_.instances()[leaf.index()].leaf->cells() != nullptr;
-      below.back()[leaf.index()] = options_.proof == AskedProof::with_lines || !read_back;
+    auto pieces = std::make_unique<Pieces>(*placed, options.reach, moulds);
+    std::optional<EarlierProof> earlier;
+    if (proof_) earlier.emplace(EarlierProof{*pieces_, *proof_});
+    proof_ = prove(*pieces, asked, options.proof == AskedProof::to_the_end ? kMostSteps : kStepsByDefault,
+                   earlier ? &*earlier : nullptr);
+    pieces_ = std::move(pieces);
+    for (const OpenPlace& open : proof_->open) {
+      std::vector<LeafId> leaves;
+      for (const std::uint32_t i : open.pieces) leaves.push_back(pieces_->all()[i].leaf);
+      sort_unique(leaves);
+      undecided_.insert(std::move(leaves));
     }
+    for (const auto& [leaves, count] : proof_->left) undecided_.insert(leaves);
+    if (round == kMostRounds || !add_lines()) return;
+    placed = &draw(lines_);
   }
-  auto pieces = std::make_unique<Pieces>(drawings_->whole(), options_.reach, moulds_);
-
-  const auto asked_for = [&](LeafId a, LeafId b) {
-    return std::ranges::any_of(below, [&](const auto& in) { return in[a.index()] && in[b.index()]; });
-  };
-  const std::size_t most = options_.proof == AskedProof::as_drawn ? kStepsAsDrawn : kMostSteps;
-  std::optional<EarlierProof> earlier;
-  if (proof_) earlier.emplace(EarlierProof{*pieces_, *proof_});
-  proof_ = prove(*pieces, asked_for, most - steps_, earlier ? &*earlier : nullptr);
-  steps_ += proof_->steps;
-  pieces_ = std::move(pieces);
 }
 
-bool ProvenDrawing::add_lines() {
+bool ProvenLines::add_lines() {
   const std::vector<Piece>& pieces = pieces_->all();
   // Where surfaces touch no facets are fine enough.
   std::set<Patches> hopeless;
   for (const OpenPlace& open : proof_->open) {
     if (!open.by_facets) hopeless.insert(patches_of(pieces, open));
   }
-  auto lines = std::make_shared<LeafLines>(lines_ ? *lines_ : LeafLines());
-  std::map<LeafId, InstanceId> instance_of;
-  for (const InstanceId id : IdRange<InstanceId>(unfolding_.instances.size())) {
-    if (const LeafId leaf = leaves_.leaf_of(id); leaf.valid()) instance_of[leaf] = id;
-  }
+  std::map<LeafId, std::size_t> cells;
+  for (const Piece& piece : pieces) ++cells[piece.leaf];
   bool any = false;
   for (const OpenPlace& open : proof_->open) {
     if (hopeless.contains(patches_of(pieces, open))) continue;
     for (const std::uint32_t i : open.pieces) {
       const Piece& piece = pieces[i];
-      if (piece.kind != Piece::Kind::cell) continue;
-      const Instance& instance = unfolding_.instances[instance_of.at(piece.leaf)];
-      auto& of = lines->of[{instance.node, Placement(*instance.transform)}].of[piece.patch];
+      const auto leaf = static_cast<std::uint32_t>(piece.leaf.index());
+      if (piece.kind != Piece::Kind::cell || (lines_.contains(leaf) && cells[piece.leaf] > kMostCells)) continue;
       const std::array<bool, 2> asked = bends(piece);
       for (std::size_t k = 0; k < 2; ++k) {
-        const double middle = piece.range[k].inf() / 2 + piece.range[k].sup() / 2;
-        const Rational line = from_double(middle);
-        if (!asked[k] || of[k].size() >= kMostLines || std::find(of[k].begin(), of[k].end(), line) != of[k].end())
-          continue;
-        of[k].push_back(line);
+        if (!asked[k]) continue;
+        auto& of = lines_[leaf].of[piece.patch][k];
+        const Rational line = from_double(piece.range[k].inf() / 2 + piece.range[k].sup() / 2);
+        if (of.size() >= kMostLines || std::find(of.begin(), of.end(), line) != of.end()) continue;
+        of.push_back(line);
         any = true;
       }
     }
   }
-  if (any) lines_ = std::move(lines);
   return any;
 }
 
-std::shared_ptr<const Certificate> ProvenDrawing::certificate(const Evaluation& evaluation) const {
+std::shared_ptr<const Certificate> ProvenLines::certificate(const Evaluation& evaluation) const {
   if (!proof_) return nullptr;
   const std::vector<Piece>& pieces = pieces_->all();
   auto result = std::make_shared<Certificate>();
@@ -142,7 +119,7 @@ std::shared_ptr<const Certificate> ProvenDrawing::certificate(const Evaluation& 
   result->apart = proof_->apart;
   result->crossing = proof_->crossing;
   result->contacts = proof_->contacts;
-  result->left = proof_->left;
+  for (const auto& [leaves, count] : proof_->left) result->left += count;
   for (const LeafId leaf : pieces_->unknown()) result->unknown.push_back(evaluation.leaves->node_of(leaf));
   std::map<Patches, std::vector<const OpenPlace*>> by_patches;
   for (const OpenPlace& one : proof_->open) by_patches[patches_of(pieces, one)].push_back(&one);
