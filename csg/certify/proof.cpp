@@ -367,7 +367,32 @@ class Prover {
     std::size_t steps = 0;
     Interval3 left{};
     some = false;
+    // Pieces that meet are asked about with others, so it is worth to know which do not.
+    if (tuple.size() == 2 && parted_along_sides(parts[0], parts[1])) return true;
     return answer(parts, question, Between::facets_and_surfaces, steps, some, left);
+  }
+  /// True if a plane along a side of one and a side of the other is between them.
+  static bool parted_along_sides(const PiecePart& a, const PiecePart& b) {
+    if (parted({a, b}, Between::facets_and_surfaces)) return true;
+    for (const Vector3<double>& x : sides_of(a)) {
+      for (const Vector3<double>& y : sides_of(b)) {
+        const auto d = direction(cross(x, y));
+        if (!d) continue;
+        const Interval one = extent(a, *d, Between::facets_and_surfaces),
+                       other = extent(b, *d, Between::facets_and_surfaces);
+        if (one.sup() < other.inf() || other.sup() < one.inf()) return true;
+      }
+    }
+    return false;
+  }
+  static std::vector<Vector3<double>> sides_of(const PiecePart& part) {
+    const Piece& piece = *part.piece;
+    const auto way = [&](std::size_t i, std::size_t j) {
+      return difference(middle_of(piece.corners[j]), middle_of(piece.corners[i]));
+    };
+    if (piece.kind == Piece::Kind::curve) return {way(0, 1)};
+    if (piece.kind == Piece::Kind::cell) return {way(0, 1), way(1, 2)};
+    return {};
   }
   bool answer(const std::vector<Index>& tuple, Question question, Between between, std::size_t steps, bool& some,
               Interval3& left) {

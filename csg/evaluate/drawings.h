@@ -1,10 +1,10 @@
 // How the leaves of a run are drawn, and which nodes are drawn otherwise when they stand alone.
 //
 // Curved leaves that share a surface are drawn on common lines (csg/carriers/common_lines.h), near leaves are
-// welded (csg/weld), and leaves have finer facets where these would not meet as surfaces do (proven_lines.h): how a
-// leaf is drawn depends on the others of its run. What is said of a node must not depend
-// on leaves that are not below it. So a node whose leaves are drawn otherwise with all leaves of the run than with
-// those below it alone has its row from a scope of its own.
+// welded (csg/weld), and leaves have finer facets where these would not meet as surfaces do (proven_lines.h): how
+// a leaf is drawn depends on the others of its run. What is said of a node must not depend on leaves that are not
+// below it. So a node whose leaves are drawn otherwise with all leaves of the run than with those below it alone
+// has its row from a scope of its own.
 #pragma once
 
 #include <map>

@@ -1,9 +1,9 @@
 // Further lines of facets with which surfaces are proven to meet as facets do (csg/certify/proof.h).
 //
 // Leaves are drawn and asked; where facets are too coarse for the proof they get lines, and are drawn and asked
-// again. So the facets of a leaf depend on what it meets; it costs only where surfaces are nearer to a contact than
-// facets are to surfaces. Leaves that meet others nowhere near them have the same lines with these and without:
-// each set of leaves has a budget of its own.
+// again. So the facets of a leaf depend on what it meets; it costs only where surfaces are nearer to a contact
+// than facets are to surfaces. Leaves that meet others nowhere near them have the same lines with these and
+// without: each set of leaves has a budget of its own.
 #pragma once
 
 #include <functional>
