@@ -81,6 +81,14 @@ Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quie
 bool tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
   if (quiet) return false;
   constexpr std::size_t kTold = 3;
+  if (!evaluation.certificate) {
+    for (std::uint32_t i = 0; i < evaluation.leaf_names.size(); ++i) {
+      if (!evaluation.parameters->surfaces(LeafId(i))) continue;
+      tell(tree.file + ": notice: it was not asked whether curved surfaces meet as their facets do");
+      break;
+    }
+    return false;
+  }
   const Certificate certificate = certificate_of(evaluation);
   print(certificate.notices(tree, kTold), quiet);
   if (certificate.places.size() > kTold) {
@@ -104,13 +112,6 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
         "--certify: `" + node.name +
             "` is a CAD model: of its curved faces only the facets are known, which do not decide how they "
             "meet: build the part of shapes, or leave it out");
-  }
-  if (certificate.places.empty() && certificate.left > 0) {
-    throw TreeError(
-        tree.file, tree.nodes[tree.result].at,
-        "--certify: " + count(certificate.left, "question") +
-            " whether curved surfaces meet as their facets do had no answer within the budget of steps: "
-            "certify parts of the tree by --node, or leave --certify out");
   }
   if (certificate.places.empty()) {
     if (!quiet) {

@@ -13,11 +13,16 @@ namespace cnrg {
 /// Where it is not proven that surfaces meet as their facets do: a connected set of pieces (proof.h) of the same
 /// patches.
 struct UncertainPlace {
+  enum class Why : std::uint8_t {
+    near,    ///< they touch, or are too near to it
+    facets,  ///< facets are too coarse, and cannot be finer
+    budget,  ///< there were no steps left
+  };
   std::vector<std::string> names;  ///< nodes of leaves, each with the name of its patch in brackets, if it has one
   std::vector<NodeId> nodes;       ///< of the same
   std::array<double, 3> at{};
   double size = 0;         ///< within this length of `at` nothing was decided
-  bool by_facets = false;  ///< finer facets would decide
+  Why why = Why::near;
 };
 
 struct Evaluation;

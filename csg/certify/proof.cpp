@@ -16,6 +16,7 @@ using namespace surface_math;
 namespace {
 
 using Index = std::uint32_t;
+using Why = UncertainPlace::Why;
 using PieceParts = std::vector<PiecePart>;
 using Patches = std::vector<std::pair<LeafId, std::uint32_t>>;
 
@@ -129,7 +130,7 @@ class Prover {
         if (parted({part_of(all_, all_[a], all_[a].range), part_of(all_, all_[b], all_[b].range)},
                    Between::facets_and_surfaces))
           continue;
-        if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, middle_of(all_[a].corners[0]), 0, false});
+        if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, middle_of(all_[a].corners[0]), 0});
         joined.emplace_back(a, b);
       } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b)) {
         const PiecePart x = part_beside(a, b), y = part_beside(b, a);
@@ -254,7 +255,8 @@ class Prover {
     }
     std::size_t& spent = proof_.spent[leaves];
     if (spent >= most_steps_) {
-      ++proof_.left[leaves];
+      if (++proof_.left[leaves] == 1)
+        proof_.open.push_back({tuple, middle_of(root(tuple[0]).box), size_of(root(tuple[0]).box), Why::budget});
       return false;
     }
     const std::size_t before = proof_.steps;
@@ -266,7 +268,6 @@ class Prover {
               std::size_t& open, bool& some) {
     Interval3 left{};
     some = false;
-    if (answer(tuple, question, Between::facets_and_surfaces, kMostSteps, some, left)) return answered(key, some);
     if (tuple.size() == 2 && is_cell(tuple[0]) && is_cell(tuple[1])) {
       if (const auto known = touch(tuple[0], tuple[1])) {
         some = *known != Proof::Answer::Kind::apart;
@@ -274,16 +275,18 @@ class Prover {
         return true;
       }
     }
+    if (answer(tuple, question, Between::facets_and_surfaces, kMostSteps, some, left)) return answered(key, some);
     some = true;
-    OpenPlace place{tuple, middle_of(left), size_of(left), true};
+    OpenPlace place{tuple, middle_of(left), size_of(left), Why::facets};
     ++open;
     if (!hopeless_.contains(patches)) {
       bool any = false;
-      place.by_facets =
+      const bool by_facets =
           answer(tuple, question, Between::surfaces, open <= kMostTold ? kMostOfSurfaces : kMostSteps / 2, any,
                  left) ||
           (open > kMostTold && answer(tuple, question, Between::surfaces, kMostOfSurfaces, any, left));
-      if (!place.by_facets) {
+      if (!by_facets) {
+        place.why = Why::near;
         place.at = middle_of(left);
         place.size = size_of(left);
         hopeless_.insert(patches);
@@ -329,7 +332,7 @@ class Prover {
       OpenPlace place = earlier_->proof.open[before.place];
       place.pieces = tuple;
       ++open;
-      if (!place.by_facets) hopeless_.insert(patches);
+      if (place.why == Why::near) hopeless_.insert(patches);
       add_open(key_of(tuple), std::move(place));
       return false;
     }

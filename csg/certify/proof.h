@@ -22,6 +22,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "csg/certify/certificate.h"
 #include "csg/certify/pieces.h"
 
 namespace cnrg {
@@ -41,8 +42,9 @@ struct OpenPlace {
   std::vector<std::uint32_t> pieces;
   std::array<double, 3> at{};
   double size = 0;  ///< of what was left undecided there, a length
-  /// The surfaces alone are in general position there: finer facets would do.
-  bool by_facets = false;
+  /// `facets`: the surfaces alone are in general position there, so finer facets would do. `budget`: of a set of
+  /// leaves the first one.
+  UncertainPlace::Why why = UncertainPlace::Why::near;
 };
 
 struct Proof {

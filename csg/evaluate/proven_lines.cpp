@@ -59,7 +59,10 @@ ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOpt
   const PlacedLeaves* placed = &draw(lines_);
   if (options.proof == AskedProof::none) return;
   const auto curved = [](const LeafInstance& one) { return static_cast<bool>(one.leaf->surfaces()); };
-  if (std::ranges::none_of(placed->instances, curved)) return;
+  if (std::ranges::none_of(placed->instances, curved)) {
+    proof_.emplace();
+    return;
+  }
   options.watch.begin("crossings");
   for (int round = 0;; ++round) {
     options.watch.check();
@@ -86,13 +89,13 @@ bool ProvenLines::add_lines() {
   // Where surfaces touch no facets are fine enough.
   std::set<Patches> hopeless;
   for (const OpenPlace& open : proof_->open) {
-    if (!open.by_facets) hopeless.insert(patches_of(pieces, open));
+    if (open.why == UncertainPlace::Why::near) hopeless.insert(patches_of(pieces, open));
   }
   std::map<LeafId, std::size_t> cells;
   for (const Piece& piece : pieces) ++cells[piece.leaf];
   bool any = false;
   for (const OpenPlace& open : proof_->open) {
-    if (hopeless.contains(patches_of(pieces, open))) continue;
+    if (open.why != UncertainPlace::Why::facets || hopeless.contains(patches_of(pieces, open))) continue;
     for (const std::uint32_t i : open.pieces) {
       const Piece& piece = pieces[i];
       const auto leaf = static_cast<std::uint32_t>(piece.leaf.index());
@@ -113,8 +116,9 @@ bool ProvenLines::add_lines() {
 
 std::shared_ptr<const Certificate> ProvenLines::certificate(const Evaluation& evaluation) const {
   if (!proof_) return nullptr;
-  const std::vector<Piece>& pieces = pieces_->all();
   auto result = std::make_shared<Certificate>();
+  if (!pieces_) return result;
+  const std::vector<Piece>& pieces = pieces_->all();
   result->asked = proof_->asked;
   result->apart = proof_->apart;
   result->crossing = proof_->crossing;
@@ -143,11 +147,11 @@ std::shared_ptr<const Certificate> ProvenLines::certificate(const Evaluation& ev
         place.nodes.push_back(evaluation.leaves->node_of(leaf));
       }
       // What finer facets do not tell comes first.
-      const auto last = std::ranges::find_if(part, [](const OpenPlace* one) { return !one->by_facets; });
+      const auto last = std::ranges::find_if(part, [](const OpenPlace* one) { return one->why == UncertainPlace::Why::near; });
       const OpenPlace& told = last == part.end() ? *part.front() : **last;
       place.at = told.at;
       place.size = told.size;
-      place.by_facets = told.by_facets;
+      place.why = told.why;
     }
   }
   return result;

@@ -38,7 +38,7 @@ py::dict certificate_data(const Tree& tree, const Certificate& certificate) {
     one["names"] = py::tuple(py::cast(place.names));
     one["at"] = py::tuple(py::cast(place.at));
     one["size"] = place.size;
-    one["by_facets"] = place.by_facets;
+    one["why"] = std::array{"near", "facets", "budget"}[static_cast<std::size_t>(place.why)];
     places.append(one);
   }
   for (const NodeId node : certificate.unknown) unknown.append(tree.nodes[node].name);

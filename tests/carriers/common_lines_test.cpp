@@ -302,7 +302,11 @@ TEST_CASE("a plane that a leaf has elsewhere is no contact, and a whole model ma
   const NodeRow other = row(leaves + "  model: {sum: [s, c], mirror: {normal: [1, 1, 3]}}\n");
   CHECK(one.cells == Cells{0, 3, 6, 3});
   CHECK(other.cells == one.cells);
-  CHECK(other.volume() == one.volume());
+  // Where further lines are needed depends on rounding, and that on the frame.
+  const auto as_drawn = [&](const std::string& model) {
+    return evaluated(leaves + model, "model", AskedProof::none).rows.back().volume();
+  };
+  CHECK(as_drawn("  model: {sum: [s, c], mirror: {normal: [1, 1, 3]}}\n") == as_drawn("  model: {sum: [s, c]}\n"));
   const Tree tree =
       parse_tree("cnrg: 1\nnodes:\n" + leaves + "  model: {union: [s, c]}\nresult: model\n", "t.yaml");
   const std::vector<LeafInstance> own = PreparedLeaves(tree, unfold(tree, {tree.result})).instances();

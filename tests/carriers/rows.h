@@ -11,9 +11,11 @@ namespace cnrg {
 
 using Cells = std::array<std::size_t, 4>;
 
-inline Evaluation evaluated(const std::string& nodes, const std::string& result = "model") {
+inline Evaluation evaluated(const std::string& nodes, const std::string& result = "model",
+                            AskedProof proof = AskedProof::within_budget) {
   EvaluateOptions options;
   options.validate = true;
+  options.proof = proof;
   return evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: " + result + "\n", "t.yaml"), options);
 }
 inline NodeRow row(const std::string& nodes) { return evaluated(nodes).rows.back(); }

@@ -89,17 +89,30 @@ TEST_CASE("near contacts are certified with the counts of the true surfaces, at 
   }
 }
 
-TEST_CASE("what facets do not tell is told", "[certify]") {
-  const Known known = near_contacts().front();
-  const Asked asked(known.leaves, known.result, AskedProof::within_budget);
-  REQUIRE(asked.certificate().places.size() == 1);
+TEST_CASE("what is left is told with its place", "[certify]") {
+  // Equal pipes touch and cross in two points.
+  const Asked asked(
+      "  a: {cylinder: {from: [0, 0, -4], to: [0, 0, 4], radius: 2}}\n"
+      "  b: {cylinder: {from: [-5, 0, 0], to: [5, 0, 0], radius: 2}}\n",
+      "{union: [a, b]}", AskedProof::within_budget);
+  REQUIRE(!asked.certificate().places.empty());
   const UncertainPlace& place = asked.certificate().places[0];
-  CHECK(place.by_facets);
-  CHECK(place.names == std::vector<std::string>{"`a` (sphere)", "`b` (sphere)"});
-  CHECK(std::abs(place.at[0] - 0.6) < 0.1);
-  const std::vector<Diagnostic> notices = asked.certificate().notices(asked.tree, 3);
+  CHECK(place.why == UncertainPlace::Why::near);
+  CHECK(place.names == std::vector<std::string>{"`a` (cylinder side)", "`b` (cylinder side)"});
+  CHECK(std::abs(std::abs(place.at[1]) - 2) < 0.1);
+  const std::vector<Diagnostic> notices = asked.certificate().notices(asked.tree, 1);
   REQUIRE(notices.size() == 1);
-  CHECK_THAT(notices[0].text(), Catch::StartsWith("t.yaml:3:7: notice: `a` (sphere) and `b` (sphere) near ["));
+  CHECK_THAT(notices[0].text(),
+             Catch::StartsWith("t.yaml:3:7: notice: `a` (cylinder side) and `b` (cylinder side) near ["));
+}
+
+TEST_CASE("the same counts come out within the budget, and facets are finer only where they need be", "[certify]") {
+  for (const Known& known : near_contacts()) {
+    INFO(known.what);
+    const Asked asked(known.leaves, known.result, AskedProof::within_budget);
+    CHECK(asked.certified());
+    CHECK(asked.cells() == known.cells);
+  }
 }
 
 TEST_CASE("surfaces that cross at a good angle are certified as they are drawn", "[certify]") {
@@ -154,31 +167,30 @@ TEST_CASE("where surfaces touch and cross, or a torus touches, it is named", "[c
     INFO(leaves);
     const Asked asked(leaves, "{union: [a, b]}");
     REQUIRE(!asked.certificate().places.empty());
-    CHECK(std::ranges::any_of(asked.certificate().places, [](const UncertainPlace& p) { return !p.by_facets; }));
+    CHECK(std::ranges::any_of(asked.certificate().places, [](const UncertainPlace& p) { return p.why == UncertainPlace::Why::near; }));
   }
 }
 
-// A chord of the side lies in the face: facets overlap and surfaces do not.
-TEST_CASE("a facet that happens to lie in a face is none of the surface", "[certify]") {
-  CHECK(!Asked("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 5, segments: 4}}\n"
-               "  b: {polygon: [[10, -5, 0], [-5, 10, 0], [-5, 10, 1], [10, -5, 1]]}\n",
-               "{union: [a, b]}", AskedProof::within_budget)
-             .certified());
-}
-
-TEST_CASE("wires and points count, and what is below a joined node", "[certify]") {
+// Of each facets have other counts than surfaces, and more of them the same.
+TEST_CASE("what lies between facets and surfaces counts: faces, wires, points, what is below a joined node",
+          "[certify]") {
   const std::string ball = "  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 24}}\n";
-  // Between facet and surface.
-  CHECK(!Asked(ball + "  b: {points: [[0.9955, 0.06, 0.06]]}\n", "{union: [a, b]}", AskedProof::within_budget)
-             .certified());
-  CHECK(!Asked(ball + "  b: {polyline: [[0.9955, -5, 0.06], [0.9955, 5, 0.06]]}\n", "{union: [a, b]}",
-               AskedProof::within_budget)
-             .certified());
-  CHECK(
-      Asked(ball + "  b: {polyline: [[-5, 0.1, 0.06], [5, 0.2, 0.06]]}\n", "{union: [a, b]}", AskedProof::within_budget)
-          .certified());
-  const std::string near = ball + "  b: {sphere: {center: [1.1994, 1.5992, 0], radius: 1, segments: 24}}\n";
-  CHECK(!Asked(near, "{simplify: {of: {union: [a, b]}, within: 0.0001}}", AskedProof::within_budget).certified());
+  for (const auto& [leaves, result] : std::vector<std::pair<std::string, std::string>>{
+           // A chord of the side lies in the face: facets overlap and surfaces do not.
+           {"  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 5, segments: 4}}\n"
+            "  b: {polygon: [[10, -5, -1], [-5, 10, -1], [-5, 10, 2], [10, -5, 2]]}\n",
+            "{union: [a, b]}"},
+           {ball + "  b: {points: [[0.9955, 0.06, 0.06]]}\n", "{intersection: [a, b]}"},
+           {ball + "  b: {polyline: [[0.9955, -5, 0.06], [0.9955, 5, 0.06]]}\n", "{union: [a, b]}"},
+           {ball + "  b: {sphere: {center: [1.1994, 1.5992, 0], radius: 1, segments: 24}}\n",
+            "{simplify: {of: {union: [a, b]}, within: 0.0001}}"}}) {
+    INFO(leaves);
+    const Asked asked(leaves, result, AskedProof::within_budget), as_drawn(leaves, result, AskedProof::none);
+    CHECK(asked.certified());
+    CHECK(asked.cells() != as_drawn.cells());
+    if (!result.starts_with("{simplify")) CHECK(asked.cells() == Asked(leaves, result, AskedProof::none, 16).cells());
+  }
+  CHECK(Asked(ball + "  b: {polyline: [[-5, 0.1, 0.06], [5, 0.2, 0.06]]}\n", "{union: [a, b]}").certified());
 }
 
 }  // namespace

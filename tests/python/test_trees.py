@@ -282,18 +282,23 @@ class Places(Folder):
 
     def test_certificates_of_curved_surfaces(self):
         balls = cnrg.sphere([0, 0, 0], 1) & cnrg.sphere([1.1994, 1.5992, 0], 1)
+        for certify in (None, True):
+            proven = cnrg.evaluate(balls, certify=certify)
+            self.assertTrue(proven.certificate.certified)
+            self.assertGreater(proven.certificate.crossing, 0)
+            self.assertEqual(proven.rows[-1].cells, (0, 1, 2, 1))
+        drawn = cnrg.evaluate(balls, certify=False)
+        self.assertIsNone(drawn.certificate)
+        self.assertEqual(drawn.rows[-1].cells, (0, 0, 0, 0))
+        pipes = cnrg.cylinder([0, 0, -4], [0, 0, 4], 2) | cnrg.cylinder([-5, 0, 0], [5, 0, 0], 2)
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
-            drawn = cnrg.evaluate(balls)
-        self.assertFalse(drawn.certificate.certified)
-        (place,) = drawn.certificate.places
-        self.assertTrue(place.by_facets)
-        self.assertAlmostEqual(place.at[0], 0.6, delta=0.1)
-        self.assertRegex(str(told[0].message), "near .*these facets do not tell how they meet")
-        proven = cnrg.evaluate(balls, certify=True)
-        self.assertTrue(proven.certificate.certified)
-        self.assertGreater(proven.certificate.crossing, 0)
-        self.assertEqual(proven.rows[-1].cells, (0, 1, 2, 1))
+            touching = cnrg.evaluate(pipes)
+        self.assertFalse(touching.certificate.certified)
+        place = touching.certificate.places[0]
+        self.assertEqual(place.why, "near")
+        self.assertAlmostEqual(abs(place.at[1]), 2, delta=0.1)
+        self.assertRegex(str(told[0].message), "near .*they touch, or are nearer to it than")
 
     def test_warnings_and_notices_have_their_place(self):
         at = line() + 1

@@ -61,8 +61,9 @@ class UncertainPlace:
     at: tuple[float, float, float]
     size: float
     """nothing nearer to `at` than this length was decided"""
-    by_facets: bool
-    """finer facets would decide"""
+    why: str
+    """`near`: they touch, or are too near to it; `facets`: these are too coarse and cannot be finer; `budget`: of steps
+    none were left"""
 
 
 @dataclass(frozen=True)
