@@ -36,7 +36,9 @@ std::vector<Diagnostic> Certificate::notices(const Tree& tree, std::size_t most)
     for (std::size_t k = 0; k < 3; ++k)
       text += (k == 0 ? " near [" : ", ") + decimals(std::abs(place.at[k]) < 1e-9 ? 0.0 : place.at[k]);
     switch (place.why) {
-      case UncertainPlace::Why::near: text += "]: they touch, or are nearer to it than " + decimals(place.size); break;
+      case UncertainPlace::Why::near:
+        text += "]: they touch, or are nearer to it than " + decimals(place.size);
+        break;
       case UncertainPlace::Why::facets: text += "]: these facets do not tell how they meet"; break;
       case UncertainPlace::Why::budget: text += "]: the budget of steps did not tell how they meet";
     }

@@ -21,7 +21,7 @@ struct UncertainPlace {
   std::vector<std::string> names;  ///< nodes of leaves, each with the name of its patch in brackets, if it has one
   std::vector<NodeId> nodes;       ///< of the same
   std::array<double, 3> at{};
-  double size = 0;         ///< within this length of `at` nothing was decided
+  double size = 0;  ///< within this length of `at` nothing was decided
   Why why = Why::near;
 };
 

@@ -4,143 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
 #include <unordered_map>
 
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 #include "kernel/base/error.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/refine/box_pairs.h"
 
 namespace cnrg {
 
 using namespace surface_math;
 
 namespace {
-
-constexpr const char* kPoints = "points";
-
-/// A prepared leaf, before any transform, with the numbers of its points.
-struct Mould {
-  struct Cell {
-    std::uint32_t patch = 0;
-    std::vector<std::uint32_t> points;
-    std::vector<std::array<Interval, 2>> at;
-    bool bent = false;  // Piece::bent
-  };
-  struct Flat {
-    std::uint32_t patch = 0;
-    std::vector<std::vector<std::uint32_t>> loops;
-  };
-  struct Wire {
-    std::uint32_t number = 0;
-    std::array<std::uint32_t, 2> points{};
-    std::array<Interval, 2> at{0, 0};
-  };
-  ExactNumbers<RationalPoint> numbers;
-  std::vector<Cell> cells;
-  std::vector<Flat> flats;
-  std::vector<Wire> wires;
-  std::vector<std::uint32_t> isolated;
-  std::shared_ptr<const LeafSurfaces> surfaces;
-
-  explicit Mould(const PreparedLeaf& leaf) {
-    Soup soup;
-    leaf.add_to(soup, Transform());
-    if (leaf.surfaces()) surfaces = leaf.surfaces()();
-    std::shared_ptr<const LeafParameters> parameters;
-    if (surfaces && leaf.parameters()) parameters = leaf.parameters()();
-    std::vector<std::uint32_t> number(soup.point_count(), kNone);
-    const auto number_of = [&](PointId p) {
-      std::uint32_t& n = number[p.index()];
-      if (n == kNone) n = numbers.of(exact_value(soup, p), kPoints);
-      return n;
-    };
-    std::vector<Interval> values;
-    if (parameters) {
-      for (const RationalPoint& p : parameters->points()) numbers.of(p, kPoints);
-      for (const Rational& value : parameters->values()) values.push_back(enclose(value));
-    }
-    for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
-      const std::uint32_t patch = soup.face(f).patch;
-      if (surfaces && surfaces->patch(patch) != nullptr) {
-        for (const auto& corners : parameters->cells_by_number(f.index())) {
-          Cell& cell = cells.emplace_back();
-          cell.patch = patch;
-          for (const LeafParameters::Corner& corner : corners) {
-            cell.points.push_back(corner.point);
-            cell.at.push_back({values[corner.u], values[corner.v]});
-          }
-        }
-        continue;
-      }
-      Flat& flat = flats.emplace_back();
-      flat.patch = patch;
-      flat.loops.emplace_back();
-      for (const PointId p : soup.corners(f)) {
-        if (p.valid()) flat.loops.back().push_back(number_of(p));
-        else flat.loops.emplace_back();
-      }
-    }
-    std::size_t i = 0;
-    for (const Soup::Wire& wire : soup.wires()) {
-      Wire one{wire.leaf_edge, {number_of(wire.a), number_of(wire.b)}};
-      if (parameters && surfaces->curve(wire.leaf_edge) != nullptr) {
-        const LeafParameters::Wire known = parameters->wire(i);
-        one.points = {numbers.of(known.ends[0], kPoints), numbers.of(known.ends[1], kPoints)};
-        one.at = {enclose(known.at[0]), enclose(known.at[1])};
-      }
-      wires.push_back(one);
-      ++i;
-    }
-    for (const Soup::Isolated& one : soup.isolated()) isolated.push_back(number_of(one.point));
-    unite_triangles();
-  }
-
- private:
-  using Corner = std::tuple<std::uint32_t, double, double>;
-  static Corner corner_of(const Cell& cell, std::size_t i) {
-    return {cell.points[i], cell.at[i][0].inf(), cell.at[i][1].inf()};
-  }
-  static bool same(const Interval& a, const Interval& b) { return a.inf() == b.inf() && a.sup() == b.sup(); }
-
-  /// Two triangles of which the sides in common are diagonals of one rectangle of parameters become one cell.
-  void unite_triangles() {
-    std::map<std::tuple<std::uint32_t, Corner, Corner>, std::pair<std::size_t, std::size_t>> waiting;
-    std::vector<char> gone(cells.size(), 0);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (cells[i].points.size() != 3) continue;
-      const auto diagonal = [&](std::size_t k) {
-        const auto &a = cells[i].at[k], &b = cells[i].at[(k + 1) % 3], &c = cells[i].at[(k + 2) % 3];
-        return (same(c[0], a[0]) && same(c[1], b[1])) || (same(c[0], b[0]) && same(c[1], a[1]));
-      };
-      std::size_t side = 0;
-      while (side < 3 && !diagonal(side)) ++side;
-      if (side == 3) continue;
-      const Corner a = corner_of(cells[i], side), b = corner_of(cells[i], (side + 1) % 3);
-      const auto [it, fresh] =
-          waiting.try_emplace({cells[i].patch, std::min(a, b), std::max(a, b)}, std::pair(i, side));
-      if (fresh) continue;
-      Cell& one = cells[it->second.first];
-      const std::size_t from = it->second.second, third = (side + 2) % 3, own = (from + 2) % 3;
-      // The other two corners of the rectangle.
-      const bool whole =
-          !same(cells[i].at[third][0], one.at[own][0]) && !same(cells[i].at[third][1], one.at[own][1]);
-      if (!whole || one.points.size() != 3) continue;
-      const auto pick = [&](const auto& of, const auto& other) {
-        return std::decay_t<decltype(of)>{of[(from + 1) % 3], of[own], of[from], other[third]};
-      };
-      one = {one.patch, pick(one.points, cells[i].points), pick(one.at, cells[i].at), true};
-      gone[i] = 1;
-    }
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (gone[i] == 0 && kept++ != i) cells[kept - 1] = std::move(cells[i]);
-    }
-    cells.resize(kept);
-  }
-};
 
 /// a x + b y + c z + d = 0, the first that is not zero 1.
 using PlaneKey = std::array<Rational, 4>;
@@ -153,26 +31,17 @@ PlaneKey plane_key(const RationalPoint& normal, const RationalPoint& on) {
 
 }  // namespace
 
-struct Moulds::All {
-  std::map<std::shared_ptr<const PreparedLeaf>, std::unique_ptr<const Mould>> of;
-};
-Moulds::Moulds() : all_(std::make_unique<All>()) {}
-Moulds::~Moulds() = default;
-
 class PieceMaker {
  public:
   PieceMaker(Pieces& out, const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds)
       : out_(out), leaves_(leaves) {
-    auto& known = moulds.all_->of;
     const std::vector<LeafInstance>& instances = leaves.instances;
     for (std::size_t i = 0; i < instances.size(); ++i) {
-      const std::shared_ptr<const PreparedLeaf>& leaf = instances[i].leaf;
-      if (leaf->unbounded()) continue;
-      auto [it, fresh] = known.try_emplace(leaf);
-      if (fresh) it->second = std::make_unique<Mould>(*leaf);
-      add(LeafId(i), *it->second, instances[i].transform);
+      if (!instances[i].leaf->unbounded()) place(LeafId(i), moulds.of(instances[i].leaf), instances[i].transform);
     }
     add_unbounded(instances, reach);
+    choose_cells();
+    for (Place& one : places_) add(one);
     for (const auto& [plane, sheet] : planes_) out_.planes_[sheet] = plane;
     for (const auto& [key, sheet] : sheets_) {
       const auto it = leaves.quadrics.find(key[1]);
@@ -186,8 +55,11 @@ class PieceMaker {
     LeafId leaf;
     const Transform& transform;
     const Mould& mould;
-    std::vector<Interval3> points;
-    std::map<Edge, std::vector<std::pair<std::uint32_t, std::uint8_t>>> sides;  // pieces, and side of the piece
+    std::vector<Interval3> points{};
+    std::vector<Box> boxes{};    // of the cells, facets and surfaces
+    std::vector<char> chosen{};  // of the cells: those that become pieces
+    /// Pieces, and side of the piece; kNone for cells that are none.
+    std::map<Edge, std::vector<std::pair<std::uint32_t, std::uint8_t>>> sides{};
   };
 
   std::uint32_t sheet_of(LeafId leaf, std::uint32_t patch) {
@@ -205,21 +77,14 @@ class PieceMaker {
     return it->second;
   }
 
-  void add(LeafId leaf, const Mould& mould, const Transform& transform) {
-    Place place{leaf, transform, mould, {}, {}};
-    const bool identity = transform.identity();
-    exact_.clear();
-    for (const RationalPoint& p : mould.numbers.all()) {
-      if (identity) {
-        place.points.push_back(enclose3(p));
-      } else {
-        exact_.push_back(transform.apply(p));
-        place.points.push_back(enclose3(exact_.back()));
-      }
+  void place(LeafId leaf, const Mould& mould, const Transform& transform) {
+    Place& place = places_.emplace_back(Place{leaf, transform, mould});
+    std::vector<RationalPoint>& exact = out_.points_[leaf];
+    exact = mould.numbers.all();
+    if (!transform.identity()) {
+      for (RationalPoint& p : exact) p = transform.apply(p);
     }
-    if (identity) exact_ = mould.numbers.all();
-    out_.points_[leaf] = exact_;
-    const std::size_t first = out_.pieces_.size();
+    for (const RationalPoint& p : exact) place.points.push_back(enclose3(p));
     if (mould.surfaces) {
       out_.leaf_surfaces_.push_back(mould.surfaces);
       for (const auto& [patch, form] : mould.surfaces->forms()) {
@@ -227,12 +92,107 @@ class PieceMaker {
           out_.unknown_.insert(leaf);
       }
     }
-    for (const Mould::Cell& cell : mould.cells) add_cell(place, cell);
-    for (const Mould::Flat& flat : mould.flats) add_flat(place, flat);
+    for (const Mould::Cell& cell : mould.cells) surface_of(place, cell.patch);
+    place.boxes.resize(mould.cells.size());
+    for_each_index(
+        mould.cells.size(),
+        [&](std::size_t i) {
+          const enclosure::RoundOutward outward;
+          const Mould::Cell& cell = mould.cells[i];
+          std::array<Interval, 2> range = cell.at[0];
+          for (const auto& at : cell.at) range = {hull(range[0], at[0]), hull(range[1], at[1])};
+          Interval3 all = out_.placed_.at({leaf, cell.patch})->over(range[0], range[1]).point;
+          for (const std::uint32_t p : cell.points) all = hull(all, place.points[p]);
+          place.boxes[i] = box_of(all);
+        },
+        256);
+  }
+  const PlacedSurface* surface_of(const Place& place, std::uint32_t patch) {
+    auto& surface = out_.placed_[{place.leaf, patch}];
+    if (!surface) surface = std::make_unique<PlacedSurface>(place.mould.surfaces, patch, place.transform);
+    return surface.get();
+  }
+
+  /// Of large leaves most cells are near nothing of another leaf. Those that are become pieces, and those about
+  /// them.
+  void choose_cells() {
+    constexpr std::uint32_t kAll = kNone;
+    struct Item {
+      std::uint32_t leaf, cell;
+    };
+    std::vector<Item> items;
+    std::vector<Box> boxes;
+    const auto add = [&](std::uint32_t leaf, std::uint32_t cell, const Box& box) {
+      items.push_back({leaf, cell});
+      boxes.push_back(box);
+    };
+    for (std::uint32_t i = 0; i < places_.size(); ++i) {
+      Place& one = places_[i];
+      one.chosen.assign(one.boxes.size(), 0);
+      for (std::uint32_t c = 0; c < one.boxes.size(); ++c) add(i, c, one.boxes[c]);
+      const auto box_around = [&](const auto& numbers) {
+        Interval3 all = one.points[numbers[0]];
+        for (const std::uint32_t p : numbers) all = hull(all, one.points[p]);
+        return box_of(all);
+      };
+      for (const Mould::Flat& flat : one.mould.flats) add(i, kAll, box_around(flat.loops[0]));
+      for (const Mould::Wire& wire : one.mould.wires) {
+        Box box = box_around(wire.points);
+        if (const Curve* const curve = curve_of(one, wire.number)) {
+          const Box of_curve = box_of(curve->over(hull(wire.at[0], wire.at[1])).point);
+          for (std::size_t k = 0; k < 3; ++k) {
+            box.lo[k] = std::min(box.lo[k], of_curve.lo[k]);
+            box.hi[k] = std::max(box.hi[k], of_curve.hi[k]);
+          }
+        }
+        add(i, kAll, box);
+      }
+      for (const std::uint32_t p : one.mould.isolated) add(i, kAll, box_of(one.points[p]));
+    }
+    for (const Piece& piece : out_.pieces_) add(kAll, kAll, piece.box);
+    const BoxPairs finder(boxes);
+    const auto choose = [&](const Item& item) {
+      if (item.cell != kAll) places_[item.leaf].chosen[item.cell] = 1;
+    };
+    for (std::size_t part = 0; part < finder.part_count(); ++part) {
+      finder.find(part, [&](std::uint32_t x, std::uint32_t y) {
+        const std::uint32_t a = finder.item(x), b = finder.item(y);
+        if (items[a].leaf == items[b].leaf || !boxes[a].meets(boxes[b])) return;
+        choose(items[a]);
+        choose(items[b]);
+      });
+    }
+    for (Place& one : places_) {
+      std::vector<char> near(one.points.size(), 0);
+      for (std::size_t c = 0; c < one.chosen.size(); ++c) {
+        for (const std::uint32_t p : one.mould.cells[c].points) near[p] |= one.chosen[c];
+      }
+      for (std::size_t c = 0; c < one.chosen.size(); ++c) {
+        for (const std::uint32_t p : one.mould.cells[c].points) one.chosen[c] |= near[p];
+      }
+    }
+  }
+
+  void add(Place& place) {
+    const std::size_t first = out_.pieces_.size();
+    std::vector<char> used(place.points.size(), 0);
+    for (std::size_t i = 0; i < place.chosen.size(); ++i) {
+      if (place.chosen[i] == 0) continue;
+      add_cell(place, place.mould.cells[i]);
+      for (const std::uint32_t p : place.mould.cells[i].points) used[p] = 1;
+    }
+    for (std::size_t i = 0; i < place.chosen.size(); ++i) {
+      const std::vector<std::uint32_t>& points = place.mould.cells[i].points;
+      for (std::size_t k = 0; place.chosen[i] == 0 && k < points.size(); ++k) {
+        const std::uint32_t a = points[k], b = points[(k + 1) % points.size()];
+        if (used[a] && used[b]) add_side(place, a, b, kNone, 0);
+      }
+    }
+    for (const Mould::Flat& flat : place.mould.flats) add_flat(place, flat);
     find_neighbours(first);
     add_curves(place);
-    for (const Mould::Wire& wire : mould.wires) add_wire(place, wire);
-    for (const std::uint32_t p : mould.isolated) add_point(place, p);
+    for (const Mould::Wire& wire : place.mould.wires) add_wire(place, wire);
+    for (const std::uint32_t p : place.mould.isolated) add_point(place, p);
     join_curves(first);
   }
 
@@ -241,9 +201,7 @@ class PieceMaker {
     piece.leaf = place.leaf;
     piece.patch = cell.patch;
     piece.sheet = sheet_of(place.leaf, cell.patch);
-    auto& surface = out_.placed_[{place.leaf, cell.patch}];
-    if (!surface) surface = std::make_unique<PlacedSurface>(place.mould.surfaces, cell.patch, place.transform);
-    piece.surface = surface.get();
+    piece.surface = surface_of(place, cell.patch);
     piece.corner_count = static_cast<std::uint8_t>(cell.points.size());
     require(piece.corner_count >= 3 && piece.corner_count <= 4, "pieces: a cell of another number of corners");
     for (std::size_t i = 0; i < cell.points.size(); ++i) {
@@ -328,15 +286,16 @@ class PieceMaker {
 
   void add_flat(Place& place, const Mould::Flat& flat) {
     const std::vector<std::uint32_t>& outer = flat.loops[0];
+    const std::vector<RationalPoint>& exact = out_.points_.at(place.leaf);
     RationalPoint normal{0, 0, 0};
     for (std::size_t i = 1; i + 1 < outer.size() && is_zero(normal); ++i)
-      normal = cross(exact_[outer[i]] - exact_[outer[0]], exact_[outer[i + 1]] - exact_[outer[0]]);
+      normal = cross(exact[outer[i]] - exact[outer[0]], exact[outer[i + 1]] - exact[outer[0]]);
     if (is_zero(normal)) return;
     Piece piece;
     piece.kind = Piece::Kind::flat;
     piece.leaf = place.leaf;
     piece.patch = flat.patch;
-    piece.sheet = sheet_of(plane_key(normal, exact_[outer[0]]));
+    piece.sheet = sheet_of(plane_key(normal, exact[outer[0]]));
     piece.normal = enclose3(normal);
     piece.point = place.points[outer[0]];
     Interval3 all = piece.point;
@@ -364,6 +323,7 @@ class PieceMaker {
       const auto it = place.sides.find(std::minmax(outer[i], outer[(i + 1) % outer.size()]));
       if (it == place.sides.end()) continue;
       for (const auto& [number, side] : it->second) {
+        if (number == kNone) continue;
         const Piece& cell = out_.pieces_[number];
         if (cell.kind == Piece::Kind::cell) rims.push_back(part_of(out_.pieces_, cell, range_of_side(cell, side)));
       }
@@ -417,6 +377,8 @@ class PieceMaker {
   void add_curves(Place& place) {
     const enclosure::RoundOutward outward;
     for (const auto& [edge, pieces] : place.sides) {
+      // Near nothing of another leaf, as the cell that is no piece.
+      if (std::ranges::any_of(pieces, [](const auto& p) { return p.first == kNone; })) continue;
       std::vector<Piece>& all = out_.pieces_;
       const auto of = [&](std::size_t i) -> const Piece& { return all[pieces[i].first]; };
       const bool curved =
@@ -482,6 +444,17 @@ class PieceMaker {
     return true;
   }
 
+  /// Of a curved wire; null for a straight one.
+  const Curve* curve_of(const Place& place, std::uint32_t wire) {
+    if (!place.mould.surfaces || place.mould.surfaces->curve(wire) == nullptr) return nullptr;
+    auto& made = wire_curves_[{place.leaf, wire}];
+    if (!made) {
+      const auto moved_all = moved([&] { return place.mould.surfaces; }, place.transform)();
+      made = moved_all->curves().at(wire);
+      kept_.push_back(moved_all);
+    }
+    return made.get();
+  }
   void add_wire(Place& place, const Mould::Wire& wire) {
     Piece curve;
     curve.kind = Piece::Kind::curve;
@@ -489,14 +462,8 @@ class PieceMaker {
     curve.patch = wire.number;
     curve.points = {wire.points[0], wire.points[1]};
     curve.corners = {place.points[wire.points[0]], place.points[wire.points[1]]};
-    if (place.mould.surfaces && place.mould.surfaces->curve(wire.number) != nullptr) {
-      auto& made = wire_curves_[{place.leaf, wire.number}];
-      if (!made) {
-        const auto moved_all = moved([&] { return place.mould.surfaces; }, place.transform)();
-        made = moved_all->curves().at(wire.number);
-        kept_.push_back(moved_all);
-      }
-      curve.curve = made;
+    if (curve_of(place, wire.number) != nullptr) {
+      curve.curve = wire_curves_.at({place.leaf, wire.number});
       curve.side[0][0] = wire.at[0];
       curve.side[1][0] = wire.at[1];
       curve.sheet = curve_number({static_cast<double>(place.leaf.index()), double(wire.number), 2, 0});
@@ -573,7 +540,7 @@ class PieceMaker {
   std::map<std::array<double, 4>, std::uint32_t> curves_;
   std::map<std::pair<LeafId, std::uint32_t>, std::shared_ptr<const Curve>> wire_curves_;
   std::vector<std::shared_ptr<const LeafSurfaces>> kept_;
-  std::vector<RationalPoint> exact_;
+  std::vector<Place> places_;
   std::uint32_t next_ = 1;
 };
 

@@ -21,6 +21,7 @@
 
 #include "csg/carriers/placed_leaves.h"
 #include "csg/certify/contact.h"
+#include "csg/certify/piece_moulds.h"
 #include "csg/curves/surface_math.h"
 #include "csg/curves/surface_placed.h"
 #include "kernel/refine/box.h"
@@ -62,19 +63,20 @@ struct Piece {
   bool blind = false;  ///< its directions are not known: a net at its pole
   std::uint8_t corner_count = 0;
   LeafId leaf;
-  std::uint32_t patch = 0;                        ///< Soup::Face::patch; of a wire Soup::Wire::leaf_edge
-  std::uint32_t sheet = 0;                        ///< of a curve: a number of its own, equal along one curve
-  std::array<std::uint32_t, 4> points{};          ///< corners by number, equal ones of one leaf are one
-  std::array<std::array<double, 2>, 4> at{};      ///< their parameters, in the middle of `bounds`
-  std::array<Interval3, 4> corners{};             ///< where they are
-  std::array<Interval, 2> range{0, 0};            ///< of u and v; of a curve the first, from 0 to 1
-  Interval3 along_u{}, along_v{};                 ///< of F, hulls; of a curve the first
-  std::array<double, 2> turn{0, 0};               ///< about how far its normal turns along u and v, in radians
-  const PlacedSurface* surface = nullptr;         ///< of a cell, or of a curve that is a side of one
-  std::shared_ptr<const Curve> curve{};           ///< of a curved wire
-  std::array<std::array<Interval, 2>, 2> side{};  ///< of a curve: parameters of its ends on `surface` or `curve`
+  std::uint32_t patch = 0;                       ///< Soup::Face::patch; of a wire Soup::Wire::leaf_edge
+  std::uint32_t sheet = 0;                       ///< of a curve: a number of its own, equal along one curve
+  std::array<std::uint32_t, 4> points{};         ///< corners by number, equal ones of one leaf are one
+  std::array<std::array<double, 2>, 4> at{};     ///< their parameters, in the middle of `bounds`
+  std::array<Interval3, 4> corners{};            ///< where they are
+  std::array<Interval, 2> range{0, 0};           ///< of u and v; of a curve the first, from 0 to 1
+  Interval3 along_u{0, 0, 0}, along_v{0, 0, 0};  ///< of F, hulls; of a curve the first
+  std::array<double, 2> turn{0, 0};              ///< about how far its normal turns along u and v, in radians
+  const PlacedSurface* surface = nullptr;        ///< of a cell, or of a curve that is a side of one
+  std::shared_ptr<const Curve> curve{};          ///< of a curved wire
+  std::array<std::array<Interval, 2>, 2> side{
+      {{0, 0}, {0, 0}}};  ///< of a curve: parameters of its ends on `surface` or `curve`
   /// Of a flat piece: its plane, and d . x for some d in it and all points x of it.
-  Interval3 normal{}, point{};
+  Interval3 normal{0, 0, 0}, point{0, 0, 0};
   std::vector<std::pair<Vector3<double>, Interval>> limits{};
   std::vector<std::uint32_t> corner_numbers{};  ///< of a flat piece, ascending
   /// Of a curve: the sheets that it lies in, ascending.
@@ -85,18 +87,6 @@ struct Piece {
   std::vector<std::uint32_t> foreign{};
   Box box{};
   bool exact() const { return kind == Kind::flat || (kind == Kind::curve && surface == nullptr && !curve); }
-};
-
-/// What prepared leaves are made of before they are placed; kept from one drawing to the next.
-class Moulds {
- public:
-  Moulds();
-  ~Moulds();
-
- private:
-  friend class PieceMaker;
-  struct All;
-  std::unique_ptr<All> all_;
 };
 
 /// All pieces of leaves as they are drawn.

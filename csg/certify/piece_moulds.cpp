@@ -1,0 +1,120 @@
+// Prepared leaves taken apart; see the header.
+#include "csg/certify/piece_moulds.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "csg/leaves/geometry_leaf.h"
+#include "csg/leaves/parameters.h"
+
+namespace cnrg {
+
+using namespace surface_math;
+
+namespace {
+
+constexpr const char* kPoints = "points";
+
+using CornerKey = std::tuple<std::uint32_t, double, double>;
+CornerKey corner_of(const Mould::Cell& cell, std::size_t i) {
+  return {cell.points[i], cell.at[i][0].inf(), cell.at[i][1].inf()};
+}
+bool alike(const Interval& a, const Interval& b) { return a.inf() == b.inf() && a.sup() == b.sup(); }
+
+}  // namespace
+
+Mould::Mould(const PreparedLeaf& leaf) {
+  Soup soup;
+  leaf.add_to(soup, Transform());
+  if (leaf.surfaces()) surfaces = leaf.surfaces()();
+  std::shared_ptr<const LeafParameters> parameters;
+  if (surfaces && leaf.parameters()) parameters = leaf.parameters()();
+  std::vector<std::uint32_t> number(soup.point_count(), kNone);
+  const auto number_of = [&](PointId p) {
+    std::uint32_t& n = number[p.index()];
+    if (n == kNone) n = numbers.of(exact_value(soup, p), kPoints);
+    return n;
+  };
+  std::vector<Interval> values;
+  if (parameters) {
+    for (const RationalPoint& p : parameters->points()) numbers.of(p, kPoints);
+    for (const Rational& value : parameters->values()) values.push_back(enclose(value));
+  }
+  for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
+    const std::uint32_t patch = soup.face(f).patch;
+    if (surfaces && surfaces->patch(patch) != nullptr) {
+      for (const auto& corners : parameters->cells_by_number(f.index())) {
+        Cell& cell = cells.emplace_back();
+        cell.patch = patch;
+        for (const LeafParameters::Corner& corner : corners) {
+          cell.points.push_back(corner.point);
+          cell.at.push_back({values[corner.u], values[corner.v]});
+        }
+      }
+      continue;
+    }
+    Flat& flat = flats.emplace_back();
+    flat.patch = patch;
+    flat.loops.emplace_back();
+    for (const PointId p : soup.corners(f)) {
+      if (p.valid()) flat.loops.back().push_back(number_of(p));
+      else flat.loops.emplace_back();
+    }
+  }
+  std::size_t i = 0;
+  for (const Soup::Wire& wire : soup.wires()) {
+    Wire one{wire.leaf_edge, {number_of(wire.a), number_of(wire.b)}};
+    if (parameters && surfaces->curve(wire.leaf_edge) != nullptr) {
+      const LeafParameters::Wire known = parameters->wire(i);
+      one.points = {numbers.of(known.ends[0], kPoints), numbers.of(known.ends[1], kPoints)};
+      one.at = {enclose(known.at[0]), enclose(known.at[1])};
+    }
+    wires.push_back(one);
+    ++i;
+  }
+  for (const Soup::Isolated& one : soup.isolated()) isolated.push_back(number_of(one.point));
+  unite_triangles();
+}
+
+void Mould::unite_triangles() {
+  std::map<std::tuple<std::uint32_t, CornerKey, CornerKey>, std::pair<std::size_t, std::size_t>> waiting;
+  std::vector<char> gone(cells.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i].points.size() != 3) continue;
+    const auto diagonal = [&](std::size_t k) {
+      const auto &a = cells[i].at[k], &b = cells[i].at[(k + 1) % 3], &c = cells[i].at[(k + 2) % 3];
+      return (alike(c[0], a[0]) && alike(c[1], b[1])) || (alike(c[0], b[0]) && alike(c[1], a[1]));
+    };
+    std::size_t side = 0;
+    while (side < 3 && !diagonal(side)) ++side;
+    if (side == 3) continue;
+    const CornerKey a = corner_of(cells[i], side), b = corner_of(cells[i], (side + 1) % 3);
+    const auto [it, fresh] =
+        waiting.try_emplace({cells[i].patch, std::min(a, b), std::max(a, b)}, std::pair(i, side));
+    if (fresh) continue;
+    Cell& one = cells[it->second.first];
+    const std::size_t from = it->second.second, third = (side + 2) % 3, own = (from + 2) % 3;
+    // The other two corners of the rectangle.
+    const bool whole =
+        !alike(cells[i].at[third][0], one.at[own][0]) && !alike(cells[i].at[third][1], one.at[own][1]);
+    if (!whole || one.points.size() != 3) continue;
+    const auto pick = [&](const auto& of, const auto& other) {
+      return std::decay_t<decltype(of)>{of[(from + 1) % 3], of[own], of[from], other[third]};
+    };
+    one = {one.patch, pick(one.points, cells[i].points), pick(one.at, cells[i].at), true};
+    gone[i] = 1;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (gone[i] == 0 && kept++ != i) cells[kept - 1] = std::move(cells[i]);
+  }
+  cells.resize(kept);
+}
+
+const Mould& Moulds::of(const std::shared_ptr<const PreparedLeaf>& leaf) {
+  auto& mould = of_[leaf];
+  if (!mould) mould = std::make_unique<const Mould>(*leaf);
+  return *mould;
+}
+
+}  // namespace cnrg

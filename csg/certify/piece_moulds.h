@@ -1,0 +1,56 @@
+// What prepared leaves are made of before they are placed, for pieces (pieces.h).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "csg/curves/surface_math.h"
+#include "csg/geometry/exact_numbers.h"
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+
+/// A prepared leaf, before any transform, with the numbers of its points.
+struct Mould {
+  struct Cell {
+    std::uint32_t patch = 0;
+    std::vector<std::uint32_t> points;
+    std::vector<std::array<Interval, 2>> at;
+    bool bent = false;  // Piece::bent
+  };
+  struct Flat {
+    std::uint32_t patch = 0;
+    std::vector<std::vector<std::uint32_t>> loops;
+  };
+  struct Wire {
+    std::uint32_t number = 0;
+    std::array<std::uint32_t, 2> points{};
+    std::array<Interval, 2> at{0, 0};
+  };
+  ExactNumbers<RationalPoint> numbers;
+  std::vector<Cell> cells;
+  std::vector<Flat> flats;
+  std::vector<Wire> wires;
+  std::vector<std::uint32_t> isolated;
+  std::shared_ptr<const LeafSurfaces> surfaces;
+
+  explicit Mould(const PreparedLeaf& leaf);
+
+ private:
+  /// Two triangles of which the sides in common are diagonals of one rectangle of parameters become one cell.
+  void unite_triangles();
+};
+
+/// Of leaves, kept from one drawing to the next.
+class Moulds {
+ public:
+  const Mould& of(const std::shared_ptr<const PreparedLeaf>& leaf);
+
+ private:
+  std::map<std::shared_ptr<const PreparedLeaf>, std::unique_ptr<const Mould>> of_;
+};
+
+}  // namespace cnrg
