@@ -13,8 +13,6 @@ using namespace surface_math;
 
 namespace {
 
-constexpr const char* kPoints = "points";
-
 using CornerKey = std::tuple<std::uint32_t, double, double>;
 CornerKey corner_of(const Mould::Cell& cell, std::size_t i) {
   return {cell.points[i], cell.at[i][0].inf(), cell.at[i][1].inf()};
@@ -27,23 +25,22 @@ Mould::Mould(const PreparedLeaf& leaf) {
   Soup soup;
   leaf.add_to(soup, Transform());
   if (leaf.surfaces()) surfaces = leaf.surfaces()();
-  std::shared_ptr<const LeafParameters> parameters;
-  if (surfaces && leaf.parameters()) parameters = leaf.parameters()();
+  if (surfaces && leaf.parameters()) parameters_ = leaf.parameters()();
+  if (parameters_) of_cells_ = parameters_->points().size();
   std::vector<std::uint32_t> number(soup.point_count(), kNone);
   const auto number_of = [&](PointId p) {
     std::uint32_t& n = number[p.index()];
-    if (n == kNone) n = numbers.of(exact_value(soup, p), kPoints);
+    if (n == kNone) n = this->number_of(exact_value(soup, p));
     return n;
   };
   std::vector<Interval> values;
-  if (parameters) {
-    for (const RationalPoint& p : parameters->points()) numbers.of(p, kPoints);
-    for (const Rational& value : parameters->values()) values.push_back(enclose(value));
+  if (parameters_) {
+    for (const Rational& value : parameters_->values()) values.push_back(enclose(value));
   }
   for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
     const std::uint32_t patch = soup.face(f).patch;
     if (surfaces && surfaces->patch(patch) != nullptr) {
-      for (const auto& corners : parameters->cells_by_number(f.index())) {
+      for (const auto& corners : parameters_->cells_by_number(f.index())) {
         Cell& cell = cells.emplace_back();
         cell.patch = patch;
         for (const LeafParameters::Corner& corner : corners) {
@@ -64,9 +61,9 @@ Mould::Mould(const PreparedLeaf& leaf) {
   std::size_t i = 0;
   for (const Soup::Wire& wire : soup.wires()) {
     Wire one{wire.leaf_edge, {number_of(wire.a), number_of(wire.b)}};
-    if (parameters && surfaces->curve(wire.leaf_edge) != nullptr) {
-      const LeafParameters::Wire known = parameters->wire(i);
-      one.points = {numbers.of(known.ends[0], kPoints), numbers.of(known.ends[1], kPoints)};
+    if (parameters_ && surfaces->curve(wire.leaf_edge) != nullptr) {
+      const LeafParameters::Wire known = parameters_->wire(i);
+      one.points = {this->number_of(known.ends[0]), this->number_of(known.ends[1])};
       one.at = {enclose(known.at[0]), enclose(known.at[1])};
     }
     wires.push_back(one);
@@ -74,6 +71,11 @@ Mould::Mould(const PreparedLeaf& leaf) {
   }
   for (const Soup::Isolated& one : soup.isolated()) isolated.push_back(number_of(one.point));
   unite_triangles();
+}
+
+std::uint32_t Mould::number_of(const RationalPoint& p) {
+  const std::uint32_t known = parameters_ ? parameters_->find(p) : kNone;
+  return known != kNone ? known : static_cast<std::uint32_t>(of_cells_) + others_.of(p, "points");
 }
 
 void Mould::unite_triangles() {

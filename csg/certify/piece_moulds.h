@@ -10,6 +10,7 @@
 #include "csg/curves/surface_math.h"
 #include "csg/geometry/exact_numbers.h"
 #include "csg/leaves/leaf.h"
+#include "csg/leaves/parameters.h"
 
 namespace cnrg {
 
@@ -30,7 +31,6 @@ struct Mould {
     std::array<std::uint32_t, 2> points{};
     std::array<Interval, 2> at{0, 0};
   };
-  ExactNumbers<RationalPoint> numbers;
   std::vector<Cell> cells;
   std::vector<Flat> flats;
   std::vector<Wire> wires;
@@ -38,10 +38,21 @@ struct Mould {
   std::shared_ptr<const LeafSurfaces> surfaces;
 
   explicit Mould(const PreparedLeaf& leaf);
+  /// Equal points have one number.
+  std::size_t point_count() const { return of_cells_ + others_.all().size(); }
+  const RationalPoint& point(std::uint32_t number) const {
+    return number < of_cells_ ? parameters_->points()[number]
+                              : others_[number - static_cast<std::uint32_t>(of_cells_)];
+  }
 
  private:
+  std::uint32_t number_of(const RationalPoint& p);
   /// Two triangles of which the sides in common are diagonals of one rectangle of parameters become one cell.
   void unite_triangles();
+
+  std::shared_ptr<const LeafParameters> parameters_;
+  std::size_t of_cells_ = 0;  // points of parameters
+  ExactNumbers<RationalPoint> others_;
 };
 
 /// Of leaves, kept from one drawing to the next.

@@ -80,9 +80,8 @@ class PieceMaker {
   void place(LeafId leaf, const Mould& mould, const Transform& transform) {
     Place& place = places_.emplace_back(Place{leaf, transform, mould});
     std::vector<RationalPoint>& exact = out_.points_[leaf];
-    exact = mould.numbers.all();
-    if (!transform.identity()) {
-      for (RationalPoint& p : exact) p = transform.apply(p);
+    for (std::uint32_t i = 0; i < mould.point_count(); ++i) {
+      exact.push_back(transform.identity() ? mould.point(i) : transform.apply(mould.point(i)));
     }
     for (const RationalPoint& p : exact) place.points.push_back(enclose3(p));
     if (mould.surfaces) {

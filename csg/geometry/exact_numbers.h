@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/base/counts.h"
+#include "kernel/base/limits.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
@@ -21,6 +22,11 @@ class ExactNumbers {
     const auto [it, fresh] = number_.try_emplace(value, next_number(values_.size(), what));
     if (fresh) values_.push_back(value);
     return it->second;
+  }
+  /// kNone if there is none.
+  std::uint32_t find(const Value& value) const {
+    const auto it = number_.find(value);
+    return it == number_.end() ? kNone : it->second;
   }
   const Value& operator[](std::uint32_t number) const { return values_[number]; }
   const std::vector<Value>& all() const { return values_; }

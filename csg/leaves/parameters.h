@@ -91,6 +91,7 @@ class LeafParameters {
   /// The same, by numbers of points() and values().
   std::vector<std::span<const Corner>> cells_by_number(std::size_t facet) const;
   const std::vector<RationalPoint>& points() const { return points_.all(); }
+  std::uint32_t find(const RationalPoint& point) const { return points_.find(point); }  ///< kNone if it is none
   const std::vector<Rational>& values() const { return values_.all(); }
   /// Wire i, counted from the leaf's first one; its two parameters are equal if it has none.
   Wire wire(std::size_t i) const;

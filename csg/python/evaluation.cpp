@@ -85,7 +85,10 @@ void bind_evaluation(py::module_& module) {
              return list;
            })
       .def("certificate",
-           [](const EvaluatedTree& e) { return certificate_data(*e.tree, certificate_of(e.evaluation)); })
+           [](const EvaluatedTree& e) -> std::optional<py::dict> {
+             if (!e.evaluation.certificate) return std::nullopt;
+             return certificate_data(*e.tree, certificate_of(e.evaluation));
+           })
       .def_property_readonly("refine_seconds", [](const EvaluatedTree& e) { return e.evaluation.refine_seconds; })
       .def("result", [](const std::shared_ptr<EvaluatedTree>& e, std::size_t node) {
         return OneResult{e->evaluation.result(NodeId(node)), e, NodeId(node)};

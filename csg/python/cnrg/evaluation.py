@@ -124,9 +124,11 @@ class Evaluation(Sequence[Row]):
         return out
 
     @property
-    def certificate(self) -> Certificate:
-        """Whether curved surfaces meet as their facets do, for all that was asked for."""
+    def certificate(self) -> Certificate | None:
+        """Whether curved surfaces meet as their facets do, for all that was asked for; None with `certify=False`."""
         data = self._evaluation.certificate()
+        if data is None:
+            return None
         places = tuple(UncertainPlace(**place) for place in data.pop("places"))
         return Certificate(places=places, **data)
 
