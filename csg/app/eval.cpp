@@ -10,8 +10,10 @@
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
+#include "csg/certify/certificate.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
+#include "csg/formats/writer.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
@@ -100,6 +102,10 @@ class FileWriter {
         const FileOptions options{arguments_.parameters, !arguments_.no_snap, arguments_.binary, &snapped_[node]};
         report = at_node(tree_, node, [&] { return write(path, results_(node), options); });
       }
+    }
+    if (is_cad_file(path)) {
+      if (const std::string doubt = certificate_of(evaluation_, node).doubt(tree_); !doubt.empty())
+        say(path + ": warning: " + doubt);
     }
     if (!arguments_.quiet) {
       for (const std::string& notice : report.notices) say(path + ": notice: " + notice);
@@ -197,7 +203,8 @@ int run_eval(const EvalArguments& arguments) {
   options.raw = arguments.raw;
   options.refining = arguments.refining;
   const bool in_files = std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
-  options.proof = asked_proof(arguments.certify, arguments.quiet);
+  options.proof =
+      asked_proof(arguments.certify, arguments.quiet && std::ranges::none_of(arguments.files, is_cad_file));
   options.rows = !arguments.quiet || in_files ? Rows::all : Rows::none;
   options.region_volumes = arguments.trace;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));

@@ -186,10 +186,7 @@ class PieceMaker {
     const std::size_t first = out_.pieces_.size();
     if (mould.surfaces) {
       out_.leaf_surfaces_.push_back(mould.surfaces);
-      for (const auto& [patch, form] : mould.surfaces->forms()) {
-        if (form.surface.kind != CadSurface::Kind::plane && mould.surfaces->patch(patch) == nullptr)
-          out_.unknown_.insert(leaf);
-      }
+      if (!mould.surfaces->complete()) out_.unknown_.insert(leaf);
     }
     for (const Mould::Cell& cell : mould.cells) add_cell(place, cell);
     for (const Mould::Flat& flat : mould.flats) add_flat(place, flat);
