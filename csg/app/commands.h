@@ -62,6 +62,7 @@ struct ViewArguments {
   std::string tree, inside, file;
   std::vector<std::string> nodes;
   bool open = false, watch = false, quiet = false;
+  bool certify = false;  ///< as of `eval`
   int threads = 0, finer = 1;
 };
 /// `cnrg view`: a page of all nodes for a browser. With `watch` it ends when somebody ends it.

@@ -10,8 +10,10 @@
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
+#include "csg/certify/certificate.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
+#include "csg/formats/writer.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
@@ -100,6 +102,10 @@ class FileWriter {
         const FileOptions options{arguments_.parameters, !arguments_.no_snap, arguments_.binary, &snapped_[node]};
         report = at_node(tree_, node, [&] { return write(path, results_(node), options); });
       }
+    }
+    if (is_cad_file(path)) {
+      if (const std::string doubt = certificate_of(evaluation_, node).doubt(tree_); !doubt.empty())
+        say(path + ": warning: " + doubt);
     }
     if (!arguments_.quiet) {
       for (const std::string& notice : report.notices) say(path + ": notice: " + notice);

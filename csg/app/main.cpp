@@ -334,6 +334,7 @@ int run(int argc, char** argv) {
       ->check(name_fault)
       ->expected(1)
       ->take_all();
+  sub->add_flag("--certify", view.certify, kCertify);
   sub->add_flag("--open", view.open, "Open the page in the browser");
   sub->add_flag("--watch", view.watch, "Write the page again whenever the tree changes; open pages follow");
   add_threads(sub, view.threads);

@@ -10,6 +10,7 @@
 #include "csg/app/joined.h"
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
+#include "csg/certify/certificate.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
 #include "csg/formats/result_file.h"
@@ -396,6 +397,9 @@ int run_mesh(const MeshArguments& arguments) {
     std::cout << std::flush;
   }
   tell_nearly_touching(arguments, tree, node, result);
+  if (const std::string doubt = certificate_of(evaluation, node).doubt(tree); arguments.curved && !doubt.empty()) {
+    for (const std::string& path : arguments.files) tell(path + ": warning: " + doubt);
+  }
   write_files(
       arguments, result, made.mesh, made.rounding, snapped, made.notice, made.warnings,
       [&](const MeshPageOptions& options) { return mesh_page(result, made, bent ? &*bent : nullptr, options); });

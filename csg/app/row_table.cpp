@@ -68,6 +68,7 @@ std::string row_table(const Evaluation& evaluation, const StageRows& stages, boo
        {"vertices", "edges", "faces", "3-cells", "removed", "regions", "components", "seconds"}) {
     table.add_column(title);
   }
+  table.add_column("within");
   table.add_column("volume", Table::Align::left);
   const auto add_stage = [&](const char* name, const std::optional<double>& seconds,
                              std::array<std::string, 4> cells = {}) {
@@ -86,7 +87,8 @@ std::string row_table(const Evaluation& evaluation, const StageRows& stages, boo
     table.add_row({row.name, row.operator_name, std::to_string(cells[0]), std::to_string(cells[1]),
                    std::to_string(cells[2]), std::to_string(cells[3]), std::to_string(row.removed()),
                    std::to_string(row.regions), row.is_group ? "" : std::to_string(row.components),
-                   seconds_text(row.seconds + row.totals_seconds), volume_text(row.volume())});
+                   seconds_text(row.seconds + row.totals_seconds),
+                   row.volume() ? bound_text(row.volume_bound()) : "", volume_text(row.volume())});
   }
   add_stage("crossings", stages.crossings);
   add_stage("results", stages.results);

@@ -74,6 +74,7 @@ void make_page(const ViewArguments& arguments, std::set<std::string>& files) {
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.keep_all = true;
+  options.proof = asked_proof(arguments.certify, false);
   std::vector<NodeId> roots;
   for (const std::string& name : arguments.nodes) roots.push_back(node_of(tree, name));
   if (roots.empty()) {
@@ -86,6 +87,8 @@ void make_page(const ViewArguments& arguments, std::set<std::string>& files) {
     if (below[id.index()]) options.nodes.push_back(id);
   }
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
+  if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
+  else tell_uncertain(tree, evaluation, arguments.quiet);
   std::string text;
   {
     ProgressBar bar(arguments.quiet);

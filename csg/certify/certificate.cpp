@@ -16,6 +16,33 @@ std::string decimals(double x) {
 
 }  // namespace
 
+std::string UncertainPlace::text() const {
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+  for (std::size_t k = 0; k < 3; ++k)
+    text += (k == 0 ? " near [" : ", ") + decimals(std::abs(at[k]) < 1e-9 ? 0.0 : at[k]);
+  switch (why) {
+    case Why::near: return text + "]: they touch, or are nearer to it than " + decimals(size);
+    case Why::facets: return text + "]: these facets do not tell how they meet";
+    case Why::budget: return text + "]: the budget of steps did not tell how they meet";
+  }
+  return text;
+}
+
+std::string Certificate::doubt(const Tree& tree) const {
+  if (!places.empty()) {
+    const std::size_t more = places.size() - 1;
+    return "its surfaces may not meet as its faces say: " + places[0].text() +
+           (more == 0 ? "" : "; and " + std::to_string(more) + (more == 1 ? " more place" : " more places"));
+  }
+  if (!unknown.empty())
+    return "its surfaces may not meet as its faces say: of curved faces of `" + tree.nodes[unknown[0]].name +
+           "` only the facets were asked";
+  return left == 0 ? ""
+                   : "its surfaces may not meet as its faces say: not all was asked within the budget of steps";
+}
+
 void Certificate::add(const Certificate& more) {
   asked += more.asked;
   apart += more.apart;
@@ -29,20 +56,8 @@ void Certificate::add(const Certificate& more) {
 std::vector<Diagnostic> Certificate::notices(const Tree& tree, std::size_t most) const {
   std::vector<Diagnostic> result;
   for (std::size_t i = 0; i < std::min(most, places.size()); ++i) {
-    const UncertainPlace& place = places[i];
-    std::string text;
-    for (std::size_t k = 0; k < place.names.size(); ++k)
-      text += (k == 0 ? "" : k + 1 == place.names.size() ? " and " : ", ") + place.names[k];
-    for (std::size_t k = 0; k < 3; ++k)
-      text += (k == 0 ? " near [" : ", ") + decimals(std::abs(place.at[k]) < 1e-9 ? 0.0 : place.at[k]);
-    switch (place.why) {
-      case UncertainPlace::Why::near:
-        text += "]: they touch, or are nearer to it than " + decimals(place.size);
-        break;
-      case UncertainPlace::Why::facets: text += "]: these facets do not tell how they meet"; break;
-      case UncertainPlace::Why::budget: text += "]: the budget of steps did not tell how they meet";
-    }
-    result.push_back({tree.file, tree.nodes[place.nodes[0]].operator_at, Diagnostic::Level::notice, text});
+    result.push_back(
+        {tree.file, tree.nodes[places[i].nodes[0]].operator_at, Diagnostic::Level::notice, places[i].text()});
   }
   return result;
 }

@@ -23,9 +23,11 @@ struct UncertainPlace {
   std::array<double, 3> at{};
   double size = 0;  ///< within this length of `at` nothing was decided
   Why why = Why::near;
+  std::string text() const;
 };
 
 struct Evaluation;
+struct KeptValue;
 
 struct Certificate {
   /// Pairs of facets near each other: in all, and what was proven of them and of their surfaces.
@@ -34,11 +36,17 @@ struct Certificate {
   std::vector<UncertainPlace> places;
   std::vector<NodeId> unknown;  ///< leaves with curved faces of which no surface is known: CAD models
   void add(const Certificate& more);
+  /// What a file on the true surfaces may have wrong, with the first place; empty: nothing.
+  std::string doubt(const Tree& tree) const;
   /// Of the first places.
   std::vector<Diagnostic> notices(const Tree& tree, std::size_t most) const;
 };
 
 /// Of the result and of the nodes that were asked for besides, as EvaluateOptions::proof said.
 Certificate certificate_of(const Evaluation& evaluation);
+/// Of one of these alone.
+Certificate certificate_of(const Evaluation& evaluation, NodeId node);
+/// True if all leaves that meet at the place are below the node.
+bool is_below(const Evaluation& evaluation, const KeptValue& kept, const UncertainPlace& place);
 
 }  // namespace cnrg

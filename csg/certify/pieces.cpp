@@ -86,10 +86,7 @@ class PieceMaker {
     for (const RationalPoint& p : exact) place.points.push_back(enclose3(p));
     if (mould.surfaces) {
       out_.leaf_surfaces_.push_back(mould.surfaces);
-      for (const auto& [patch, form] : mould.surfaces->forms()) {
-        if (form.surface.kind != CadSurface::Kind::plane && mould.surfaces->patch(patch) == nullptr)
-          out_.unknown_.insert(leaf);
-      }
+      if (!mould.surfaces->complete()) out_.unknown_.insert(leaf);
     }
     for (const Mould::Cell& cell : mould.cells) surface_of(place, cell.patch);
     place.boxes.resize(mould.cells.size());

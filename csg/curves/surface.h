@@ -15,10 +15,12 @@
 // from which nothing can be concluded.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "csg/geometry/cad_surfaces.h"
@@ -37,6 +39,10 @@ template <class Number>
 struct SurfaceJet {
   Vector3<Number> point, along_u, along_v, normal;
 };
+/// Second derivatives.
+struct SurfaceBend {
+  Vector3<Interval> uu, uv, vv;
+};
 template <class Number>
 struct CurveJet {
   Vector3<Number> point, along;
@@ -49,6 +55,10 @@ class Surface {
   virtual SurfaceJet<double> at(double u, double v) const = 0;
   /// Who goes on with the intervals keeps an enclosure::RoundOutward alive meanwhile.
   virtual SurfaceJet<Interval> over(const Interval& u, const Interval& v) const = 0;
+  /// The same of second derivatives; nothing where they are not known.
+  virtual std::optional<SurfaceBend> bend_over(const Interval& /*u*/, const Interval& /*v*/) const {
+    return std::nullopt;
+  }
 };
 
 class Curve {
@@ -86,6 +96,14 @@ class LeafSurfaces {
   const std::map<std::uint32_t, SurfaceForm>& forms() const { return forms_; }
   const std::map<std::uint32_t, CurveForm>& curve_forms() const { return curve_forms_; }
   const std::map<std::uint32_t, std::shared_ptr<const Surface>>& patches() const { return patches_; }
+  /// Says that it has curved patches of which nothing else is known.
+  void add_unknown() { has_unknown_ = true; }
+  /// False if of a curved patch there is no Surface.
+  bool complete() const {
+    return !has_unknown_ && std::all_of(forms_.begin(), forms_.end(), [&](const auto& form) {
+      return form.second.surface.kind == CadSurface::Kind::plane || patch(form.first) != nullptr;
+    });
+  }
   const std::map<std::uint32_t, std::shared_ptr<const Curve>>& curves() const { return curves_; }
   /// By Soup::Face::patch; null for one that is flat.
   const Surface* patch(std::uint32_t patch) const {
@@ -103,6 +121,7 @@ class LeafSurfaces {
   std::map<std::uint32_t, std::shared_ptr<const Curve>> curves_;
   std::map<std::uint32_t, SurfaceForm> forms_;  // of patches, some without a Surface
   std::map<std::uint32_t, CurveForm> curve_forms_;
+  bool has_unknown_ = false;
 };
 
 }  // namespace cnrg

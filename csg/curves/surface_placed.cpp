@@ -36,6 +36,15 @@ SurfaceJet<Interval> PlacedSurface::over(const Interval& u, const Interval& v) c
   return moved(surface_->over(u, v));
 }
 
+std::optional<SurfaceBend> PlacedSurface::bend_over(const Interval& u, const Interval& v) const {
+  const enclosure::RoundOutward outward;
+  std::optional<SurfaceBend> bend = surface_->bend_over(u, v);
+  if (!bend) return bend;
+  for (Vector3<Interval>* const x : {&bend->uu, &bend->uv, &bend->vv})
+    *x = {dot(as<Interval>(linear_[0]), *x), dot(as<Interval>(linear_[1]), *x), dot(as<Interval>(linear_[2]), *x)};
+  return bend;
+}
+
 namespace {
 
 class MovedCurve final : public Curve {
@@ -80,6 +89,7 @@ SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform) {
     };
     for (const auto& [number, form] : given->forms()) take(number, form);
     for (const auto& [number, form] : given->curve_forms()) take(number, form);
+    if (!given->complete()) result->add_unknown();
     return result;
   };
 }

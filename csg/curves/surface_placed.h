@@ -19,6 +19,7 @@ class PlacedSurface final : public Surface {
   bool flat() const { return surface_ == nullptr; }
   SurfaceJet<double> at(double u, double v) const override;
   SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override;
+  std::optional<SurfaceBend> bend_over(const Interval& u, const Interval& v) const override;
 
  private:
   template <class N>

@@ -18,6 +18,9 @@ struct SlantedLine {
   MeridianJet<N> jet(const N& m) const {
     return {as<N>(from) + as<N>(growth) * m, as<N>(length) * m, as<N>(growth), as<N>(length)};
   }
+  std::optional<std::array<Interval, 2>> bend(const Interval&) const {
+    return std::array<Interval, 2>{Interval(0), Interval(0)};
+  }
 };
 
 /// A circle of the given radius about a point at distance `out`, from `start` on, all by turns.
@@ -29,6 +32,11 @@ struct RoundLine {
     const N x = as<N>(radius) * cosine(at), y = as<N>(radius) * sine(at), speed = turn<N>() * as<N>(turns);
     return {as<N>(out) + x, y, -(speed * y), speed * x};
   }
+  std::optional<std::array<Interval, 2>> bend(const Interval& m) const {
+    const Interval at = start.range + turns.range * m, speed = turn<Interval>() * turns.range;
+    const Interval factor = -(speed * speed * radius.range);
+    return std::array<Interval, 2>{factor * cosine(at), factor * sine(at)};
+  }
 };
 
 struct ProfileSegment {
@@ -38,6 +46,7 @@ struct ProfileSegment {
     const CurveJet<N> jet = curve.jet(m);
     return {jet.point[0], jet.point[2], jet.along[0], jet.along[2]};
   }
+  static std::optional<std::array<Interval, 2>> bend(const Interval&) { return std::nullopt; }
 };
 
 template <class Meridian>

@@ -16,7 +16,7 @@ struct MeridianJet {
   N r, z, r_m, z_m;
 };
 
-/// `Meridian` has `jet(m)` for doubles and intervals.
+/// `Meridian` has `jet(m)` for doubles and intervals, and `bend(m)`: the second derivatives of r and z, if known.
 template <class Meridian>
 class RoundSurface final : public Surface {
  public:
@@ -40,16 +40,37 @@ class RoundSurface final : public Surface {
     const enclosure::RoundOutward outward;
     return jet(u, v);
   }
+  std::optional<SurfaceBend> bend_over(const Interval& u, const Interval& v) const override {
+    using namespace surface_math;
+    const enclosure::RoundOutward outward;
+    const Interval& along = angle_first_ ? v : u;
+    const std::optional<std::array<Interval, 2>> bent = meridian_.bend(along);
+    if (!bent) return std::nullopt;
+    const auto [away, around] = directions(Interval(turns_.range * (angle_first_ ? u : v)));
+    const MeridianJet<Interval> m = meridian_.jet(along);
+    const Interval speed = turn<Interval>() * turns_.range;
+    const Vector3<Interval> by_angle = scaled(Interval(-(speed * speed * m.r)), away),
+                            by_both = scaled(Interval(speed * m.r_m), around),
+                            by_meridian = sum(scaled((*bent)[0], away), scaled((*bent)[1], as<Interval>(axis_)));
+    if (angle_first_) return SurfaceBend{by_angle, by_both, by_meridian};
+    return SurfaceBend{by_meridian, by_both, by_angle};
+  }
 
  private:
+  /// Unit vectors at an angle: away from the axis, and where it grows.
+  template <class N>
+  std::array<Vector3<N>, 2> directions(const N& turns) const {
+    using namespace surface_math;
+    const N c = cosine(turns), s = sine(turns);
+    const Vector3<N> e1 = as<N>(first_), e2 = as<N>(second_);
+    return {sum(scaled(c, e1), scaled(s, e2)), difference(scaled(c, e2), scaled(s, e1))};
+  }
   template <class N>
   SurfaceJet<N> jet(const N& u, const N& v) const {
     using namespace surface_math;
-    const N turns = as<N>(turns_) * (angle_first_ ? u : v);
-    const N c = cosine(turns), s = sine(turns);
+    const auto [away, around] = directions(N(as<N>(turns_) * (angle_first_ ? u : v)));
     const MeridianJet<N> m = meridian_.jet(angle_first_ ? v : u);
-    const Vector3<N> e1 = as<N>(first_), e2 = as<N>(second_), n = as<N>(axis_);
-    const Vector3<N> away = sum(scaled(c, e1), scaled(s, e2)), around = difference(scaled(c, e2), scaled(s, e1));
+    const Vector3<N> n = as<N>(axis_);
     const Vector3<N> point = sum(as<N>(center_), sum(scaled(m.r, away), scaled(m.z, n)));
     const Vector3<N> by_angle = scaled(N(turn<N>() * as<N>(turns_) * m.r), around);
     const Vector3<N> by_meridian = sum(scaled(m.r_m, away), scaled(m.z_m, n));

@@ -38,6 +38,7 @@
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/evaluate/scopes.h"
 #include "csg/evaluate/simplified_value.h"
+#include "csg/evaluate/volume_bounds.h"
 #include "csg/leaves/leaf_stop.h"
 #include "csg/leaves/surface_parameters.h"
 
@@ -79,7 +80,8 @@ void name_leaves(const PreparedLeaves& leaves, const PlacedLeaves& placed, std::
 }
 
 /// What is said of nodes that are drawn otherwise when they stand alone: each by a scope of its own.
-void tell_alone(ScopeContext context, Drawings& drawings, ScopeResult& made) {
+void tell_alone(ScopeContext context, Drawings& drawings, const std::shared_ptr<SweptLeaves>& swept,
+                ScopeResult& made) {
   std::vector<InstanceId> waiting;
   std::set<InstanceId> known;
   const auto add_below = [&](InstanceId root, const PlacedLeaves& placed) {
@@ -97,8 +99,11 @@ void tell_alone(ScopeContext context, Drawings& drawings, ScopeResult& made) {
                         std::span(&id, 1), {}, false);
     add(made.refine, alone.refine);
     made.refine_seconds += alone.refine_seconds;
+    const auto bounds = std::make_shared<const VolumeBounds>(swept, placed);
     for (const InstanceId below : instances_below(context.unfolding.instances, id)) {
-      if (drawings.as_alone(below, placed)) made.told[below] = std::move(alone.told[below]);
+      if (!drawings.as_alone(below, placed)) continue;
+      made.told[below] = std::move(alone.told[below]);
+      made.told[below].row->volume_bound = [bounds, below] { return bounds->of(below); };
     }
     add_below(id, placed);
   }
@@ -171,7 +176,12 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   const ScopeContext context{tree, unfolding, leaves, placed, options, grades};
   ScopeResult made =
       evaluate_scopes(context, unfolding.roots, sections_of(tree, unfolding, leaves, placed, options));
-  if (all_alone && options.rows == Rows::all) tell_alone(context, drawings, made);
+  const auto swept = std::make_shared<SweptLeaves>(tree, unfolding, leaves);
+  const auto bounds = std::make_shared<const VolumeBounds>(swept, placed);
+  for (const InstanceId id : IdRange<InstanceId>(made.told.size())) {
+    if (made.told[id].row) made.told[id].row->volume_bound = [bounds, id] { return bounds->of(id); };
+  }
+  if (all_alone && options.rows == Rows::all) tell_alone(context, drawings, swept, made);
   result.complex = made.complex;
   result.refine = std::move(made.refine);
   result.refine_seconds = made.refine_seconds;
@@ -191,7 +201,8 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
                                ? *made.of_result
                                : SimplifiedValue(result.complex, values.share(root), mode),
                            leaves.below(unfolding, root), tree.nodes[node].name,
-                           leaves.numbers().sizes(tree, unfolding.instances, root)});
+                           leaves.numbers().sizes(tree, unfolding.instances, root),
+                           [bounds, root] { return bounds->of(root); }});
   }
   for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});
   result.raw = options.raw;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -83,6 +84,9 @@ struct NodeRow {
   /// Exact volume in cubic units of all of them together; nothing when one is unbounded.
   std::optional<Rational> total;
   const std::optional<Rational>& volume() const { return total; }
+  /// How far `total`, and each of `volumes`, may be from that between the true surfaces, computed when it is asked
+  /// for; nothing if of some of them only the facets are known.
+  std::function<std::optional<double>()> volume_bound = [] { return 0.0; };
   /// Of each, ascending by component; filled with `EvaluateOptions::region_volumes`.
   std::vector<std::optional<Rational>> volumes;
   std::vector<std::pair<Component, std::string>> named;  ///< parallel to `volumes`: the component and its name
@@ -106,6 +110,7 @@ struct KeptValue {
   std::vector<LeafId> leaves;   ///< the leaves below it, ascending, those below joined ones included
   std::string name{};           ///< of the node
   std::vector<double> sizes{};  ///< of `leaves`, as LeafNumbers::sizes has them
+  std::function<std::optional<double>()> volume_bound{};  ///< as of its row
   /// The value as a group; InvariantError when it is components.
   const Group& group() const;
 };

@@ -79,8 +79,13 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
   Evaluation evaluation = evaluate(tree.operands(id).front(), options, leaves_);
   JoinedNode joined{id, {}, std::move(evaluation.rows)};
   try {
-    const Result result = join(asking(evaluation.result(), tree), *node.within, &joined.report, options.watch);
-    const ResultView view = result.data().view(true);
+    const Result apart = evaluation.result();
+    const Result result = join(asking(apart, tree), *node.within, &joined.report, options.watch);
+    ResultView view = result.data().view(true);
+    // How far joining moves curved surfaces nobody asks.
+    view.volume_bound = [&]() -> std::optional<double> {
+      return apart.data().volume_bound() == 0.0 ? std::optional(0.0) : std::nullopt;
+    };
     const FlatComplex flat = flatten(view);
     auto run = std::make_shared<JoinedRun>();
     run->regions = parts_by_label(view, flat);

@@ -1,6 +1,7 @@
 // From a kept value to a result, which shares what it shows with the evaluation.
 #include <algorithm>
 
+#include "csg/certify/certificate.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/leaf_numbers.h"
 #include "csg/operators/node_value.h"
@@ -16,6 +17,7 @@ Result result_of(const Evaluation& evaluation, const KeptValue& kept) {
   data->simplified = kept.simplified.share();
   data->parameters = evaluation.parameters;
   data->raw = evaluation.raw;
+  data->volume_bound = kept.volume_bound;
   data->name({kept.name, evaluation.leaf_names, evaluation.materials});
   evaluation.leaves->tell(data->leaves);
   for (LeafInfo& leaf : data->leaves) leaf.place = LeafInfo::kNoPlace;
@@ -27,6 +29,26 @@ Result result_of(const Evaluation& evaluation, const KeptValue& kept) {
 }
 
 }  // namespace
+
+bool is_below(const Evaluation& evaluation, const KeptValue& kept, const UncertainPlace& place) {
+  return std::ranges::all_of(place.nodes, [&](NodeId node) {
+    return std::ranges::any_of(kept.leaves, [&](LeafId leaf) { return evaluation.leaves->node_of(leaf) == node; });
+  });
+}
+
+Certificate certificate_of(const Evaluation& evaluation, NodeId node) {
+  for (const Evaluation& other : evaluation.others) {
+    if (other.kept.front().node == node) return certificate_of(other, node);
+  }
+  const KeptValue& kept = evaluation.value(node);
+  if (!evaluation.certificate) return {};
+  Certificate of = *evaluation.certificate;
+  std::erase_if(of.places, [&](const UncertainPlace& place) { return !is_below(evaluation, kept, place); });
+  std::erase_if(of.unknown, [&](NodeId leaf) {
+    return std::ranges::none_of(kept.leaves, [&](LeafId one) { return evaluation.leaves->node_of(one) == leaf; });
+  });
+  return of;
+}
 
 const Group& KeptValue::group() const { return value->group(); }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "csg/text/graphviz.h"
+#include "csg/text/number.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -24,7 +25,9 @@ std::string label_of(const NodeRow& row) {
     text += "\\n" + std::to_string(row.components) + (row.components == 1 ? " component" : " components");
   if (row.regions == 0) return text;
   const std::optional<Rational>& volume = row.volume();
-  return text + "\\nvolume " + (volume ? to_decimal(*volume) : "unbounded");
+  text += "\\nvolume " + (volume ? to_decimal(*volume) : "unbounded");
+  const std::string bound = volume ? bound_text(row.volume_bound()) : "";
+  return bound.empty() ? text : text + " within " + bound;
 }
 
 }  // namespace

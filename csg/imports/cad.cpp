@@ -109,7 +109,11 @@ class CadLeaf {
     for (Index f = 0; f < model_.faces.size(); ++f) {
       const CadModel::Face& face = model_.faces[f];
       const CadSurface::Kind kind = face.surface.kind;
-      if (kind == CadSurface::Kind::other || face.places.empty()) continue;
+      if (face.places.empty()) continue;
+      if (kind == CadSurface::Kind::other) {
+        made->add_unknown();
+        continue;
+      }
       SurfaceForm form{.surface = face.surface};
       form.low = form.high = face.places[0].at[0];
       for (const CadModel::Place& place : face.places) {

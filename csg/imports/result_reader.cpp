@@ -8,6 +8,7 @@
 
 #include "csg/imports/read_grades.h"
 #include "csg/imports/result_content.h"
+#include "csg/text/number.h"
 #include "kernel/base/counts.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -41,8 +42,10 @@ class Reader {
       root_.member("version").fail("only version 1 can be read; use a newer cnrg");
     }
     root_.only({"format", "version", "node", "group", "dominance", "leaves", "materials", "grades", "components",
-                "attributes", "points", "frame", "vertices", "edges", "patches", "cells", "faces", "regions"});
+                "attributes", "points", "frame", "vertices", "edges", "patches", "cells", "faces", "regions",
+                "volume_bound"});
     root_.member("node").text();
+    if (root_.has("volume_bound")) table_.volume_bound = read_bound(root_.member("volume_bound"));
     table_.group = root_.member("group").boolean();
     read_leaves();
     read_materials();
@@ -97,6 +100,13 @@ class Reader {
       if (i > 0 && number <= last) list.at(i).refuse("numbers are ascending here, and each stands once");
       see(last = number);
     }
+  }
+
+  static std::optional<double> read_bound(const Cursor& at) {
+    if (at.is_null()) return std::nullopt;
+    const std::optional<Rational> bound = read_number(at.text()).value;
+    if (!bound || *bound <= 0) at.refuse("a bound is a number above 0, or null where nobody knows it");
+    return to_double(*bound);
   }
 
   void read_leaves() {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct CellTable {
   /// Leaf i of that run is the (i + 1)-th one after the leaf that has this table. nullptr: cells come from the
   /// leaf itself.
   std::shared_ptr<const CellMakers> makers;
+  /// How far volumes may be from those between true surfaces, before the transform; nothing: nobody knows.
+  std::optional<double> volume_bound = 0.0;
 };
 
 }  // namespace cnrg

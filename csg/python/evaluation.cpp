@@ -57,6 +57,7 @@ py::dict row_data(const NodeRow& row) {
   data["components"] = row.components;
   data["is_group"] = row.is_group;
   data["volume"] = to_fraction(row.volume());
+  data["volume_bound"] = row.volume() ? py::cast(row.volume_bound()) : py::none();
   data["seconds"] = row.seconds;
   return data;
 }

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "csg/result/join.h"
+#include "csg/result/result_data.h"
 #include "numbers.h"
 #include "results.h"
 #include "watched.h"
@@ -22,6 +23,11 @@ void bind_result(py::module_& module) {
                                      std::to_string(r.result.component_count()));
              return to_fraction(watched(py::none(), [&](const Watch&) { return r.result.volume(i); }));
            })
+      .def_property_readonly("volume_bound",
+                             [](const OneResult& r) {
+                               const auto& bound = r.result.data().volume_bound;
+                               return bound ? bound() : std::nullopt;
+                             })
       .def("write",
            [](const OneResult& r, const std::string& path, bool parameters, bool snap, bool binary) {
              const FileReport report = apart(py::none(), [=, held = r.result](const Watch& watch) {

@@ -91,6 +91,7 @@ ResultView Result::Data::view(bool with_parameters) const {
   view.materials = materials;
   view.of_group = of_group;
   view.region_parts = region_parts.get();
+  view.volume_bound = volume_bound;
   if (with_parameters) view.parameters = parameters.get();
   return view;
 }

@@ -1,6 +1,9 @@
 // What a Result shares with its copies; for the rooms that make results and write them, not for users.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "csg/operators/node_value.h"
 #include "csg/result/result.h"
 #include "csg/result/result_view.h"
@@ -21,6 +24,7 @@ struct Result::Data {
   std::shared_ptr<const std::vector<LeafParts>> region_parts;  ///< as in ResultView
   bool of_group = false;                                       ///< as in ResultView
   bool raw = false;                                            ///< its cells are not simplified
+  std::function<std::optional<double>()> volume_bound{};       ///< as of NodeRow; empty: nobody knows any
 
   /// Sets node, leaves and materials; those of regions that are not named come after the others.
   void name(ResultNames names);

@@ -54,6 +54,7 @@
 #include "csg/result/file_numbers.h"
 #include "csg/result/json_grades.h"
 #include "csg/text/json_text.h"
+#include "csg/text/number.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg {
@@ -119,6 +120,10 @@ class JsonWriter {
     lines("faces", flat_.faces, [&](std::string& out, const auto& f) { face(out, f); });
     find_parts();
     lines("regions", flat_.regions, [&](std::string& out, const auto& r) { region(out, r); });
+    if (view_.volume_bound) {
+      const std::optional<double> bound = view_.volume_bound();
+      if (bound != 0.0) text_ += ",\n\"volume_bound\": " + (bound ? json_quoted(bound_text(bound)) : "null");
+    }
     text_ += "\n}\n";
     return joined();
   }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,7 @@ struct ResultView {
   /// Of a snapped or joined result: by RegionId what it was made of. Empty: nobody says sizes. nullptr: the leaves
   /// that hold a 3-cell tell.
   const std::vector<LeafParts>* region_parts = nullptr;
+  std::function<std::optional<double>()> volume_bound{};  ///< as of Result::Data
 };
 
 }  // namespace cnrg

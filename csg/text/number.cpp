@@ -2,6 +2,8 @@
 // with that part replaced, so that the grammar stands in one place.
 #include "csg/text/number.h"
 
+#include <cmath>
+
 #include "csg/text/table.h"
 #include "kernel/exact/integers.h"
 
@@ -70,6 +72,15 @@ std::string number_text(const Rational& value, std::string_view elsewhere) {
   const std::size_t digits = digits_of(value.get_num()) + (whole ? 0 : digits_of(value.get_den()));
   return to_decimal(value) + " (the " + (whole ? "number" : "fraction") + " has " + std::to_string(digits) +
          " digits" + std::string(elsewhere) + ")";
+}
+
+std::string bound_text(const std::optional<double>& bound) {
+  if (!bound) return "unknown";
+  if (*bound == 0) return "";
+  const double unit = std::pow(10.0, std::floor(std::log10(*bound)) - 2);
+  std::string text;
+  for (double x = *bound; text.empty() || std::stod(text) < *bound; x += unit / 2) text = decimal(x, "%.3g");
+  return text;
 }
 
 }  // namespace cnrg

@@ -28,4 +28,8 @@ NumberText read_number(std::string_view text, std::size_t most = kMostDigits);
 /// that would fill the screen, with its digits counted; `elsewhere` goes behind these: where the fraction is.
 std::string number_text(const Rational& value, std::string_view elsewhere);
 
+/// A bound of an error, 0 or more, in three digits, rounded up; empty for 0, and of one that nobody knows
+/// `unknown`.
+std::string bound_text(const std::optional<double>& bound);
+
 }  // namespace cnrg

@@ -27,6 +27,7 @@ class ContentMaker {
     take_faces();
     choose_wires(content_);
     table_.makers = std::move(makers_);
+    if (view_.volume_bound) table_.volume_bound = view_.volume_bound();
     return std::move(content_);
   }
 

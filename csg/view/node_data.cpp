@@ -13,6 +13,7 @@
 #include "csg/result/palette.h"
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
+#include "csg/text/number.h"
 #include "csg/topology/around.h"
 #include "csg/topology/topology.h"
 #include "kernel/selection/homology.h"
@@ -505,6 +506,7 @@ Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& 
   out["raw"] = row.raw_cells;
   out["regions"] = row.regions;
   out["volume"] = row.total ? Json{to_string(*row.total), to_decimal(*row.total)} : Json();
+  out["within"] = row.total ? bound_text(row.volume_bound()) : "";
   Json removals = Json::array();
   for (const auto& [number, count] : row.removals) {
     const TableRow& rule = table_rows()[number];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "csg/certify/certificate.h"
 #include "csg/explain/fates.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/palette.h"
@@ -75,6 +76,21 @@ std::string source_colors(const Evaluation& evaluation, PageTables& tables) {
     out[i + 1] = number(leaves);
   }
   return packed(out);
+}
+
+/// Places of which it is not proven that surfaces meet there as facets do, in words, each with the nodes that have
+/// all leaves which meet there.
+Json doubts_of(const Evaluation& evaluation, const std::vector<std::pair<InstanceId, const KeptValue*>>& nodes) {
+  Json out = Json::array();
+  const Certificate all = certificate_of(evaluation);
+  for (const UncertainPlace& place : all.places) {
+    Json of = Json::array();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (is_below(evaluation, *nodes[i].second, place)) of.push_back(i);
+    }
+    out.push_back({{"at", place.at}, {"text", shown(place.text())}, {"nodes", of}});
+  }
+  return out;
 }
 
 /// Colors that mean the same on all pages.
@@ -179,6 +195,7 @@ std::string page_data(const Tree& tree, const Evaluation& evaluation, const Page
     case ColorBy::region: out["color_by"] = "region"; break;
     default: out["color_by"] = "component";
   }
+  out["doubts"] = doubts_of(evaluation, nodes);
   out["fixed_colors"] = fixed_colors();
   out["source_colors"] = source_colors(evaluation, tables);
   out["colors"] = in_order(tables.colors);

@@ -462,6 +462,23 @@ TEST_CASE("uncertain crossings of curved surfaces are told, and an error if that
     CHECK_THAT(o.err, StartsWith("pipes.yaml:3:7: error: "));
   }
   w.write("box.yaml", "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\nresult: a\n");
+  w.write("near.yaml", R"(cnrg: 1
+nodes:
+  a: {sphere: {center: [0, 0, 0], radius: 1}, rotate: {axis: [1, 2, 3], degrees: 41}}
+  b: {sphere: {center: [1.999, 0, 0], radius: 1}, rotate: {axis: [3, -2, 1], degrees: 17, center: [1.999, 0, 0]}}
+  both: {union: [a, b]}
+result: both
+)");
+  for (const std::string quiet : {"", " --quiet"}) {
+    CHECK_THAT(
+        w.run("eval near.yaml -o u.step" + quiet).err,
+        Contains("u.step: warning: its surfaces may not meet as its faces say: `a` (sphere) and `b` (sphere) "
+                 "near ["));
+    CHECK(w.run("eval near.yaml --certify -o u.step" + quiet).err.find("u.step: warning") == std::string::npos);
+  }
+  CHECK_THAT(w.run("mesh near.yaml --curved --quiet -o u.msh").err,
+             Contains("u.msh: warning: its surfaces may not meet as its faces say: "));
+  CHECK(w.run("eval near.yaml --quiet -o u.vtu").err.empty());
   CHECK_THAT(w.run("eval box.yaml --certify").err,
              Contains("certified: surfaces meet as their facets do: no curved"));
   CHECK(w.run("eval box.yaml --certify --quiet").err.empty());

@@ -38,6 +38,7 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
+#include "csg/result/result_data.h"
 #include "tests/cad/models.h"
 #include "tests/catch.h"
 
@@ -51,11 +52,13 @@ constexpr double kHalfTurn = std::numbers::pi;
 /// A tree in a folder that goes afterwards.
 class Scene {
  public:
-  explicit Scene(const std::string& nodes) {
+  explicit Scene(const std::string& nodes, AskedProof proof = AskedProof::none) {
     std::string pattern = (std::filesystem::temp_directory_path() / "cnrg_exports_XXXXXX").string();
     folder_ = mkdtemp(pattern.data());
     std::ofstream(file("t.yaml")) << "cnrg: 1\n" << nodes << "\nresult: model\n";
-    evaluation_ = std::make_unique<Evaluation>(evaluate(read_tree(file("t.yaml"))));
+    EvaluateOptions options;
+    options.proof = proof;
+    evaluation_ = std::make_unique<Evaluation>(evaluate(read_tree(file("t.yaml")), options));
   }
   ~Scene() {
     std::error_code ignored;
@@ -489,6 +492,24 @@ TEST_CASE("a region that touches itself along an edge is a solid of shells that 
   CHECK(volume(shape) == Approx(46));
 }
 
+TEST_CASE("a bore that breaks through and balls that hardly overlap are valid where that is proven", "[exports]") {
+  Scene wall(R"(nodes:
+  block: {box: {min: [-4, -4, 0], max: [4, 0.998, 4]}}
+  bore: {cylinder: {from: [0, 0, -1], to: [0, 0, 5], radius: 1, segments: 32}, rotate: {axis: [0, 0, 1], degrees: 5.625}}
+  model: {difference: [block, bore]})",
+             AskedProof::with_lines);
+  const TopoDS_Shape broken = wall.step();
+  CHECK(valid(broken));
+  const double beyond = std::acos(0.998) - 0.998 * std::sqrt(1 - 0.998 * 0.998);
+  CHECK(volume(broken) == Approx(4 * (8 * 4.998 - kHalfTurn + beyond)));
+  Scene balls(R"(nodes:
+  a: {sphere: {center: [0, 0, 0], radius: 1}, rotate: {axis: [1, 2, 3], degrees: 41}}
+  b: {sphere: {center: [1.999, 0, 0], radius: 1}, rotate: {axis: [3, -2, 1], degrees: 17, center: [1.999, 0, 0]}}
+  model: {union: [a, b]})",
+              AskedProof::with_lines);
+  CHECK(valid(balls.step()));
+}
+
 TEST_CASE("random solids are valid, with the faces of the result on their surfaces", "[exports]") {
   const char* const seeds = std::getenv("CNRG_SEEDS");
   const std::uint64_t number = seeds != nullptr ? std::strtoull(seeds, nullptr, 10) : 25;
@@ -543,6 +564,7 @@ TEST_CASE("random solids are valid, with the faces of the result on their surfac
     double exact = 0;
     for (Component i = 1; i <= result.component_count(); ++i) exact += to_double(*result.volume(i));
     if (exact > 0.5) CHECK(volume(shape) == Approx(exact).epsilon(0.04));
+    if (of_facets == 0) CHECK(std::abs(volume(shape) - exact) <= result.data().volume_bound().value() + 1e-6);
   }
   CHECK(faceted * 50 <= faces);
 }

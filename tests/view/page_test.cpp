@@ -4,12 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "csg/certify/certificate.h"
 #include "csg/explain/explain.h"
 #include "csg/explain/fates.h"
 #include "csg/formats/formats.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/palette.h"
 #include "csg/result/result_data.h"
+#include "csg/text/number.h"
 #include "csg/tree/dag.h"
 #include "csg/view/packed.h"
 #include "kernel/selection/incidence.h"
@@ -425,4 +427,30 @@ TEST_CASE("no text of a tree is HTML in its page", "[view]") {
   CHECK(page == "<t>a&lt;b&gt;&amp;&quot;c&quot;</t>7|" + compressed(scene.raw));
   CHECK(page.find("script") == std::string::npos);
   CHECK_THROWS_WITH(page_text("nothing", "a", "b"), Contains("no place `<!--cnrg:title-->`"));
+}
+
+TEST_CASE("a page has the uncertain places of each node, in the words of the notices", "[view]") {
+  const Tree tree = parse_tree(R"(cnrg: 1
+nodes:
+  a: {sphere: {center: [0, 0, 0], radius: 1}, rotate: {axis: [1, 2, 3], degrees: 41}}
+  b: {sphere: {center: [1.999, 0, 0], radius: 1}, rotate: {axis: [3, -2, 1], degrees: 17, center: [1.999, 0, 0]}}
+  both: {union: [a, b]}
+result: both
+)",
+                               "t.yaml");
+  EvaluateOptions options;
+  options.keep_all = true;
+  options.proof = AskedProof::as_drawn;
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) options.nodes.push_back(id);
+  const Evaluation evaluation = evaluate(tree, options);
+  const Json data = Json::parse(page_data(tree, evaluation));
+  const std::vector<UncertainPlace> places = certificate_of(evaluation).places;
+  REQUIRE(!places.empty());
+  REQUIRE(data["doubts"].size() == places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    CHECK(data["doubts"][i]["text"] == places[i].text());
+    CHECK(data["doubts"][i]["at"] == places[i].at);
+    CHECK(data["doubts"][i]["nodes"] == std::vector<std::size_t>{2});
+  }
+  CHECK(data["nodes"][0]["within"] == bound_text(evaluation.rows[0].volume_bound()));
 }

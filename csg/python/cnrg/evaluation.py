@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 import weakref
 from dataclasses import dataclass
+from decimal import ROUND_CEILING, Context
 from fractions import Fraction
 from typing import Any, Iterator, Sequence
 
@@ -33,6 +34,8 @@ class Row:
     is_group: bool
     volume: Fraction | None
     """exact, of all regions together (cubic units of the model); None: unbounded"""
+    volume_bound: float | None
+    """how far `volume` may be from that between the true surfaces, 0 without curved ones; None: unknown, or unbounded"""
     seconds: float
 
 
@@ -157,15 +160,15 @@ class Evaluation(Sequence[Row]):
         return iter(self.rows)
 
     def __str__(self) -> str:
-        head = ("node", "operator", "vertices", "edges", "faces", "3-cells", "removed", "regions", "seconds", "volume")
+        head = ("node", "operator", "vertices", "edges", "faces", "3-cells", "removed", "regions", "seconds", "within", "volume")
         lines: list[tuple[str, ...]] = [head]
         for r in self.rows:
             volume = "unbounded" if r.volume is None else str(r.volume)
             if len(volume) > 24:
                 volume = f"{float(r.volume):.12g}"  # type: ignore[arg-type]
-            lines.append((r.name, r.operator, *map(str, r.cells), str(r.removed), str(r.regions), f"{r.seconds:.3f}", volume))
+            lines.append((r.name, r.operator, *map(str, r.cells), str(r.removed), str(r.regions), f"{r.seconds:.3f}", _within(r), volume))
         widths = [max(len(line[i]) for line in lines) for i in range(len(head))]
-        left = {0, 1, 9}
+        left = {0, 1, 10}
         text = ""
         for line in lines:
             cells = (c.ljust(w) if i in left else c.rjust(w) for i, (c, w) in enumerate(zip(line, widths)))
@@ -174,6 +177,14 @@ class Evaluation(Sequence[Row]):
 
     def __repr__(self) -> str:
         return f"<cnrg.Evaluation of {self._tree!r}>"
+
+
+def _within(row: Row) -> str:
+    if row.volume is None or row.volume_bound == 0:
+        return ""
+    if row.volume_bound is None:
+        return "unknown"
+    return f"{float(Context(prec=3, rounding=ROUND_CEILING).create_decimal(row.volume_bound)):.3g}"
 
 
 def evaluate(

@@ -197,6 +197,12 @@ class Result:
         known = [v for v in volumes if v is not None]
         return sum(known, Fraction(0)) if len(known) == len(volumes) else None
 
+    @property
+    def volume_bound(self) -> float | None:
+        """How far `volume`, and that of each component, may be from that between the true surfaces; 0: there are no
+        curved ones; None: it is unknown, as of CAD models and of results that were snapped or joined."""
+        return self._once("volume bound", lambda: self._result.volume_bound)
+
     def __copy__(self) -> Result:
         return self
 

@@ -85,7 +85,7 @@ export function readCells(json) {
 export class Page {
   constructor(json) {
     Object.assign(this, {
-      tree: json.tree, result: json.result, several: json.several, colour_by: json.color_by, leaves: json.leaves, nodes: json.nodes,
+      tree: json.tree, result: json.result, several: json.several, colour_by: json.color_by, leaves: json.leaves, nodes: json.nodes, doubts: json.doubts,
       origins: json.origins, words: json.words, lines: json.lines,
     });
     this.colours = new Colours(json, unpack);

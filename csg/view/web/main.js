@@ -6,11 +6,12 @@ import {Model, nameOf, WORDS} from './model.js';
 import {h, showCell, showNode, swatch} from './panels.js';
 import {Scene} from './scene.js';
 
+const DOUBT = '#d6006c';
 const $ = (id) => document.getElementById(id);
 const page = new Page(source.json);
 source.json = null;
 
-const state = {node: page.result, cell: null, colour: null, show: [true, true, true, true], labels: false, ghosts: false, through: false,
+const state = {node: page.result, cell: null, colour: null, show: [true, true, true, true], labels: false, ghosts: false, through: false, doubts: true,
   explode: 0, axis: '', cut: 0.5, flip: false, pick: 'any', theme: null, view: null};
 
 // --- light and dark
@@ -91,6 +92,7 @@ function drawLabels(context = overlay, times = Math.min(devicePixelRatio || 1, 2
   }
   context.setTransform(times, 0, 0, times, 0, 0);
   drawAxes(context);
+  drawDoubts(context);
   if (!state.labels) return;
   const taken = [];
   context.font = '600 11px ui-sans-serif, system-ui, sans-serif';
@@ -113,6 +115,27 @@ function drawLabels(context = overlay, times = Math.min(devicePixelRatio || 1, 2
     context.fillStyle = {v: dark() ? '#9fd0ff' : '#00508a', e: dark() ? '#e4e9ee' : '#2b333b', f: dark() ? '#ffc46b' : '#7a4a00', r: '#888'}[cell.kind];
     context.fillText(word, x, y + dy);
   }
+}
+
+/** Uncertain places of the node, by their numbers in its panel, and where they are in the picture. */
+const doubts = () => (state.doubts && scene ? page.doubts.filter((d) => d.nodes.includes(state.node)).map((d) => ({...d, place: scene.project(scene.place(d.at))})) : []);
+function drawDoubts(context) {
+  context.strokeStyle = context.fillStyle = DOUBT;
+  context.lineWidth = 2.5;
+  doubts().forEach(({place: [x, y]}) => {
+    context.beginPath();
+    context.arc(x, y, 9, 0, 2 * Math.PI);
+    context.stroke();
+  });
+  context.font = '700 12px ui-sans-serif, system-ui, sans-serif';
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  const taken = [];
+  doubts().forEach(({place: [x, y]}, k) => {
+    if (taken.some(([a, b]) => Math.abs(x - a) < 24 && Math.abs(y - b) < 16)) return;
+    taken.push([x, y]);
+    context.fillText(`${k + 1}?`, x + 12, y - 9);
+  });
 }
 
 function drawAxes(context) {
@@ -199,12 +222,14 @@ function showLegend() {
   const rows = [...(scene?.geometry?.legend.values() ?? [])], most = 14;
   const list = h('ul', {}, ...rows.slice(0, most).map((row) => h('li', {}, swatch(row.tint, row.sign), row.label)));
   if (rows.length > most) list.append(h('li', {class: 'soft'}, `and ${rows.length - most} more`));
+  const open = doubts();
+  if (open.length) list.append(h('li', {}, swatch(rgb(DOUBT), 'doubt'), 'uncertain: surfaces may meet otherwise'));
   const says = [];
   if (state.colour === 'class' && !model.classes) {
     says.push(h('p', {}, model.node.left_out?.includes('classes') ? 'Too many entities to ask the table about each.' : model.node.operands.length ? 'Nothing to tell apart here.' : 'A leaf has no operands.'));
   }
   $('legend').replaceChildren(...says, list);
-  $('legend').hidden = rows.length === 0 && says.length === 0;
+  $('legend').hidden = rows.length === 0 && says.length === 0 && open.length === 0;
 }
 
 // --- the address
@@ -217,6 +242,7 @@ function hash() {
   const hidden = state.show.map((s, k) => (s ? '' : k)).join('');
   if (hidden) out.set('hide', hidden);
   for (const key of ['labels', 'ghosts', 'through', 'flip']) if (state[key]) out.set(key, '1');
+  if (!state.doubts) out.set('doubts', '0');
   if (state.explode) out.set('apart', state.explode);
   if (state.axis) (out.set('axis', state.axis), out.set('cut', state.cut));
   if (state.theme) out.set('theme', state.theme);
@@ -249,6 +275,7 @@ function restore() {
   const hidden = from.get('hide') ?? '';
   state.show = [0, 1, 2, 3].map((k) => !hidden.includes(String(k)));
   for (const key of ['labels', 'ghosts', 'through', 'flip']) state[key] = from.get(key) === '1';
+  state.doubts = from.get('doubts') !== '0';
   const within = (key, most, or) => (from.has(key) && Number.isFinite(+from.get(key)) ? Math.min(Math.max(+from.get(key), 0), most) : or);
   state.explode = within('apart', 1.5, 0);
   state.axis = ['x', 'y', 'z'].includes(from.get('axis')) ? from.get('axis') : '';
@@ -261,7 +288,8 @@ function restore() {
 
 function showControls() {
   [0, 1, 2, 3].forEach((k) => ($(`show${k}`).checked = state.show[k]));
-  for (const key of ['labels', 'ghosts', 'through']) $(key).checked = state[key];
+  for (const key of ['labels', 'ghosts', 'through', 'doubts']) $(key).checked = state[key];
+  $('doubtful').hidden = page.doubts.length === 0;
   $('colour').value = state.colour;
   $('explode').value = state.explode;
   $('axis').value = state.axis;
@@ -341,7 +369,7 @@ function wire() {
   $('back').onclick = () => state.node > 0 && chooseNode(state.node - 1);
   $('forth').onclick = () => state.node + 1 < page.nodes.length && chooseNode(state.node + 1);
   [0, 1, 2, 3].forEach((k) => ($(`show${k}`).onchange = (e) => ((state.show[k] = e.target.checked), draw(), later())));
-  for (const key of ['labels', 'ghosts', 'through']) $(key).onchange = (e) => ((state[key] = e.target.checked), draw(), later());
+  for (const key of ['labels', 'ghosts', 'through', 'doubts']) $(key).onchange = (e) => ((state[key] = e.target.checked), draw(), later());
   $('colour').onchange = (e) => ((state.colour = e.target.value), draw(), state.cell && showPicked(), later());
   $('explode').oninput = (e) => {
     const apart = state.explode > 0;
@@ -433,6 +461,8 @@ function wire() {
     canvas.addEventListener('pointerup', (e) => {
       if (!down || Math.hypot(e.clientX - down[0], e.clientY - down[1]) > (e.pointerType === 'touch' ? 12 : 4) || e.button !== 0) return;
       const box = canvas.getBoundingClientRect(), begin = performance.now();
+      const near = doubts().findIndex(({place: [x, y]}) => Math.hypot(x + box.left - e.clientX, y + box.top - e.clientY) < 11);
+      if (near >= 0) return tell(`${near + 1}? ${doubts()[near].text}`, true);
       const cell = scene.at(e.clientX - box.left, e.clientY - box.top, e.shiftKey ? 'r' : state.pick);
       window.cnrg.pickTime = performance.now() - begin;
       pick(cell);

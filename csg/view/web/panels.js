@@ -42,6 +42,7 @@ function exactText(word) {
     `${word.slice(0, 22)}… (${word.length} characters)`);
   return short;
 }
+const volumeText = ([exact, decimal]) => [h('span', {class: 'number'}, exactText(exact)), exact.includes('/') ? h('span', {class: 'soft'}, ` ≈ ${decimal}`) : ''];
 function coordinates(model, p) {
   const exact = model.exact(p), out = h('dl', {class: 'terms point'});
   exact.forEach((word, k) => {
@@ -93,7 +94,7 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
       said?.name && said !== component ? ['name', said.name] : null,
       said?.material || component?.material ? ['material', said?.material || component.material] : null,
       ...(said?.attributes ?? []).map(([key, value]) => [key, value]),
-      volume ? ['volume', h('span', {class: 'number'}, exactText(volume[0])), volume[0].includes('/') ? h('span', {class: 'soft'}, ` ≈ ${volume[1]}`) : ''] : null,
+      volume ? ['volume', ...volumeText(volume)] : null,
       shape ? ['around it', shape] : null,
       origin.length ? ['from', h('ul', {class: 'plain'}, ...origin.map((o) => h('li', {}, model.page.leaves[o.leaf] || 'frame', ': ', o.text)))] : null,
     ),
@@ -179,7 +180,15 @@ export function showNode(holder, model, {pick, choose, legend}) {
   parts.push(h('table', {id: 'counts'}, head('cells', 'vertices', 'edges', 'faces', 'regions'), h('tbody', {},
     h('tr', {}, h('th', {scope: 'row'}, 'of the set'), ...node.counts.map((n) => h('td', {class: 'number'}, String(n)))),
     h('tr', {}, h('th', {scope: 'row'}, 'in the refinement'), ...node.raw.map((n) => h('td', {class: 'number'}, String(n)))))));
-  if (node.volume) parts.push(terms(['volume', h('span', {class: 'number'}, exactText(node.volume[0])), node.volume[0].includes('/') ? h('span', {class: 'soft'}, ` ≈ ${node.volume[1]}`) : '']));
+  if (node.volume) {
+    parts.push(terms(['volume', ...volumeText(node.volume)],
+      node.within ? ['of the true surfaces', node.within === 'unknown' ? 'unknown: of CAD faces only facets are known' : ['within ', h('span', {class: 'number'}, node.within), ' of it, as of each region']] : null));
+  }
+  const doubts = page.doubts.filter((d) => d.nodes.includes(model.index));
+  if (doubts.length) {
+    parts.push(h('h3', {}, 'Uncertain places'), h('p', {class: 'soft'}, 'It is not proven that surfaces meet there as their facets do:'),
+      h('ol', {id: 'doubtlist'}, ...doubts.slice(0, 200).map((d) => h('li', {}, d.text))));
+  }
   if (node.components.length) {
     parts.push(h('h3', {}, node.group ? 'Regions' : 'Components'), h('table', {}, h('tbody', {}, ...node.components.slice(0, 200).map((c, k) =>
       h('tr', {}, h('td', {}, model.componentName(k + 1)), h('td', {}, c.material), h('td', {class: 'soft'}, c.leaves.map((l) => page.leaves[l]).join(', ')))))));
