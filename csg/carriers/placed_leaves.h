@@ -1,7 +1,6 @@
 // Leaves as they are refined, by LeafId: on common lines, and welded where the tree asks for that.
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "csg/carriers/surface_numbers.h"
@@ -12,7 +11,7 @@ namespace cnrg {
 struct PlacedLeaves {
   std::vector<LeafInstance> instances;
   std::vector<std::vector<std::uint32_t>> surfaces;  ///< as `make_soup` has it
-  std::map<std::uint32_t, Quadric> quadrics;         ///< of `surfaces`, as `surface_numbers` has them
+  SurfaceEquations equations;                        ///< of `surfaces`
 };
 
 }  // namespace cnrg

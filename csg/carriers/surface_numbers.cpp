@@ -12,6 +12,7 @@
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/net_carriers.h"
 #include "csg/carriers/placed_nets.h"
+#include "csg/geometry/circle.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -104,11 +105,15 @@ bool on_a_line(const ControlRow& net) {
 
 class Numbers {
  public:
-  void add_quadrics(std::map<std::uint32_t, Quadric>& out) const {
+  void add_equations(SurfaceEquations& out) const {
     for (const auto& [keys, number] : known_) {
       const Key& key = *keys.begin();
-      if (keys.size() != 1 || key[0] != kQuadric) continue;
-      Quadric& q = out[number];
+      if (keys.size() != 1) continue;
+      if (key[0] == kTorus) {
+        if (const auto torus = torus_of(key)) out.tori[number] = *torus;
+      }
+      if (key[0] != kQuadric) continue;
+      Quadric& q = out.quadrics[number];
       std::size_t next = 1;
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = i; j < 3; ++j) q[i][j] = q[j][i] = key[next++];
@@ -140,6 +145,14 @@ class Numbers {
   }
 
  private:
+  static std::optional<Torus> torus_of(const Key& key) {
+    const auto point = [&](std::size_t i) { return RationalPoint{key[i], key[i + 1], key[i + 2]}; };
+    const auto radius = rational_root(key[14]), tube = rational_root(key[15]);
+    const bool round = point(8) == RationalPoint{1, 0, 0} && point(11) == RationalPoint{1, 0, 1};
+    if (key[1] <= 0 || !round || !radius || !tube || *radius <= *tube) return std::nullopt;
+    return Torus{point(5), point(2), *radius, *tube};
+  }
+
   void add(const RevolvedForm& form, const Transform& transform, const std::uint32_t* patch) {
     const Placed placed(transform);
     std::optional<PlacedForm> meridians;
@@ -250,7 +263,7 @@ class Numbers {
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafInstance>& instances,
-                                                        std::map<std::uint32_t, Quadric>* quadrics) {
+                                                        SurfaceEquations* equations) {
   Numbers numbers;
   std::vector<std::vector<std::uint32_t>> result;
   for (const LeafInstance& instance : instances) {
@@ -258,7 +271,7 @@ std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafIn
       result.push_back(numbers.of(instance));
     else result.emplace_back();
   }
-  if (quadrics != nullptr) numbers.add_quadrics(*quadrics);
+  if (equations != nullptr) numbers.add_equations(*equations);
   return result;
 }
 

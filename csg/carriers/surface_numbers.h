@@ -19,12 +19,22 @@ namespace cnrg {
 
 /// Symmetric.
 using Quadric = std::array<std::array<Rational, 4>, 4>;
+/// With a hole: radius > tube > 0.
+struct Torus {
+  RationalPoint center, axis;
+  Rational radius, tube;
+};
+/// By numbers of surfaces. Quadrics: x' A x = 0 for x = (x, y, z, 1). Tori: those that are round with rational
+/// radii.
+struct SurfaceEquations {
+  std::map<std::uint32_t, Quadric> quadrics;
+  std::map<std::uint32_t, Torus> tori;
+};
 
 /// Of each instance, by the number of the patch: that of its surface, from 1. 0, also beyond the end: the patch is
 /// flat, or what it lies on is not known. A patch of several nets lies on one surface with another one only if it
 /// lies on all of its surfaces.
-/// `quadrics`, if given, gets the equations of those that are quadrics: x' A x = 0 for x = (x, y, z, 1).
 std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafInstance>& instances,
-                                                        std::map<std::uint32_t, Quadric>* quadrics = nullptr);
+                                                        SurfaceEquations* equations = nullptr);
 
 }  // namespace cnrg

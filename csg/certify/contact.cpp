@@ -6,6 +6,7 @@
 #include <complex>
 #include <vector>
 
+#include "csg/geometry/circle.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/integers.h"
 
@@ -170,16 +171,6 @@ Polynomial characteristic(const Matrix& a, const Matrix& b) {
   return result;
 }
 
-std::optional<Rational> square_root(const Rational& x) {
-  if (x < 0) return std::nullopt;
-  Integer p, q;
-  mpz_sqrt(p.get_mpz_t(), x.get_num_mpz_t());
-  mpz_sqrt(q.get_mpz_t(), x.get_den_mpz_t());
-  const Rational root(p, q);
-  if (root * root != x) return std::nullopt;
-  return root;
-}
-
 /// Rational roots of more than one multiplicity, as far as they are found: of what p and its derivative have in
 /// common, if that is of degree 1 or 2 when each factor counts once.
 std::vector<Rational> double_roots(const Polynomial& p) {
@@ -199,7 +190,7 @@ std::vector<Rational> double_roots(const Polynomial& p) {
   }
   if (g.size() == 2) return {Rational(-g[0] / g[1])};
   if (g.size() != 3) return {};
-  const auto root = square_root(g[1] * g[1] - 4 * g[0] * g[2]);
+  const auto root = rational_root(g[1] * g[1] - 4 * g[0] * g[2]);
   if (!root) return {};
   return {Rational((-g[1] + *root) / (2 * g[2])), Rational((-g[1] - *root) / (2 * g[2]))};
 }
@@ -280,6 +271,10 @@ Matrix matrix_of(const Quadric& q) {
 bool Contact::has(const RationalPoint& p) const {
   if (kind == Kind::point) return p == point;
   if (kind == Kind::line) return is_zero(cross(p - point, direction));
+  if (kind == Kind::circle) {
+    const RationalPoint way = p - point;
+    return dot(way, direction) == 0 && abs(dot(way, way) / (radius * radius) - 1) < Rational(1, 1'000'000'000'000);
+  }
   return kind == Kind::conic && dot(p - point, direction) == 0;
 }
 

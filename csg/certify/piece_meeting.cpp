@@ -164,11 +164,18 @@ bool Pieces::drawn_alike(std::uint32_t a, std::uint32_t b) const {
 const std::optional<Contact>& Pieces::contact_of(std::uint32_t sheet, std::uint32_t other) {
   const auto [it, fresh] = contacts_.try_emplace(std::minmax(sheet, other));
   if (!fresh) return it->second;
-  const auto first = quadrics_.find(sheet), second = quadrics_.find(other);
-  const auto plane = planes_.find(first == quadrics_.end() ? sheet : other);
-  if (first != quadrics_.end() && second != quadrics_.end()) it->second = contact(first->second, second->second);
-  else if ((first != quadrics_.end() || second != quadrics_.end()) && plane != planes_.end())
-    it->second = contact(plane->second, (first != quadrics_.end() ? first : second)->second);
+  // A plane, a quadric or a torus each, in this order.
+  const auto& [quadrics, tori] = equations_;
+  const auto rank = [&](std::uint32_t s) { return tori.contains(s) ? 2 : quadrics.contains(s) ? 1 : 0; };
+  const auto [low, high] = std::minmax(sheet, other, [&](auto a, auto b) { return rank(a) < rank(b); });
+  const auto plane = planes_.find(low);
+  const auto with = [&](const auto& surface) {
+    if (rank(low) == 1) it->second = contact(quadrics.at(low), surface);
+    else if (plane != planes_.end()) it->second = contact(plane->second, surface);
+  };
+  if (rank(low) == 2) it->second = contact(tori.at(low), tori.at(high));
+  else if (rank(high) == 2) with(tori.at(high));
+  else if (rank(high) == 1) with(quadrics.at(high));
   return it->second;
 }
 
@@ -177,36 +184,64 @@ namespace {
 Rational row_times(const Quadric& q, std::size_t row, const RationalPoint& p) {
   return q[row][0] * p[0] + q[row][1] * p[1] + q[row][2] * p[2] + q[row][3];
 }
-RationalPoint gradient(const Quadric& q, const RationalPoint& p) {
-  return {row_times(q, 0, p), row_times(q, 1, p), row_times(q, 2, p)};
-}
 
 }  // namespace
 
-bool Pieces::on_true_side(const Facet& plane, const Facet& of, const Contact& contact) const {
-  const Quadric& q = quadrics_.at(pieces_[plane.piece].sheet);
-  const RationalPoint& at = corner(plane, 0);
-  const RationalPoint normal = normal_of(plane);
-  const int turned = sgn(dot(normal, gradient(q, at)));
+RationalPoint Pieces::gradient(std::uint32_t cell, const RationalPoint& p) const {
+  const auto torus = equations_.tori.find(pieces_[cell].sheet);
+  if (torus == equations_.tori.end()) {
+    const Quadric& q = equations_.quadrics.at(pieces_[cell].sheet);
+    return {row_times(q, 0, p), row_times(q, 1, p), row_times(q, 2, p)};
+  }
+  const auto& [center, axis, radius, tube] = torus->second;
+  const RationalPoint way = p - center, flat = way - Rational(dot(way, axis) / dot(axis, axis)) * axis;
+  return Rational(dot(way, way) + radius * radius - tube * tube) * way - Rational(2 * radius * radius) * flat;
+}
+
+int Pieces::side(std::uint32_t cell, const RationalPoint& p) const {
+  const auto torus = equations_.tori.find(pieces_[cell].sheet);
+  if (torus == equations_.tori.end())
+    return sgn(dot(p, gradient(cell, p)) + row_times(equations_.quadrics.at(pieces_[cell].sheet), 3, p));
+  const auto& [center, axis, radius, tube] = torus->second;
+  const RationalPoint way = p - center;
+  const Rational along = dot(way, axis), square = dot(way, way), level = square + radius * radius - tube * tube;
+  return sgn(level * level - 4 * radius * radius * (square - along * along / dot(axis, axis)));
+}
+
+bool Pieces::on_true_side(const RationalPoint& normal, const RationalPoint& at, std::uint32_t cell,
+                          const Facet& of, const Contact& contact) const {
+  const int turned = sgn(dot(normal, gradient(cell, at)));
   for (std::size_t k = 0; k < of.corner_count; ++k) {
     const RationalPoint& p = corner(of, k);
     if (contact.has(p)) continue;  // on both surfaces, but for what is rounded
-    const int of_facet = sgn(dot(normal, p - at));
-    const int of_surface = sgn(dot(p, gradient(q, p)) + row_times(q, 3, p));
-    if (of_facet != 0 && of_facet * turned != of_surface) return false;
+    const int of_plane = sgn(dot(normal, p - at));
+    if (of_plane != 0 && of_plane * turned != side(cell, p)) return false;
   }
   return turned != 0;
 }
 
-// The plane through the contact and at right angles to the surfaces has the cell on one side, as far as it is
-// near.
+// The plane through the contact and at right angles to the surfaces, or a cylinder, has the cell on one side, as
+// far as it is near.
 bool Pieces::along_border(const Facet& cell, const Facet& other, const Contact& contact) const {
   if (contact.kind == Contact::Kind::point) return true;
   RationalPoint normal = contact.direction;
+  if (contact.kind == Contact::Kind::circle) {
+    const std::size_t n = cell.corner_count;
+    std::size_t on = 0;
+    while (on < n && !contact.has(corner(cell, on))) ++on;
+    if (on < n && is_zero(cross(gradient(cell.piece, corner(cell, on)), normal))) {
+      int seen = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        const RationalPoint across = cross(corner(cell, k) - contact.point, normal);
+        const Rational off = dot(across, across) - contact.radius * contact.radius * dot(normal, normal);
+        if (!contact.has(corner(cell, k))) seen |= off > 0 ? 1 : 2;
+      }
+      return seen != 3;
+    }
+  }
   if (contact.kind == Contact::Kind::line) {
-    const auto quadric = quadrics_.find(pieces_[cell.piece].sheet);
-    const RationalPoint out = gradient(
-        quadric != quadrics_.end() ? quadric->second : quadrics_.at(pieces_[other.piece].sheet), contact.point);
+    const RationalPoint out =
+        gradient(pieces_[cell.piece].kind == Piece::Kind::cell ? cell.piece : other.piece, contact.point);
     // The plane of the facet's pole, if the contact passes through it, and its two sides from there.
     const auto& points = pieces_[cell.piece].points;
     for (std::size_t k = 0; k < cell.corner_count; ++k) {
@@ -239,7 +274,9 @@ Pieces::Meeting Pieces::facets_meet(const Facet& a, const Facet& b, const Contac
     std::vector<const RationalPoint*> on;
     const int side = sides(equation_of(plane), of, on);
     if (side == 3 || side == 0 || !at_contact(on)) continue;
-    if (pieces_[plane.piece].kind == Piece::Kind::cell && !on_true_side(plane, of, contact)) continue;
+    if (pieces_[plane.piece].kind == Piece::Kind::cell &&
+        !on_true_side(normal_of(plane), corner(plane, 0), plane.piece, of, contact))
+      continue;
     // What is not flat has the common points as corners, too.
     const bool met = !on.empty() && (pieces_[plane.piece].kind == Piece::Kind::flat || holds(plane, on));
     if (!met) return Meeting::apart;
@@ -248,18 +285,58 @@ Pieces::Meeting Pieces::facets_meet(const Facet& a, const Facet& b, const Contac
                ? Meeting::at_contact
                : Meeting::otherwise;
   }
-  if (pieces_[a.piece].kind == Piece::Kind::flat || pieces_[b.piece].kind == Piece::Kind::flat ||
-      (contact.kind != Contact::Kind::point && contact.kind != Contact::Kind::line))
+  if (pieces_[a.piece].kind == Piece::Kind::flat || pieces_[b.piece].kind == Piece::Kind::flat)
     return Meeting::otherwise;
-  const RationalPoint normal = gradient(quadrics_.at(pieces_[a.piece].sheet), contact.point);
+  if (contact.kind != Contact::Kind::point && contact.kind != Contact::Kind::line)
+    return parted_by_edges(a, b, contact);
+  const RationalPoint normal = gradient(a.piece, contact.point);
   if (is_zero(normal)) return Meeting::otherwise;
   const PlaneEquation tangent{normal[0], normal[1], normal[2], Rational(-dot(normal, contact.point))};
   std::vector<const RationalPoint*> on_a, on_b;
   const int of_a = sides(tangent, a, on_a), of_b = sides(tangent, b, on_b);
   if (of_a == 0 || of_b == 0 || (of_a | of_b) != 3 || of_a == of_b || !at_contact(on_a) || !at_contact(on_b))
-    return Meeting::otherwise;
+    return parted_by_edges(a, b, contact);
   if (on_a.empty() || !holds(b, on_a)) return Meeting::apart;
   return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact : Meeting::otherwise;
+}
+
+// If any plane parts two polygons, one does that is parallel to one of them or to an edge of each.
+Pieces::Meeting Pieces::parted_by_edges(const Facet& a, const Facet& b, const Contact& contact) const {
+  const std::size_t n = a.corner_count, m = b.corner_count;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < m; ++j) {
+      RationalPoint normal = cross(corner(a, (i + 1) % n) - corner(a, i), corner(b, (j + 1) % m) - corner(b, j));
+      if (is_zero(normal)) continue;
+      for (const int turned : {1, -1}) {
+        normal = Rational(turned) * normal;
+        std::size_t high = 0, low = 0;  // the highest corner of a, the lowest of b
+        for (std::size_t k = 0; k < n; ++k) {
+          if (dot(normal, corner(a, k) - corner(a, high)) > 0) high = k;
+        }
+        for (std::size_t k = 0; k < m; ++k) {
+          if (dot(normal, corner(b, k) - corner(b, low)) < 0) low = k;
+        }
+        const RationalPoint& at = corner(a, high);
+        const int gap = sgn(dot(normal, corner(b, low) - at));
+        if (gap < 0 || !on_true_side(normal, at, a.piece, b, contact)) continue;
+        if (gap > 0) return Meeting::apart;
+        std::vector<const RationalPoint*> on_a, on_b;
+        const PlaneEquation plane{normal[0], normal[1], normal[2], Rational(-dot(normal, at))};
+        sides(plane, a, on_a);
+        sides(plane, b, on_b);
+        const auto of_contact = [&](const RationalPoint* p) { return contact.has(*p); };
+        const auto shared = [&](const RationalPoint* p) {
+          return std::ranges::any_of(on_b, [&](const RationalPoint* q) { return *p == *q; });
+        };
+        if (!std::ranges::all_of(on_a, of_contact) || !std::ranges::all_of(on_b, of_contact) ||
+            !std::ranges::any_of(on_a, shared))
+          continue;
+        return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact
+                                                                          : Meeting::otherwise;
+      }
+    }
+  }
+  return Meeting::otherwise;
 }
 
 Pieces::Meeting Pieces::facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const {

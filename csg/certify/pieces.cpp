@@ -44,8 +44,11 @@ class PieceMaker {
     for (Place& one : places_) add(one);
     for (const auto& [plane, sheet] : planes_) out_.planes_[sheet] = plane;
     for (const auto& [key, sheet] : sheets_) {
-      const auto it = leaves.quadrics.find(key[1]);
-      if (key[0] == 0 && it != leaves.quadrics.end()) out_.quadrics_[sheet] = it->second;
+      if (key[0] != 0) continue;
+      const auto& [quadrics, tori] = leaves.equations;
+      if (const auto it = quadrics.find(key[1]); it != quadrics.end())
+        out_.equations_.quadrics[sheet] = it->second;
+      if (const auto it = tori.find(key[1]); it != tori.end()) out_.equations_.tori[sheet] = it->second;
     }
   }
 

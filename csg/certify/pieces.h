@@ -130,8 +130,14 @@ class Pieces {
   RationalPoint normal_of(const Facet& facet) const;
   /// True if the contact, a line or conic, runs along the border of the cell, or not through it.
   bool along_border(const Facet& cell, const Facet& other, const Contact& contact) const;
-  /// True if corners of a cell are on the side of a facet on which they are of its quadric.
-  bool on_true_side(const Facet& plane, const Facet& of, const Contact& contact) const;
+  /// True if corners of `of` are on the side of a plane, through `at` of `cell`, on which they are of its surface.
+  bool on_true_side(const RationalPoint& normal, const RationalPoint& at, std::uint32_t cell, const Facet& of,
+                    const Contact& contact) const;
+  /// Of cells: by planes along an edge of each.
+  Meeting parted_by_edges(const Facet& a, const Facet& b, const Contact& contact) const;
+  /// Of the surface of a cell, of which an equation is known, outwards, and on which side a point is.
+  RationalPoint gradient(std::uint32_t cell, const RationalPoint& p) const;
+  int side(std::uint32_t cell, const RationalPoint& p) const;
   PlaneEquation equation_of(const Facet& facet) const;
   bool holds(const Facet& facet, const std::vector<const RationalPoint*>& points) const;
   /// The sides of a plane on which corners of a facet are: 1 in front, 2 behind; and those on it.
@@ -142,7 +148,7 @@ class Pieces {
   std::vector<Piece> pieces_;
   std::map<LeafId, std::vector<RationalPoint>> points_;  // by number, placed
   std::map<std::uint32_t, PlaneEquation> planes_;        // by sheet
-  std::map<std::uint32_t, Quadric> quadrics_;            // by sheet
+  SurfaceEquations equations_;                           // by sheet
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<Contact>> contacts_;
   std::set<LeafId> unknown_;
   friend class PieceMaker;

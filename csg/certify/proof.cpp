@@ -460,6 +460,10 @@ class Prover {
     const Interval3 direction{enclose(contact.direction[0]), enclose(contact.direction[1]),
                               enclose(contact.direction[2])};
     if (contact.kind == Contact::Kind::line) return !holds_zero(dot(direction, c.cone));
+    if (contact.kind == Contact::Kind::circle) {
+      const Interval3 way = cross(direction, difference(a.box, enclose3(contact.point)));
+      return !holds_zero(dot(way, c.cone));
+    }
     const PiecePart& one = a.blind ? b : a;
     return contact.kind == Contact::Kind::conic && !one.blind &&
            !holds_zero(dot(cross(direction, one.cone), c.cone));

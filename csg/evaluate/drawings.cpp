@@ -35,7 +35,7 @@ Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>&
     instances = round.instances;
     if (!round.notice.empty()) out.welded.push_back(round.notice);
   }
-  out.placed.surfaces = surface_numbers(instances, &out.placed.quadrics);
+  out.placed.surfaces = surface_numbers(instances, &out.placed.equations);
   instances = with_common_lines(std::move(instances), &out.near, &out.refused, round.anew, lines);
   if (weld) {
     WeldedLeaves welded = weld_leaves(instances, *weld, round.farthest);
@@ -243,7 +243,7 @@ PlacedLeaves Drawings::alone(InstanceId id) {
   const Leaves below = leaves_.below(unfolding_, id);
   if (tree_.weld) return draw_only(below, lines_alone(id));  // surfaces are welded, too
   PlacedLeaves placed{std::vector<LeafInstance>(whole_.instances.size(), LeafInstance{no_geometry(), {}}),
-                      whole_.surfaces, whole_.quadrics};
+                      whole_.surfaces, whole_.equations};
   for (const LeafId leaf : below) placed.instances[leaf.index()] = whole_.instances[leaf.index()];
   if (!representative_[id].valid()) return placed;
   for (const auto& [leaf, instance] : drawn_alone(representative_[id])) placed.instances[leaf.index()] = instance;

@@ -147,7 +147,8 @@ std::shared_ptr<const Certificate> ProvenLines::certificate(const Evaluation& ev
         place.nodes.push_back(evaluation.leaves->node_of(leaf));
       }
       // What finer facets do not tell comes first.
-      const auto last = std::ranges::find_if(part, [](const OpenPlace* one) { return one->why == UncertainPlace::Why::near; });
+      const auto last =
+          std::ranges::find_if(part, [](const OpenPlace* one) { return one->why == UncertainPlace::Why::near; });
       const OpenPlace& told = last == part.end() ? *part.front() : **last;
       place.at = told.at;
       place.size = told.size;

@@ -53,7 +53,6 @@ py::str page_of(const OneResult& r, const std::string& page_template, const std:
     EvaluateOptions options;
     options.threads = threads;
     options.keep_all = true;
-    options.proof = AskedProof::as_drawn;
     options.nodes = nodes_below(tree, {tree.result, r.node});
     options.watch = watch;
     const Evaluation evaluation = evaluate(tree, options);

@@ -497,7 +497,7 @@ TEST_CASE("a bore that breaks through and balls that hardly overlap are valid wh
   block: {box: {min: [-4, -4, 0], max: [4, 0.998, 4]}}
   bore: {cylinder: {from: [0, 0, -1], to: [0, 0, 5], radius: 1, segments: 32}, rotate: {axis: [0, 0, 1], degrees: 5.625}}
   model: {difference: [block, bore]})",
-             AskedProof::with_lines);
+             AskedProof::to_the_end);
   const TopoDS_Shape broken = wall.step();
   CHECK(valid(broken));
   const double beyond = std::acos(0.998) - 0.998 * std::sqrt(1 - 0.998 * 0.998);
@@ -506,7 +506,7 @@ TEST_CASE("a bore that breaks through and balls that hardly overlap are valid wh
   a: {sphere: {center: [0, 0, 0], radius: 1}, rotate: {axis: [1, 2, 3], degrees: 41}}
   b: {sphere: {center: [1.999, 0, 0], radius: 1}, rotate: {axis: [3, -2, 1], degrees: 17, center: [1.999, 0, 0]}}
   model: {union: [a, b]})",
-              AskedProof::with_lines);
+              AskedProof::to_the_end);
   CHECK(valid(balls.step()));
 }
 

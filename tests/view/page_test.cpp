@@ -440,7 +440,6 @@ result: both
                                "t.yaml");
   EvaluateOptions options;
   options.keep_all = true;
-  options.proof = AskedProof::as_drawn;
   for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) options.nodes.push_back(id);
   const Evaluation evaluation = evaluate(tree, options);
   const Json data = Json::parse(page_data(tree, evaluation));
