@@ -7,8 +7,10 @@
 #include <set>
 #include <string>
 
+#include "csg/leaves/geometry_leaf.h"
 #include "csg/operators/component_lists.h"
 #include "csg/operators/node_value.h"
+#include "kernel/selection/canonical.h"
 
 namespace cnrg {
 namespace {
@@ -75,17 +77,21 @@ std::vector<Diagnostic> dropped_faces(const Tree& tree, const PreparedLeaves& le
 
 std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, const NodeValue& value,
                                            const std::vector<AttributeConflict>& conflicts, const Complex& complex,
-                                           const SimplifiedValue& simplified) {
+                                           const SimplifiedValue& simplified, const Transform& moved) {
   std::vector<Diagnostic> out;
   if (conflicts.empty()) return out;
+  SimplifiedComplex own;
+  const std::optional<LeafAxes> axes = moved_axes(nullptr, moved);
+  if (axes) put_in_order(complex, own = *simplified, &*axes);
+  const SimplifiedComplex& shown = axes ? own : *simplified;
   const Selection selection = selection_of(complex, value);
   std::set<std::string> said;  // a fold may meet the same materials in the same cells more than once
   for (const AttributeConflict& conflict : conflicts) {
     // Cells that are not active any more went in a later step of a fold.
     const CellSet cells = active_of(selection, conflict.cells);
     if (cells.empty()) continue;
-    const std::vector<Place> places = places_of(*simplified, cells);
-    const Component component = component_of(*simplified, places.front());
+    const std::vector<Place> places = places_of(shown, cells);
+    const Component component = component_of(shown, places.front());
     const bool is_region = !cells.regions.empty() || !value.is_group();
     const std::string what = conflict.key.empty() ? "the material" : "the attribute `" + conflict.key + ":";
     const std::string message = "`" + node.name + "`: " +

@@ -22,10 +22,11 @@ std::vector<Diagnostic> dropped_faces(const Tree& tree, const PreparedLeaves& le
                                       const RefineReport& report);
 
 /// Warnings: where materials met in a node's value and dominance did not decide, in cells as `cnrg locate` names
-/// them. `simplified` is that of `value` on `complex` and is asked only where there is a conflict.
+/// them where the node stands alone: `moved` by those above it. `simplified` is that of `value` on `complex` and
+/// is asked only where there is a conflict.
 std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, const NodeValue& value,
                                            const std::vector<AttributeConflict>& conflicts, const Complex& complex,
-                                           const SimplifiedValue& simplified);
+                                           const SimplifiedValue& simplified, const Transform& moved);
 
 /// A warning, if the node is a `select` that has picked nothing.
 std::vector<Diagnostic> empty_selection(const Tree& tree, NodeId node, const NodeValue& value);

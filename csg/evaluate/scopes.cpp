@@ -300,7 +300,8 @@ class Scopes {
       const NodeValue& value = scope.values[id];
       const SimplifiedValue simplified(scope.complex, scope.values.share(id));
       append(told_[id].diagnostics,
-             material_conflicts(tree_, tree_.nodes[node], value, conflicts, *scope.complex, simplified));
+             material_conflicts(tree_, tree_.nodes[node], value, conflicts, *scope.complex, simplified,
+                                x_.grades.placement(x_.unfolding.instances[id])));
       append(told_[id].diagnostics, empty_selection(tree_, node, value));
       const bool is_root = top && std::find(roots.begin(), roots.end(), id) != roots.end();
       const bool last = is_root && id == roots.front() && scope.values.used_once_more(id) && !x_.options.raw;

@@ -16,9 +16,11 @@ void TargetBuilder::add(FaceId f) {
     }
   }
   const Projection axes = projection_of(complex_.points, complex_.plane(f));
-  for (const auto& t : triangulate(complex_.points, axes, walks)) {
-    target_.triangles.push_back({number(t[0]), number(t[1]), number(t[2])});
-  }
+  for (const auto& t : triangulate(complex_.points, axes, walks)) add(t);
+}
+
+void TargetBuilder::add(const std::array<VertexId, 3>& t) {
+  target_.triangles.push_back({number(t[0]), number(t[1]), number(t[2])});
 }
 
 void TargetBuilder::add(EdgeId e) {

@@ -1,6 +1,7 @@
 // What a distance is measured to, from cells of a complex.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 
@@ -14,6 +15,7 @@ class TargetBuilder {
   explicit TargetBuilder(const Complex& complex) : complex_(complex), on_face_(complex.edge_count(), 0) {}
   /// Faces come first: an edge or a vertex of one that is there already adds nothing.
   void add(FaceId f);
+  void add(const std::array<VertexId, 3>& triangle);
   void add(EdgeId e);
   void add(VertexId v);
   /// Nothing if a cell is unbounded.

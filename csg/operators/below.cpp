@@ -12,7 +12,10 @@
 #include <map>
 #include <optional>
 
+#include "csg/geometry/surface_triangles.h"
+#include "csg/leaves/geometry_leaf.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/selection/scratch.h"
@@ -32,12 +35,16 @@ class Plumb {
   /// A line is vertical where `transform` has moved a vertical one to it.
   Plumb(const Complex& complex, const Transform& transform)
       : complex_(complex),
+        transform_(transform),
         back_(transform.inverse()),
         moved_(!transform.identity()),
+        axes_(moved_axes(nullptr, transform)),
         front_(sgn(back_.determinant())) {}
 
   /// Before it was moved.
   RationalPoint before(const RationalPoint& p) const { return moved_ ? back_.apply(p) : p; }
+  RationalPoint after(const RationalPoint& p) const { return moved_ ? transform_.apply(p) : p; }
+  const LeafAxes* axes() const { return axes_ ? &*axes_ : nullptr; }
 
   /// The normal of a face, up to its length.
   const RationalPoint& normal(FaceId f) {
@@ -93,8 +100,10 @@ class Plumb {
   RationalPoint place(VertexId v) const { return before(complex_.points.rational(v)); }
 
   const Complex& complex_;
+  const Transform& transform_;
   const Transform back_;
   const bool moved_;
+  const std::optional<LeafAxes> axes_;
   const int front_;  // -1: it was mirrored, too
   std::map<FaceId, RationalPoint> normals_;
   std::map<VertexId, RationalPoint> points_;
@@ -258,24 +267,47 @@ class Parting {
     return top == nullptr || fold ? std::nullopt : std::optional(top->face);
   }
 
-  /// Of a body that the surface does not enter.
+  /// Of a body that the surface does not enter. Where lines are tried depends on the surface and the body, not on
+  /// what has cut them.
   bool is_below(Index of) {
+    std::vector<FaceId> skin;
     for (const auto& [r, region] : block_.cells) {
       if (bodies_.find(*place(r)) != of) continue;
       for (const HalfFace h : complex_.region_faces[r]) {
-        const FaceId f = h.face();
-        if (of_surface_.get(f) != 0 || complex_.on_frame(f) || plumb_.vertical(f)) continue;
-        const RationalPoint p = plumb_.before(interior_point(complex_, f).rational());
-        const std::vector<Plumb::Hit> hits = plumb_.hits(p, surface_.faces);
-        if (hits.empty()) continue;
-        const auto over = std::count_if(hits.begin(), hits.end(), [&](const auto& hit) { return hit.z > p[2]; });
-        return over % 2 == 1;
+        if (!place(complex_.region(h.opposite())) && !complex_.on_frame(h.face())) skin.push_back(h.face());
       }
     }
-    const RegionId first = block_.cells[of].first;
-    throw InputError("`" + surface_name_ + "` is neither over nor under a part of `" + block_name_ + "`, near " +
-                     describe(interior_point(complex_, complex_.region_faces[first].front().face()).rational()) +
+    sort_unique(skin);
+    const std::vector<RationalPoint> of_skin = middles(skin);
+    if (const auto found = is_below(skin, of_skin)) return *found;
+    if (const auto found = is_below(skin, middles(surface_.faces))) return *found;
+    throw InputError("`" + surface_name_ + "` is neither over nor under a part of `" + block_name_ + "`" +
+                     (of_skin.empty() ? std::string() : ", near " + describe(plumb_.after(of_skin.front()))) +
                      "; let it reach over all of the block, or leave that part out");
+  }
+
+  /// By the first of the points on whose line the body and the surface are.
+  std::optional<bool> is_below(const std::vector<FaceId>& skin, const std::vector<RationalPoint>& points) {
+    for (const RationalPoint& p : points) {
+      const std::vector<Plumb::Hit> there = plumb_.hits(p, skin);
+      const std::vector<Plumb::Hit> hits = there.empty() ? there : plumb_.hits(p, surface_.faces);
+      if (hits.empty()) continue;
+      const auto top =
+          std::max_element(there.begin(), there.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+      return std::count_if(hits.begin(), hits.end(), [&](const auto& hit) { return hit.z >= top->z; }) % 2 == 1;
+    }
+    return std::nullopt;
+  }
+
+  /// Of the triangles of a surface, before it was moved.
+  std::vector<RationalPoint> middles(const std::vector<FaceId>& faces) const {
+    std::vector<RationalPoint> out;
+    for (const auto& [a, b, c] : surface_triangles(complex_, faces, plumb_.axes())) {
+      const RationalPoint sum =
+          complex_.points.rational(a) + complex_.points.rational(b) + complex_.points.rational(c);
+      out.push_back(plumb_.before(Rational(1, 3) * sum));
+    }
+    return out;
   }
 
   bool wanted(RegionId r, Side side) {

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <map>
 
+#include "csg/geometry/surface_triangles.h"
+#include "csg/leaves/geometry_leaf.h"
 #include "csg/materials/distance_target.h"
 #include "kernel/base/error.h"
 
@@ -33,11 +35,14 @@ class BlendSide {
 
  private:
   SharedTarget boundary_of(std::uint32_t region, const RegionAttributes& other) const {
-    TargetBuilder builder(complex_);
+    std::vector<FaceId> faces;
     for (const FaceId f : group_.faces) {
       const auto& [front, back] = complex_.face_regions[f];
-      if ((group_.region_of(front) == region) != (group_.region_of(back) == region)) builder.add(f);
+      if ((group_.region_of(front) == region) != (group_.region_of(back) == region)) faces.push_back(f);
     }
+    const std::optional<LeafAxes> axes = moved_axes(nullptr, back_.inverse());
+    TargetBuilder builder(complex_);
+    for (const auto& t : surface_triangles(complex_, faces, axes ? &*axes : nullptr)) builder.add(t);
     std::optional<DistanceTarget> found = builder.take();
     if (!found || found->empty()) {
       throw InputError("`blend` needs the distance to the boundary of the region `" +

@@ -226,19 +226,11 @@ class Flattener {
     return 0;
   }
 
-  /// Along the largest component of the normal on the cell's front: so that the front is seen.
+  /// So that the cell's front is seen.
   Projection projection(HalfFace cell) const {
-    const ExactPlane& plane = complex_.points.exact_plane(complex_.plane(cell.face()));
-    const Integer* n[3] = {&plane.a, &plane.b, &plane.c};
-    int axis = 2;
-    for (int k = 1; k >= 0; --k) {
-      if (cmpabs(*n[k], *n[axis]) > 0) axis = k;
-    }
-    const bool positive = (sgn(*n[axis]) > 0) == (cell.side() == 0);
-    const auto u = std::uint8_t((axis + 1) % 3), v = std::uint8_t((axis + 2) % 3);
-    return positive ? Projection{u, v} : Projection{v, u};
+    const Projection front = projection_of(complex_.points.exact_plane(complex_.plane(cell.face())));
+    return cell.side() == 0 ? front : Projection{front.v, front.u};
   }
-  static int cmpabs(const Integer& a, const Integer& b) { return mpz_cmpabs(a.get_mpz_t(), b.get_mpz_t()); }
 
   void add_triangles(HalfFace cell, const std::vector<Loop>& loops, std::span<const Index> isolated,
                      ShortList<FlatComplex::Triangle, 1>& triangles) const {

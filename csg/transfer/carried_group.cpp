@@ -288,6 +288,8 @@ class CarriedGroup::Maker {
       for (const EdgeId e : complex_.vertex_edges[v]) {
         stays = stays || (edge_key_[e] != kNone && edge_origin_[e] != vertex_origin_[v]);
       }
+      for (const FaceId f : complex_.vertex_faces[v])
+        stays = stays || (marks_.faces[f] != 0 && face_origin_[f] != vertex_origin_[v]);
       marks_.vertices[v] = stays ? 1 : 0;
     }
     for (const VertexId v : group_.features.vertices) marks_.vertices[v] = 1;

@@ -125,8 +125,8 @@ using InstanceId = Id<struct InstanceTag>;
 /// A node under one accumulated transform: a node that two users place differently is two instances.
 struct Instance {
   NodeId node;
-  /// All transforms from a root down to the node, its own included. Boolean nodes without a material or a blend
-  /// and `simplify` have none, since nobody asks, and a product of many transforms is long.
+  /// All transforms from a root down to the node, its own included. `simplify` without a material has
+  /// none, since nobody asks, and a product of many transforms is long.
   std::shared_ptr<const Transform> transform;
   std::vector<InstanceId> operands;  ///< in the order of the node's operands
   std::uint32_t number = 1;          ///< from 1 among the instances of the node

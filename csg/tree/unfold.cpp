@@ -91,12 +91,6 @@ class Walk {
     return places_.intern(std::move(place));
   }
 
-  /// Of regions by number, of components in their order, of what is above.
-  static bool asks_for_its_place(Operator op) {
-    return op != Operator::unite && op != Operator::intersect && op != Operator::subtract &&
-           op != Operator::simplify;
-  }
-
   InstanceId leave() {
     Frame frame = std::move(stack_.back());
     stack_.pop_back();
@@ -106,8 +100,7 @@ class Walk {
                           tree_.nodes[frame.node].name + "`; share nodes under one transform or use fewer copies");
     }
     const Node& node = tree_.nodes[frame.node];
-    const bool placed =
-        frame.operands.empty() || !node.material.empty() || node.blend || asks_for_its_place(node.op);
+    const bool placed = frame.operands.empty() || !node.material.empty() || node.op != Operator::simplify;
     const InstanceId id =
         result_.instances.push_back({frame.node, placed ? places_.transform(frame.place) : nullptr,
                                      std::move(frame.done), ++result_.count[frame.node]});

@@ -348,6 +348,16 @@ Projection projection_of(const PointTable& t, PlaneId plane) {
   throw InvariantError("the three points of a plane are collinear");
 }
 
+Projection projection_of(const ExactPlane& plane) {
+  const Integer* const n[3] = {&plane.a, &plane.b, &plane.c};
+  std::size_t axis = 2;
+  for (const std::size_t k : {1, 0}) {
+    if (mpz_cmpabs(n[k]->get_mpz_t(), n[axis]->get_mpz_t()) > 0) axis = k;
+  }
+  const auto u = static_cast<std::uint8_t>((axis + 1) % 3), v = static_cast<std::uint8_t>((axis + 2) % 3);
+  return sgn(*n[axis]) > 0 ? Projection{u, v} : Projection{v, u};
+}
+
 Projection projection_of(const PointTable& t, PlaneId plane, const PlaneFilter& filter) {
   const auto& n = filter.normal();
   int k = 0;

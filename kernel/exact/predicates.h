@@ -41,7 +41,9 @@ int normal_sign(const PointTable& t, PlaneId p, int k);
 int normal_dot_sign(const PointTable& t, PlaneId p, const std::array<double, 3>& direction);
 /// A projection along an axis on which the normal of the plane is certainly not zero.
 Projection projection_of(const PointTable& t, PlaneId plane);
-/// The same with a filter of the plane, which decides nearly always.
+/// Along the largest component of the normal, of equal ones the last: the same for every plane that is this one.
+Projection projection_of(const ExactPlane& plane);
+/// The first one with a filter of the plane, which decides nearly always.
 Projection projection_of(const PointTable& t, PlaneId plane, const PlaneFilter& filter);
 /// True if the two planes are the same point set.
 bool same_plane(const PointTable& t, PlaneId p, PlaneId q);

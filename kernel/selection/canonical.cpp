@@ -11,6 +11,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/predicates.h"
 
 namespace cnrg {
@@ -54,6 +55,17 @@ std::vector<Index> order_by(const std::vector<Key>& keys, std::vector<T>& items)
 void for_each_vertex(const Complex& complex, const SimplifiedComplex::Edge& edge, auto visit) {
   for (const HalfEdge h : edge.chain) visit(complex.origin(h));
   if (!edge.closed) visit(complex.target(edge.chain.back()));
+}
+
+void sort_along(const LeafAxes& axes, const PointTable& table, std::vector<VertexId>& points) {
+  std::vector<std::pair<RationalPoint, VertexId>> placed;
+  placed.reserve(points.size());
+  for (const VertexId v : points) {
+    const RationalPoint p = table.rational(v);
+    placed.push_back({{dot(axes[0], p), dot(axes[1], p), dot(axes[2], p)}, v});
+  }
+  std::sort(placed.begin(), placed.end());
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = placed[i].second;
 }
 
 // The order of coordinates; most points differ in x as doubles.
@@ -241,7 +253,8 @@ class FacetFinder {
 
 class Ordering {
  public:
-  Ordering(const Complex& complex, SimplifiedComplex& s) : complex_(complex), s_(s), points_(complex, s) {}
+  Ordering(const Complex& complex, SimplifiedComplex& s, const LeafAxes* axes)
+      : complex_(complex), s_(s), points_(complex, s, axes) {}
 
   CanonicalPoints run() {
     std::array<std::vector<Index>, 4> maps;
@@ -359,7 +372,7 @@ std::vector<SimplifiedFacet> facets_of(const Complex& complex, const SimplifiedC
   return FacetFinder(complex, simplified, simplified.faces[face]).run();
 }
 
-CanonicalPoints::CanonicalPoints(const Complex& complex, const SimplifiedComplex& s)
+CanonicalPoints::CanonicalPoints(const Complex& complex, const SimplifiedComplex& s, const LeafAxes* axes)
     : number_(complex.points.size(), kNone) {
   const IdVector<VertexId, Bends> bends = bends_of(complex, s);
   std::vector<char> dropped(complex.points.size(), 0);
@@ -393,12 +406,13 @@ CanonicalPoints::CanonicalPoints(const Complex& complex, const SimplifiedComplex
     const auto& [count, ends] = bends[v];
     if (count > 2 || (count == 2 && !collinear(complex.points, ends[0], v, ends[1]))) use(v);
   }
-  sort_by_coordinates(complex.points, points_);
+  if (axes != nullptr) sort_along(*axes, complex.points, points_);
+  else sort_by_coordinates(complex.points, points_);
   for (Index i = 0; i < points_.size(); ++i) number_[points_[i]] = i;
 }
 
-CanonicalPoints put_in_order(const Complex& complex, SimplifiedComplex& simplified) {
-  return Ordering(complex, simplified).run();
+CanonicalPoints put_in_order(const Complex& complex, SimplifiedComplex& simplified, const LeafAxes* axes) {
+  return Ordering(complex, simplified, axes).run();
 }
 
 }  // namespace cnrg

@@ -14,7 +14,8 @@ namespace cnrg {
 /// would not have it.
 class CanonicalPoints {
  public:
-  CanonicalPoints(const Complex& complex, const SimplifiedComplex& simplified);
+  /// `axes`: in whose order; nullptr: x, y, z.
+  CanonicalPoints(const Complex& complex, const SimplifiedComplex& simplified, const LeafAxes* axes = nullptr);
   const std::vector<VertexId>& points() const { return points_; }
   /// The place among `points()`; kNone for one that is left out or not used.
   static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -44,6 +45,8 @@ std::vector<SimplifiedFacet> facets_of(const Complex& complex, const SimplifiedC
 /// Orders vertices by coordinates; edges by their points; faces by those of their boundaries, then of their
 /// facets; regions by their faces, then bounded before unbounded ones. Maps, shells and sides follow. Returns the
 /// points of that order.
-CanonicalPoints put_in_order(const Complex& complex, SimplifiedComplex& simplified);
+/// `axes`: of what was moved, as above.
+CanonicalPoints put_in_order(const Complex& complex, SimplifiedComplex& simplified,
+                             const LeafAxes* axes = nullptr);
 
 }  // namespace cnrg
