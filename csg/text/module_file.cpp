@@ -17,6 +17,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <vector>
 
 namespace cnrg {
@@ -30,19 +31,19 @@ std::vector<std::string> search_path() {
   Dl_info self;
   if (dladdr(reinterpret_cast<void*>(&module_path), &self) == 0) return {};
   // The main program has no name to be opened by.
-  void* module = dlopen(self.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
-  if (module == nullptr) module = dlopen(nullptr, RTLD_LAZY);
+  void* opened = dlopen(self.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+  if (opened == nullptr) opened = dlopen(nullptr, RTLD_LAZY);
+  const std::unique_ptr<void, int (*)(void*)> module(opened, dlclose);
   Dl_serinfo size;
-  if (module == nullptr || dlinfo(module, RTLD_DI_SERINFOSIZE, &size) != 0) return {};
+  if (module == nullptr || dlinfo(module.get(), RTLD_DI_SERINFOSIZE, &size) != 0) return {};
   std::vector<std::max_align_t> room(size.dls_size / sizeof(std::max_align_t) + 1);
   auto* const info = reinterpret_cast<Dl_serinfo*>(room.data());
   std::memcpy(info, &size, offsetof(Dl_serinfo, dls_serpath));
   std::vector<std::string> out;
-  if (dlinfo(module, RTLD_DI_SERINFO, info) == 0) {
+  if (dlinfo(module.get(), RTLD_DI_SERINFO, info) == 0) {
     const Dl_serpath* const folders = info->dls_serpath;
     for (unsigned i = 0; i < info->dls_cnt; ++i) out.emplace_back(folders[i].dls_name);
   }
-  dlclose(module);
   return out;
 }
 

@@ -129,7 +129,7 @@ TEST_CASE("graded materials are sampled at the corners of tetrahedra in .msh, an
     CHECK_THAT(o.out + o.err, !Contains("Error"));
     CHECK(test::read_msh(w.read("again.msh")).count(3) == mesh.count(3));
   } else {
-    WARN("gmsh is not installed: left out");
+    WARN("left out: gmsh is not installed (Debian: gmsh)");
   }
 }
 

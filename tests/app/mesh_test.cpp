@@ -465,7 +465,7 @@ TEST_CASE("the tunnel of Pereira et al.: our tetrahedra, Gmsh's and tetgen's hav
     const test::MeshFile again = test::read_msh(w.read("again.msh"));
     for (const auto& [region, volume] : exact) CHECK(close(to_double(again.volume(region)), volume));
   } else {
-    WARN("gmsh is not installed: left out");
+    WARN("left out: gmsh is not installed (Debian: gmsh)");
   }
   if (test::installed("tetgen")) {
     for (const std::string name : {"p.poly", "s.smesh"}) {
@@ -479,7 +479,7 @@ TEST_CASE("the tunnel of Pereira et al.: our tetrahedra, Gmsh's and tetgen's hav
       CHECK(found == Approx(all).epsilon(1e-12));
     }
   } else {
-    WARN("tetgen is not installed: left out");
+    WARN("left out: tetgen is not installed (Debian: tetgen)");
   }
 }
 

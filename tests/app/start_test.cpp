@@ -27,10 +27,7 @@ TEST_CASE("the rows of a box take at most 20 shared objects, also of those that 
 }
 
 TEST_CASE("the rows of a box take at most 25 million instructions", "[app]") {
-  if (std::system("command -v valgrind >/dev/null") != 0) {
-    WARN("not run: valgrind is not installed (Debian: valgrind)");
-    return;
-  }
+  if (std::system("command -v valgrind >/dev/null") != 0) NOT_RUN("valgrind is not installed (Debian: valgrind)");
   const Workshop w;
   w.write("box.yaml", kMeasuredBox);
   const Outcome o = w.shell("valgrind --tool=callgrind --callgrind-out-file=/dev/null '" CNRG_PROGRAM

@@ -15,7 +15,7 @@ using namespace cnrg::test;
 namespace {
 
 /// Runs a script of this folder with the program, words, and an empty folder. What it leaves out it says in lines
-/// that begin with `not run: `.
+/// that begin with `left out: `.
 void check_script(const std::string& script, const std::string& words) {
   const ScratchFolder dir;
   const std::string log = dir / "log";
@@ -25,7 +25,7 @@ void check_script(const std::string& script, const std::string& words) {
   const std::string said = text_of(log);
   std::istringstream lines(said);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("not run: ")) WARN(line);
+    if (line.starts_with("left out: ")) WARN(line);
   }
   INFO(said);
   CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));

@@ -239,7 +239,7 @@ def abaqus():
         if shutil.which("ccx"):
             in_calculix(order, text, of)
         else:
-            print("not run: .inp in CalculiX, which is not installed (Debian 12: calculix-ccx)")
+            print("left out: .inp in CalculiX, which is not installed (Debian 12: calculix-ccx)")
 
 
 def in_calculix(order, text, of):

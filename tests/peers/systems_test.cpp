@@ -95,7 +95,7 @@ TEST_CASE("systems are named, ours first") {
   for (const System& system : bench::systems()) {
     names.push_back(system.name);
     if (system.absent.empty()) CHECK_FALSE(system.version().empty());
-    else WARN(system.name << " is left out: " << system.absent);
+    else WARN("left out: " << system.name << ": " << system.absent);
   }
   CHECK(names == std::vector<std::string>{"ours", "mantyla-double", "mantyla-exact", "nef", "corefinement", "occt",
                                           "openscad"});

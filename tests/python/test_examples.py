@@ -28,12 +28,12 @@ class Examples(unittest.TestCase):
         self.assertGreater(len(ast.get_docstring(ast.parse(text)) or ""), 200)
         for package in OTHERS:
             if re.search(rf"^import {package}$", text, re.M) and importlib.util.find_spec(package) is None:
-                self.skipTest(f"not run: {package} is not installed (Debian: python3-{package})")
+                self.skipTest(f"{package} is not installed (Debian: python3-{package})")
         with tempfile.TemporaryDirectory() as folder:
             done = subprocess.run([sys.executable, "-W", "error", str(path)], cwd=folder, capture_output=True,
                                   text=True)
         if "OpenCASCADE" in done.stderr and "built without" in done.stderr:
-            self.skipTest("not run: cnrg is built without OpenCASCADE")
+            self.skipTest("cnrg is built without OpenCASCADE")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertTrue(done.stdout)
         self.assertEqual(done.stdout, expected(text))

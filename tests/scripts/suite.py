@@ -2,7 +2,7 @@
 
     suite.py FOLDER --list    prints the names of the tests in test_*.py, one per line
     suite.py FOLDER NAME...   runs these, or all without a name; prints for each a line `passed NAME` or `failed NAME`
-                              and then, indented, why; `skipped NAME` and why
+                              and then, indented, why; `skipped NAME` and `not run: ` why
 """
 import sys
 import textwrap
@@ -30,7 +30,7 @@ class Result(unittest.TestResult):
         skipped = [why for _, why in self.skipped]
         print("failed" if not passed else "skipped" if skipped else "passed", test.id(), flush=True)
         if passed and skipped:
-            print(textwrap.indent("\n".join(skipped), "  "), flush=True)
+            print("  not run: " + "; ".join(skipped), flush=True)
         self.skipped = []
         if not passed:
             print(textwrap.indent("\n".join(said), "  "), flush=True)
