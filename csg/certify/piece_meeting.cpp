@@ -195,7 +195,7 @@ bool Pieces::along_border(std::uint32_t cell, std::uint32_t other, const Contact
 
 // A plane that has all of one on one side and all of the other on the other side: that of one of them, or where
 // surfaces touch from outside, the one in which both are tangent.
-Pieces::Meeting Pieces::facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const {
+Pieces::Meeting Pieces::two_facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const {
   const auto at_contact = [&](const std::vector<const RationalPoint*>& on) {
     return std::ranges::all_of(on, [&](const RationalPoint* p) { return contact.has(*p); });
   };
@@ -229,8 +229,56 @@ Pieces::Meeting Pieces::facets_meet(std::uint32_t a, std::uint32_t b, const Cont
   return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact : Meeting::otherwise;
 }
 
+namespace {
+
+/// True if what convex polygons have in one plane, up to an edge each, is in common in points of the contact
+/// alone, one at least.
+bool in_common(const std::vector<const RationalPoint*>& a, const std::vector<const RationalPoint*>& b,
+               const Contact& contact) {
+  if (a.size() > 2 || b.size() > 2) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const RationalPoint& at = *a[i];
+      if (at != *b[j] || !contact.has(at)) continue;
+      if (a.size() == 1 || b.size() == 1) return true;
+      const RationalPoint &p = *a[1 - i], &q = *b[1 - j];
+      if (contact.has(p) && contact.has(q)) return true;
+      return !is_zero(cross(p - at, q - at)) || dot(p - at, q - at) < 0;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+// Facets about the point of a contact that have only it in common are all on one side of the others there. So one
+// pair tells the side.
+Pieces::Meeting Pieces::facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const {
+  const Meeting found = two_facets_meet(a, b, contact);
+  if (found != Meeting::otherwise || contact.kind != Contact::Kind::point ||
+      pieces_[a].kind == Piece::Kind::flat || pieces_[b].kind == Piece::Kind::flat ||
+      parted_by_edges(a, b, contact, true) != Meeting::at_contact)
+    return found;
+  const auto about = [&](std::uint32_t cell) {
+    std::vector<std::uint32_t> all{cell};
+    for (const auto& [other, bits] : pieces_[cell].neighbours) {
+      for (std::size_t k = 0; k < pieces_[cell].corner_count; ++k) {
+        if ((bits >> k & 1u) != 0 && contact.has(corner(cell, k))) all.push_back(other);
+      }
+    }
+    return all;
+  };
+  for (const std::uint32_t x : about(a)) {
+    for (const std::uint32_t y : about(b)) {
+      if (two_facets_meet(x, y, contact) == Meeting::at_contact) return Meeting::at_contact;
+    }
+  }
+  return found;
+}
+
 // If any plane parts two polygons, one does that is parallel to one of them or to an edge of each.
-Pieces::Meeting Pieces::parted_by_edges(std::uint32_t a, std::uint32_t b, const Contact& contact) const {
+Pieces::Meeting Pieces::parted_by_edges(std::uint32_t a, std::uint32_t b, const Contact& contact,
+                                        bool beside) const {
   const std::size_t n = pieces_[a].corner_count, m = pieces_[b].corner_count;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < m; ++j) {
@@ -247,19 +295,13 @@ Pieces::Meeting Pieces::parted_by_edges(std::uint32_t a, std::uint32_t b, const 
         }
         const RationalPoint& at = corner(a, high);
         const int gap = sgn(dot(normal, corner(b, low) - at));
-        if (gap < 0 || !on_true_side(normal, at, a, b, contact)) continue;
+        if (gap < 0 || (!beside && !on_true_side(normal, at, a, b, contact))) continue;
         if (gap > 0) return Meeting::apart;
         std::vector<const RationalPoint*> on_a, on_b;
         const PlaneEquation plane{normal[0], normal[1], normal[2], Rational(-dot(normal, at))};
         sides(plane, a, on_a);
         sides(plane, b, on_b);
-        const auto of_contact = [&](const RationalPoint* p) { return contact.has(*p); };
-        const auto shared = [&](const RationalPoint* p) {
-          return std::ranges::any_of(on_b, [&](const RationalPoint* q) { return *p == *q; });
-        };
-        if (!std::ranges::all_of(on_a, of_contact) || !std::ranges::all_of(on_b, of_contact) ||
-            !std::ranges::any_of(on_a, shared))
-          continue;
+        if (!in_common(on_a, on_b, contact)) continue;
         return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact
                                                                           : Meeting::otherwise;
       }

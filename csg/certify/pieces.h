@@ -121,8 +121,10 @@ class Pieces {
   /// True if corners of `of` are on the side of a plane, through `at` of `cell`, on which they are of its surface.
   bool on_true_side(const RationalPoint& normal, const RationalPoint& at, std::uint32_t cell, std::uint32_t of,
                     const Contact& contact) const;
-  /// Of cells: by planes along an edge of each.
-  Meeting parted_by_edges(std::uint32_t a, std::uint32_t b, const Contact& contact) const;
+  /// As `facets_meet`, from the two facets alone.
+  Meeting two_facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const;
+  /// Of cells: by planes along an edge of each. `beside`: it does not matter on which side of the other one is.
+  Meeting parted_by_edges(std::uint32_t a, std::uint32_t b, const Contact& contact, bool beside = false) const;
   /// Of the surface of a cell, of which an equation is known, outwards, and on which side a point is.
   RationalPoint gradient(std::uint32_t cell, const RationalPoint& p) const;
   int side(std::uint32_t cell, const RationalPoint& p) const;
