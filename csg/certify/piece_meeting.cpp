@@ -300,8 +300,57 @@ Pieces::Meeting Pieces::facets_meet(const Facet& a, const Facet& b, const Contac
   return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact : Meeting::otherwise;
 }
 
+namespace {
+
+/// True if what convex polygons have in one plane, up to an edge each, is in common in points of the contact
+/// alone, one at least.
+bool in_common(const std::vector<const RationalPoint*>& a, const std::vector<const RationalPoint*>& b,
+               const Contact& contact) {
+  if (a.size() > 2 || b.size() > 2) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const RationalPoint& at = *a[i];
+      if (at != *b[j] || !contact.has(at)) continue;
+      if (a.size() == 1 || b.size() == 1) return true;
+      const RationalPoint &p = *a[1 - i], &q = *b[1 - j];
+      if (contact.has(p) && contact.has(q)) return true;
+      return !is_zero(cross(p - at, q - at)) || dot(p - at, q - at) < 0;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+// Facets about the point of a contact that have only it in common are all on one side of the others there. So one
+// pair tells the side.
+bool Pieces::beside_contact(const Facet& a, const Facet& b, const Contact& contact) const {
+  if (contact.kind != Contact::Kind::point || pieces_[a.piece].kind == Piece::Kind::flat ||
+      pieces_[b.piece].kind == Piece::Kind::flat || parted_by_edges(a, b, contact, true) != Meeting::at_contact)
+    return false;
+  const auto about = [&](const Facet& facet) {
+    std::vector<Facet> all;
+    const auto add = [&](std::uint32_t piece) {
+      for (const Facet& one : facets_of(piece)) {
+        bool has = false;
+        for (std::size_t k = 0; k < one.corner_count; ++k) has = has || contact.has(corner(one, k));
+        if (has) all.push_back(one);
+      }
+    };
+    add(facet.piece);
+    for (const auto& [other, bits] : pieces_[facet.piece].neighbours) add(other);
+    return all;
+  };
+  const std::vector<Facet> of_b = about(b);
+  return std::ranges::any_of(about(a), [&](const Facet& x) {
+    return std::ranges::any_of(of_b,
+                               [&](const Facet& y) { return facets_meet(x, y, contact) == Meeting::at_contact; });
+  });
+}
+
 // If any plane parts two polygons, one does that is parallel to one of them or to an edge of each.
-Pieces::Meeting Pieces::parted_by_edges(const Facet& a, const Facet& b, const Contact& contact) const {
+Pieces::Meeting Pieces::parted_by_edges(const Facet& a, const Facet& b, const Contact& contact,
+                                        bool beside) const {
   const std::size_t n = a.corner_count, m = b.corner_count;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < m; ++j) {
@@ -318,19 +367,13 @@ Pieces::Meeting Pieces::parted_by_edges(const Facet& a, const Facet& b, const Co
         }
         const RationalPoint& at = corner(a, high);
         const int gap = sgn(dot(normal, corner(b, low) - at));
-        if (gap < 0 || !on_true_side(normal, at, a.piece, b, contact)) continue;
+        if (gap < 0 || (!beside && !on_true_side(normal, at, a.piece, b, contact))) continue;
         if (gap > 0) return Meeting::apart;
         std::vector<const RationalPoint*> on_a, on_b;
         const PlaneEquation plane{normal[0], normal[1], normal[2], Rational(-dot(normal, at))};
         sides(plane, a, on_a);
         sides(plane, b, on_b);
-        const auto of_contact = [&](const RationalPoint* p) { return contact.has(*p); };
-        const auto shared = [&](const RationalPoint* p) {
-          return std::ranges::any_of(on_b, [&](const RationalPoint* q) { return *p == *q; });
-        };
-        if (!std::ranges::all_of(on_a, of_contact) || !std::ranges::all_of(on_b, of_contact) ||
-            !std::ranges::any_of(on_a, shared))
-          continue;
+        if (!in_common(on_a, on_b, contact)) continue;
         return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact
                                                                           : Meeting::otherwise;
       }
@@ -344,8 +387,8 @@ Pieces::Meeting Pieces::facets_meet(std::uint32_t a, std::uint32_t b, const Cont
   for (const Facet& f : facets_of(a)) {
     for (const Facet& g : facets_of(b)) {
       const Meeting one = facets_meet(f, g, contact);
-      if (one == Meeting::otherwise) return one;
-      if (one == Meeting::at_contact) all = one;
+      if (one == Meeting::otherwise && !beside_contact(f, g, contact)) return one;
+      if (one != Meeting::apart) all = Meeting::at_contact;
     }
   }
   return all;

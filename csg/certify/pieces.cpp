@@ -544,6 +544,10 @@ class PieceMaker {
 };
 
 Pieces::Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds) {
+  // Leaves are drawn once more, for that with numbers rounded to nearest.
+  for (const LeafInstance& one : leaves.instances) {
+    if (!one.leaf->unbounded()) moulds.of(one.leaf);
+  }
   {
     const enclosure::RoundOutward outward;
     PieceMaker(*this, leaves, reach, moulds);

@@ -133,8 +133,10 @@ class Pieces {
   /// True if corners of `of` are on the side of a plane, through `at` of `cell`, on which they are of its surface.
   bool on_true_side(const RationalPoint& normal, const RationalPoint& at, std::uint32_t cell, const Facet& of,
                     const Contact& contact) const;
-  /// Of cells: by planes along an edge of each.
-  Meeting parted_by_edges(const Facet& a, const Facet& b, const Contact& contact) const;
+  /// Of cells: by planes along an edge of each. `beside`: it does not matter on which side of the other one is.
+  Meeting parted_by_edges(const Facet& a, const Facet& b, const Contact& contact, bool beside = false) const;
+  /// True if cells have the point of a contact in common and are beside each other there, as others about it are.
+  bool beside_contact(const Facet& a, const Facet& b, const Contact& contact) const;
   /// Of the surface of a cell, of which an equation is known, outwards, and on which side a point is.
   RationalPoint gradient(std::uint32_t cell, const RationalPoint& p) const;
   int side(std::uint32_t cell, const RationalPoint& p) const;

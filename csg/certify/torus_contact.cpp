@@ -17,7 +17,7 @@ RationalPoint part_along(const RationalPoint& v, const RationalPoint& axis) {
   return Rational(dot(v, axis) / dot(axis, axis)) * axis;
 }
 Contact at(const RationalPoint& p) { return {Kind::point, {0, 0, 0}, p, 0}; }
-Contact around(const RationalPoint& center, const RationalPoint& axis, const Rational& radius) {
+Contact circle_about(const RationalPoint& center, const RationalPoint& axis, const Rational& radius) {
   return {Kind::circle, axis, center, radius};
 }
 
@@ -74,10 +74,10 @@ std::optional<Contact> with_ball(const Torus& torus, const RationalPoint& middle
   // The nearest or farthest point of the circle, where the distance is known, and from there to the surface.
   const auto meet = [&](int sign, const Rational& distance, const Rational& to_middle) -> std::optional<Contact> {
     const Rational share = distance == 0 ? Rational(0) : Rational(to_middle / distance);
-    if (off == 0) return around(center + share * way, axis, radius * (1 - share));
+    if (off == 0) return circle_about(center + share * way, axis, radius * (1 - share));
     const Rational root = abs(square - distance * distance) / (2 * radius);
     const RationalPoint foot = center + Rational(-sign * radius / root) * flat;
-    if (distance == 0) return around(middle, cross(axis, flat), tube);  // the ball fills the tube
+    if (distance == 0) return circle_about(middle, cross(axis, flat), tube);  // the ball fills the tube
     return at(foot + share * (middle - foot));
   };
   for (const auto& [sign, reach, within] :
@@ -105,7 +105,7 @@ std::optional<Contact> with_cylinder(const Torus& torus, const Tube& cylinder) {
       if (limit < 0) continue;
       const int order = sgn(off - limit * limit);
       if (order == 0) {
-        if (off == 0) return around(center, axis, abs(on));
+        if (off == 0) return circle_about(center, axis, abs(on));
         return at(center + Rational(on / limit) * flat);
       }
       if ((order > 0) != within) return Contact{};
@@ -151,7 +151,7 @@ std::optional<Contact> contact(const PlaneEquation& plane, const Torus& torus) {
   const int order = less_root(level * level - a - b, 4 * a * b);
   if (order < 0) return std::nullopt;
   if (order > 0) return Contact{};
-  if (a == 0) return around(center - Rational(level / square) * normal, axis, radius);
+  if (a == 0) return circle_about(center - Rational(level / square) * normal, axis, radius);
   // Roots of a and b, with the sign of the level: their sum is the level.
   const Rational root = (level * level + a - b) / (2 * level);
   return at(center - Rational(radius * radius / root) * flat - Rational((level - root) / square) * normal);
@@ -177,7 +177,7 @@ std::optional<Contact> contact(const Torus& a, const Torus& b) {
       if (order == 0) {
         if (limit == 0) return std::nullopt;  // one surface
         const Rational share = to / limit;
-        return around(a.center + share * way, a.axis, a.radius + share * apart);
+        return circle_about(a.center + share * way, a.axis, a.radius + share * apart);
       }
       if ((order > 0) != within) return Contact{};
     }

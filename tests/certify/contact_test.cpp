@@ -1,4 +1,4 @@
-// Planes and quadrics that touch and do not cross.
+// Planes, quadrics and tori that touch and do not cross.
 #include "csg/certify/contact.h"
 
 #include <random>
@@ -135,6 +135,46 @@ TEST_CASE("a plane touches a quadric, cuts it or misses it", "[certify]") {
   CHECK(contact(PlaneEquation{0, 0, 1, little}, pipe)->kind == Kind::none);
   CHECK(!contact(PlaneEquation{0, 0, 1, -little}, pipe));
   CHECK(!contact(PlaneEquation{1, 0, 0, 0}, pipe));
+}
+
+TEST_CASE("a torus touches planes, balls, cylinders and tori, or not, however near", "[certify]") {
+  const Torus ring{{0, 0, 0}, {0, 0, 2}, 3, 1};
+  const auto moved = [](Torus torus, const RationalPoint& to) {
+    torus.center = to;
+    return torus;
+  };
+  for (const int sign : {-1, 0, 1}) {
+    const Rational by = Rational(sign) / 1'000'000'000;
+    INFO(sign);
+    const auto check = [&](const std::optional<Contact>& found, Kind kind, const RationalPoint& on) {
+      CHECK(found.has_value() == (sign >= 0));
+      if (!found) return;
+      CHECK(found->kind == (sign > 0 ? Kind::none : kind));
+      if (sign == 0) CHECK(found->has(on));
+    };
+    // Along (4, 0, 3)/5: the circle reaches 12/5, the tube 1 more.
+    check(contact(PlaneEquation{4, 0, 3, Rational(-17 - by)}, ring), Kind::point,
+          {Rational(19, 5), 0, Rational(3, 5)});
+    check(contact(PlaneEquation{0, 0, 3, Rational(3 + by)}, ring), Kind::circle,
+          {Rational(9, 5), Rational(12, 5), -1});
+    check(contact(ball({0, 5 + by, 0}, 1), ring), Kind::point, {0, 4, 0});
+    check(contact(ball({0, 0, 4 + by}, 4), ring), Kind::circle, {Rational(12, 5), 0, Rational(4, 5)});
+    check(contact(ball({0, Rational(13, 4) - by, 0}, Rational(3, 4)), moved(ring, {0, 0, 0})), Kind::point,
+          {0, 4, 0});
+    check(contact(ball({1, 0, 0}, 5 + by), ring), Kind::point, {-4, 0, 0});
+    check(contact(tube({0, 6 + by, 0}, {0, 0, 1}, 2), ring), Kind::point, {0, 4, 0});
+    check(contact(tube({0, 1 - by, 3}, {0, 0, 1}, 1), ring), Kind::point, {0, 2, 0});
+    check(contact(tube({0, 1, 3}, {0, 0, 3}, 5 + by), ring), Kind::point, {0, -4, 0});
+    check(contact(tube({0, 0, 0}, {0, 0, 1}, 2 - by), ring), Kind::circle, {0, 2, 0});
+    check(contact(tube({7, 6 + by, 0}, {1, 0, 0}, 2), ring), Kind::point, {0, 4, 0});
+    check(contact(tube({7, 1, 0}, {1, 0, 0}, 5 + by), ring), Kind::point, {0, -4, 0});
+    check(contact(ring, moved(ring, {0, 8 + by, 0})), Kind::point, {0, 4, 0});
+    check(contact(ring, moved(ring, {0, 0, 2 + by})), Kind::circle, {3, 0, 1});
+    check(contact(ring, Torus{{0, 0, Rational(1, 2) - by}, {0, 0, 1}, 3, Rational(1, 2)}), Kind::circle,
+          {0, 3, 1});
+  }
+  CHECK(!contact(PlaneEquation{0, 0, 1, 0}, ring));
+  CHECK(!contact(tube({4, 0, 0}, {0, 0, 1}, Rational(5, 2)), ring));
 }
 
 }  // namespace

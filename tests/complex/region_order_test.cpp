@@ -23,7 +23,8 @@ TEST_CASE("numbers of regions depend on no other leaf", "[complex][regions][rand
     const auto position = std::array{Position::degenerate, Position::tilted, Position::general}[seed % 3];
     const std::vector<Leaf> leaves = random_scene(seed, 5, position).leaves;
     const std::vector<Leaf> some(leaves.begin(), leaves.begin() + 2);
-    SoupOptions options{.reverse_faces = seed % 2 == 1};
+    SoupOptions options;
+    options.reverse_faces = seed % 2 == 1;
     options.order.resize(leaves.size());
     std::iota(options.order.begin(), options.order.end(), std::size_t{0});
     Random random(seed);
