@@ -92,6 +92,10 @@ class FileWriter {
       bar.show("draw " + path);
       return write_picture(path, file.panels, size, tree_, evaluation_, arguments_.threads);
     }
+    if (is_cad_file(path)) {
+      if (const std::string doubt = certificate_of(evaluation_, node).doubt(tree_); !doubt.empty())
+        say(path + ": warning: " + doubt);
+    }
     FileReport report;
     {
       ProgressBar bar(arguments_.quiet);
@@ -102,10 +106,6 @@ class FileWriter {
         const FileOptions options{arguments_.parameters, !arguments_.no_snap, arguments_.binary, &snapped_[node]};
         report = at_node(tree_, node, [&] { return write(path, results_(node), options); });
       }
-    }
-    if (is_cad_file(path)) {
-      if (const std::string doubt = certificate_of(evaluation_, node).doubt(tree_); !doubt.empty())
-        say(path + ": warning: " + doubt);
     }
     if (!arguments_.quiet) {
       for (const std::string& notice : report.notices) say(path + ": notice: " + notice);

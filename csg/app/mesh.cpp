@@ -357,6 +357,9 @@ int run_mesh(const MeshArguments& arguments) {
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
   else tell_uncertain(tree, evaluation, arguments.quiet);
+  if (const std::string doubt = certificate_of(evaluation, node).doubt(tree); arguments.curved && !doubt.empty()) {
+    for (const std::string& path : arguments.files) tell(path + ": warning: " + doubt);
+  }
   Result result = evaluation.result(node);
   if (!arguments.join.empty()) result = joined(tree, node, result, arguments.join, arguments.quiet);
   if (arguments.surface) return mesh_surface(arguments, tree, node, std::move(result));
@@ -397,9 +400,6 @@ int run_mesh(const MeshArguments& arguments) {
     std::cout << std::flush;
   }
   tell_nearly_touching(arguments, tree, node, result);
-  if (const std::string doubt = certificate_of(evaluation, node).doubt(tree); arguments.curved && !doubt.empty()) {
-    for (const std::string& path : arguments.files) tell(path + ": warning: " + doubt);
-  }
   write_files(
       arguments, result, made.mesh, made.rounding, snapped, made.notice, made.warnings,
       [&](const MeshPageOptions& options) { return mesh_page(result, made, bent ? &*bent : nullptr, options); });
