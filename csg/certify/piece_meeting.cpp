@@ -152,12 +152,32 @@ int Pieces::sides(const PlaneEquation& equation, const Facet& of, std::vector<co
   return result;
 }
 
+bool Pieces::on_one_side(const Facet& plane, const Facet& of) const {
+  const auto interval = [&](const Facet& facet, std::size_t k) -> const Interval3& {
+    return pieces_[facet.piece].corners[facet.corners[k]];
+  };
+  const Interval3& first = interval(plane, 0);
+  const Interval3 normal = cross(difference(interval(plane, 1), first), difference(interval(plane, 2), first));
+  int seen = 0;
+  for (std::size_t k = 0; k < of.corner_count && seen != 3; ++k) {
+    bool shared = false;
+    for (std::size_t i = 0; i < plane.corner_count && !shared; ++i)
+      shared = same(interval(plane, i), interval(of, k)) && corner(plane, i) == corner(of, k);
+    if (shared) continue;
+    const Interval side = dot(normal, difference(interval(of, k), first));
+    if (holds_zero(side)) {
+      std::vector<const RationalPoint*> on;
+      return sides(equation_of(plane), of, on) != 3;
+    }
+    seen |= side.inf() > 0 ? 1 : 2;
+  }
+  return seen != 3;
+}
+
 bool Pieces::drawn_alike(std::uint32_t a, std::uint32_t b) const {
-  std::vector<const RationalPoint*> on;
   return std::ranges::all_of(facets_of(a), [&](const Facet& f) {
-    return std::ranges::all_of(facets_of(b), [&](const Facet& g) {
-      return sides(equation_of(f), g, on) != 3 || sides(equation_of(g), f, on) != 3;
-    });
+    return std::ranges::all_of(facets_of(b),
+                               [&](const Facet& g) { return on_one_side(f, g) || on_one_side(g, f); });
   });
 }
 

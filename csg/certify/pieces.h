@@ -145,6 +145,8 @@ class Pieces {
   /// The sides of a plane on which corners of a facet are: 1 in front, 2 behind; and those on it.
   int sides(const PlaneEquation& plane, const Facet& of, std::vector<const RationalPoint*>& on) const;
   Meeting facets_meet(const Facet& a, const Facet& b, const Contact& contact) const;
+  /// True if a facet has no corners on both sides of the plane of another one.
+  bool on_one_side(const Facet& plane, const Facet& of) const;
   std::vector<std::shared_ptr<const LeafSurfaces>> leaf_surfaces_;
   std::map<std::pair<LeafId, std::uint32_t>, std::unique_ptr<const PlacedSurface>> placed_;
   std::vector<Piece> pieces_;
