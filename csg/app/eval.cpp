@@ -92,7 +92,7 @@ class FileWriter {
       bar.show("draw " + path);
       return write_picture(path, file.panels, size, tree_, evaluation_, arguments_.threads);
     }
-    if (!shows_dag(path) && is_cad_file(path)) {
+    if (is_cad_file(path)) {
       if (const std::string doubt = certificate_of(evaluation_, node).doubt(tree_); !doubt.empty())
         say(path + ": warning: " + doubt);
     }

@@ -59,6 +59,16 @@ StageRows stage_rows(const StageClock& clock, const Evaluation& evaluation, bool
   return out;
 }
 
+namespace {
+
+/// Not as a number of seconds looks.
+std::string within(const NodeRow& row) {
+  const std::string bound = bound_text(row.volume_bound());
+  return bound.empty() || bound == "unknown" ? bound : "±" + bound;
+}
+
+}  // namespace
+
 std::string row_table(const Evaluation& evaluation, const StageRows& stages, bool raw, bool trace) {
   const std::vector<const NodeRow*> rows = evaluation.all_rows();
   Table table;
@@ -87,8 +97,8 @@ std::string row_table(const Evaluation& evaluation, const StageRows& stages, boo
     table.add_row({row.name, row.operator_name, std::to_string(cells[0]), std::to_string(cells[1]),
                    std::to_string(cells[2]), std::to_string(cells[3]), std::to_string(row.removed()),
                    std::to_string(row.regions), row.is_group ? "" : std::to_string(row.components),
-                   seconds_text(row.seconds + row.totals_seconds),
-                   row.volume() ? bound_text(row.volume_bound()) : "", volume_text(row.volume())});
+                   seconds_text(row.seconds + row.totals_seconds), row.volume() ? within(row) : "",
+                   volume_text(row.volume())});
   }
   add_stage("crossings", stages.crossings);
   add_stage("results", stages.results);

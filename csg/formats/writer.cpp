@@ -2,6 +2,7 @@
 // refuses a result leaves an old file as it was.
 #include "csg/formats/writer.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -55,8 +56,10 @@ const Format& format_of(const std::string& path) {
 }  // namespace
 
 bool is_cad_file(const std::string& path) {
-  const auto make = format_of(path).make;
-  return make == step_text || make == brep_text;
+  const std::string extension = extension_of(path);
+  return std::ranges::any_of(kFormats, [&](const Format& format) {
+    return format.extension == extension && (format.make == step_text || format.make == brep_text);
+  });
 }
 
 bool shows_surfaces(const std::string& path) { return is_cad_file(path) || format_of(path).make == glb_text; }

@@ -34,8 +34,10 @@ Lines words_of(const std::string& whole) {
     after_long = is_fraction && match.str(1).size() >= kLongDenominator;
     after_short = is_fraction && !after_long;
   }
-  const bool time = words.size() > 2 && std::regex_match(words[words.size() - 2], seconds);
-  if (time) words.erase(words.end() - 2);
+  // Before the volume, and how far that may be off.
+  const std::size_t last = words.size() > 3 && words[words.size() - 2].starts_with("±") ? 3 : 2;
+  const bool time = words.size() > last && std::regex_match(words[words.size() - last], seconds);
+  if (time) words.erase(words.end() - static_cast<std::ptrdiff_t>(last));
   static const std::regex stage(kStage);
   if (std::regex_match(whole, stage)) words.pop_back();
   return words;
@@ -104,7 +106,7 @@ std::string difference(const Lines& shown, const Lines& all_printed) {
 
 Lines corrected(const Lines& shown, const Lines& printed) {
   if (difference(shown, printed).empty()) return shown;
-  static const std::regex stage(kStage), seconds("^(.* {2})( *)([0-9]+\\.[0-9]{3})(  [^ ].*)$");
+  static const std::regex stage(kStage), seconds("^(.* {2})( *)([0-9]+\\.[0-9]{3})(  +[^ ].*)$");
   Lines result;
   std::size_t next = 0;
   for (const std::string& line : trimmed(printed)) {

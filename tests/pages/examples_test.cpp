@@ -149,6 +149,8 @@ TEST_CASE("lines are compared word by word", "[pages]") {
   CHECK(is_shown(printed, printed));
   CHECK(is_shown({any, "a box 1 9.999 8", "b cone 2 0.000 8.1e-12", "c box 1 0.000 1/2"}, printed));
   CHECK(is_shown({any, "b cone 2 0.000 8.1e-12", any}, printed));
+  CHECK(is_shown({"a 1 0.000 ±0.25 0.5"}, {"a 1 9.999  ±0.25  1/1000000000000 (0.5)"}));
+  CHECK_FALSE(is_shown({"a 1 0.000 ±0.25 0.5"}, {"a 1 0.000  ±0.26  1/1000000000000 (0.5)"}));
   CHECK(is_shown({printed[0], any, printed[3]}, printed));
   CHECK(is_shown({any}, {}));
   CHECK(is_shown({}, {}));

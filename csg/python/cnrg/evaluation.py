@@ -184,7 +184,7 @@ def _within(row: Row) -> str:
         return ""
     if row.volume_bound is None:
         return "unknown"
-    return f"{float(Context(prec=3, rounding=ROUND_CEILING).create_decimal(row.volume_bound)):.3g}"
+    return f"±{float(Context(prec=3, rounding=ROUND_CEILING).create_decimal(row.volume_bound)):.3g}"
 
 
 def evaluate(
