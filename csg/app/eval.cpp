@@ -220,6 +220,9 @@ int run_eval(const EvalArguments& arguments) {
   const bool crosses = arguments.certify ? require_certain(tree, evaluation, arguments.quiet)
                                          : tell_uncertain(tree, evaluation, arguments.quiet);
   clock.begin("results");
+  if (!arguments.quiet) {
+    for (const NodeRow* const row : evaluation.all_rows()) row->volume_bound();  // kept for the table
+  }
   Results results(tree, evaluation, arguments);
   if (!arguments.join.empty()) {  // what it has to say is said whether a file is written or not
     if (options.nodes.empty()) results(tree.result);

@@ -42,10 +42,12 @@ VolumeBounds::VolumeBounds(std::shared_ptr<SweptLeaves> shared, const PlacedLeav
 std::optional<double> VolumeBounds::of(InstanceId id) const {
   if (!shared_->curved_[id.index()]) return 0;
   const std::lock_guard lock(shared_->mutex_);
+  const auto [it, is_new] = told_.try_emplace(id);
+  if (!is_new) return it->second;
   const std::vector<InstanceId> few = below(id);
-  if (!few.empty()) return of_few(few);
+  if (!few.empty()) return it->second = of_few(few);
   for (std::size_t i = 0; i < id.index(); ++i) of_any(InstanceId(i));
-  return of_any(id);
+  return it->second = of_any(id);
 }
 
 const SweptLeaf& VolumeBounds::swept(InstanceId id) const {

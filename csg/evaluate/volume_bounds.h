@@ -58,7 +58,8 @@ class VolumeBounds {
   std::shared_ptr<SweptLeaves> shared_;
   std::map<LeafId, LeafInstance> leaves_;
   mutable std::map<InstanceId, Slabs> held_;
-  mutable std::map<InstanceId, std::optional<double>> known_;
+  mutable std::map<InstanceId, std::optional<double>> known_;  // of_any
+  mutable std::map<InstanceId, std::optional<double>> told_;   // of
 };
 
 }  // namespace cnrg

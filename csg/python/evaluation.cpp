@@ -10,8 +10,8 @@ namespace cnrg::python {
 namespace {
 
 std::shared_ptr<const EvaluatedTree> evaluate_tree(const TreeObject& tree, const std::vector<std::size_t>& nodes,
-                                                   int threads, bool rows, bool raw, bool validate, std::optional<bool> certify,
-                                                   const py::object& progress) {
+                                                   int threads, bool rows, bool raw, bool validate,
+                                                   std::optional<bool> certify, const py::object& progress) {
   EvaluateOptions options;
   options.threads = threads;
   options.rows = rows ? Rows::all : Rows::kept;

@@ -106,7 +106,8 @@ TEST_CASE("what is left is told with its place", "[certify]") {
              Catch::StartsWith("t.yaml:3:7: notice: `a` (cylinder side) and `b` (cylinder side) near ["));
 }
 
-TEST_CASE("the same counts come out within the budget, and facets are finer only where they need be", "[certify]") {
+TEST_CASE("the same counts come out within the budget, and facets are finer only where they need be",
+          "[certify]") {
   for (const Known& known : near_contacts()) {
     INFO(known.what);
     const Asked asked(known.leaves, known.result, AskedProof::within_budget);
@@ -188,7 +189,8 @@ TEST_CASE("where surfaces touch and cross, it is named", "[certify]") {
     INFO(leaves);
     const Asked asked(leaves, "{union: [a, b]}");
     REQUIRE(!asked.certificate().places.empty());
-    CHECK(std::ranges::any_of(asked.certificate().places, [](const UncertainPlace& p) { return p.why == UncertainPlace::Why::near; }));
+    CHECK(std::ranges::any_of(asked.certificate().places,
+                              [](const UncertainPlace& p) { return p.why == UncertainPlace::Why::near; }));
   }
 }
 
@@ -209,7 +211,8 @@ TEST_CASE("what lies between facets and surfaces counts: faces, wires, points, w
     const Asked asked(leaves, result, AskedProof::within_budget), as_drawn(leaves, result, AskedProof::none);
     CHECK(asked.certified());
     CHECK(asked.cells() != as_drawn.cells());
-    if (!result.starts_with("{simplify")) CHECK(asked.cells() == Asked(leaves, result, AskedProof::none, 16).cells());
+    if (!result.starts_with("{simplify"))
+      CHECK(asked.cells() == Asked(leaves, result, AskedProof::none, 16).cells());
   }
   CHECK(Asked(ball + "  b: {polyline: [[-5, 0.1, 0.06], [5, 0.2, 0.06]]}\n", "{union: [a, b]}").certified());
 }

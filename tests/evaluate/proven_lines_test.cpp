@@ -11,8 +11,8 @@ Tree tree_with(const std::string& head, const std::string& nodes) {
   return parse_tree("cnrg: 1\n" + head + "nodes:\n" + nodes + "result: model\n", "t.yaml");
 }
 
-Evaluation evaluated(const Tree& tree, const std::string& result, const std::vector<std::string>& nodes = {},
-                     AskedProof proof = AskedProof::within_budget) {
+Evaluation proven(const Tree& tree, const std::string& result, const std::vector<std::string>& nodes = {},
+                  AskedProof proof = AskedProof::within_budget) {
   EvaluateOptions options;
   options.proof = proof;
   options.result = tree.find(result);
@@ -32,7 +32,7 @@ const NodeRow& row_of(const Evaluation& evaluation, const std::string& name) {
 void check_alone(const Tree& tree, const Evaluation& whole) {
   for (const NodeRow& row : whole.rows) {
     CAPTURE(row.name);
-    const NodeRow alone = evaluated(tree, row.name).rows.back();
+    const NodeRow alone = proven(tree, row.name).rows.back();
     CHECK(row.cells == alone.cells);
     CHECK(row.volume() == alone.volume());
   }
@@ -50,13 +50,13 @@ const char* const kBalls =
 
 TEST_CASE("each node has the facets that its own leaves need") {
   const Tree tree = tree_with("", kBalls);
-  const Evaluation whole = evaluated(tree, "model"), as_drawn = evaluated(tree, "model", {}, AskedProof::none);
+  const Evaluation whole = proven(tree, "model"), as_drawn = proven(tree, "model", {}, AskedProof::none);
   CHECK(row_of(whole, "ab").regions == 1);
   CHECK(row_of(as_drawn, "ab").regions == 2);
   CHECK(row_of(whole, "model").regions == 1);
   check_alone(tree, whole);
   // The same where roots are evaluated each for itself.
-  const Evaluation two = evaluated(tree, "model", {"ab", "a"});
+  const Evaluation two = proven(tree, "model", {"ab", "a"});
   REQUIRE(two.others.size() == 2);
   CHECK(two.others[0].rows.back().volume() == row_of(whole, "ab").volume());
   CHECK(two.others[1].rows.back().volume() == row_of(as_drawn, "a").volume());
@@ -97,22 +97,22 @@ TEST_CASE("nodes of random balls, rods and boxes have the facets that they have 
     }
     CAPTURE(nodes);
     const Tree tree = tree_with("", nodes);
-    check_alone(tree, evaluated(tree, "model"));
+    check_alone(tree, proven(tree, "model"));
   }
 }
 
 TEST_CASE("facets are finer with a weld, and below a node that joins") {
   for (const std::string head : {"", "weld: 0.00001\n"}) {
     const Tree tree = tree_with(head, kBalls);
-    const Evaluation whole = evaluated(tree, "model");
+    const Evaluation whole = proven(tree, "model");
     CHECK(row_of(whole, "ab").regions == 1);
     check_alone(tree, whole);
   }
   const Tree joins = tree_with("", std::string(kBalls) + "  joined: {simplify: {of: ab, within: 0.00001}}\n");
-  const Evaluation joined = evaluated(joins, "joined");
+  const Evaluation joined = proven(joins, "joined");
   CHECK(joined.rows.back().regions == 1);
   REQUIRE(joined.joined.size() == 1);
-  CHECK(joined.joined[0].rows.back().volume() == evaluated(joins, "ab").rows.back().volume());
+  CHECK(joined.joined[0].rows.back().volume() == proven(joins, "ab").rows.back().volume());
 }
 
 TEST_CASE("what cannot have finer facets is drawn as it is, and named") {
@@ -121,7 +121,7 @@ TEST_CASE("what cannot have finer facets is drawn as it is, and named") {
       "  a: {extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[2, 2, 0]]}, [0, 2, 0]], vector: [0, 0, 3], "
       "twist: 20, segments: 5}}\n"
       "  b: {box: {min: [0.5, 0.5, -1], max: [3, 3, 4]}}\n  model: {union: [a, b]}\n");
-  const Evaluation asked = evaluated(tree, "model"), as_drawn = evaluated(tree, "model", {}, AskedProof::none);
+  const Evaluation asked = proven(tree, "model"), as_drawn = proven(tree, "model", {}, AskedProof::none);
   CHECK(asked.rows.back().raw_cells == as_drawn.rows.back().raw_cells);
   REQUIRE(asked.certificate);
   CHECK(asked.certificate->asked > 0);

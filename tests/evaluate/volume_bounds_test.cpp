@@ -23,6 +23,8 @@ NodeRow only_row(const std::string& node) {
   return evaluate(tree, {}).rows.back();
 }
 
+/// `most_ratio`: of the bound to what is off, as it was measured for 8 to 48 segments, for bounds that say
+/// something.
 void check_known(const Known& known, double most_ratio) {
   INFO(known.node);
   const NodeRow row = only_row(known.node);
@@ -47,11 +49,11 @@ TEST_CASE("the true volume of a curved solid is within the bound of its facets",
     check_known({"sphere: {center: [0, 0, 0], radius: 1" + s + "}, scale: [1, 2, 3]", 8 * kHalfCircle}, 8);
     check_known({"cylinder: {from: [0, 0, 0], to: [1, 2, 2], radius: 2" + s + "}, " + turn, 12 * kHalfCircle}, 2);
     check_known({"cone: {from: [0, 0, 0], to: [1, 2, 2], radius: 2, top: 1" + s + "}, " + turn, 7 * kHalfCircle},
-                2);
-    check_known({"cone: {from: [0, 0, 0], to: [1, 2, 2], radius: 2" + s + "}, " + turn, 4 * kHalfCircle}, 2);
+                6);
+    check_known({"cone: {from: [0, 0, 0], to: [1, 2, 2], radius: 2" + s + "}, " + turn, 4 * kHalfCircle}, 6);
     check_known({"torus: {center: [0, 1, 0], axis: [1, 1, 1], radius: 3, tube: 1" + s + "}",
                  6 * kHalfCircle * kHalfCircle},
-                10);
+                16);
     const double d = 1 + (random() % 900) / 1000.0;
     const std::string two = "[{sphere: {center: [0, 0, 0], radius: 1" + s + "}}, {sphere: {center: [" +
                             std::to_string(d) + ", 0, 0], radius: 1" + s + "}, " + turn + "}]";
@@ -62,7 +64,7 @@ TEST_CASE("the true volume of a curved solid is within the bound of its facets",
          "radius: 0.5" +
              s + "}}]",
          8 - kHalfCircle / 2},
-        3);
+        5);
   }
 }
 

@@ -432,8 +432,8 @@ TEST_CASE("no text of a tree is HTML in its page", "[view]") {
 TEST_CASE("a page has the uncertain places of each node, in the words of the notices", "[view]") {
   const Tree tree = parse_tree(R"(cnrg: 1
 nodes:
-  a: {sphere: {center: [0, 0, 0], radius: 1}, rotate: {axis: [1, 2, 3], degrees: 41}}
-  b: {sphere: {center: [1.999, 0, 0], radius: 1}, rotate: {axis: [3, -2, 1], degrees: 17, center: [1.999, 0, 0]}}
+  a: {cylinder: {from: [0, 0, -4], to: [0, 0, 4], radius: 2}}
+  b: {cylinder: {from: [-5, 0, 0], to: [5, 0, 0], radius: 2}}
   both: {union: [a, b]}
 result: both
 )",
