@@ -255,8 +255,7 @@ int run(int argc, char** argv) {
   sub->add_flag("--binary", eval.binary, "Of .stl (numbers of 24 bits) and .ply (doubles): the binary form");
   constexpr const char* kCertify =
       "Where it is not proven that curved surfaces meet as their facets do: ask with a hundred times the steps, "
-      "and "
-      "make an error of what is left";
+      "and make an error of what is left";
   constexpr const char* kNoCertify = "Do not ask whether they do: facets stay as they are, right or wrong";
   CLI::Option* const certify = sub->add_flag("--certify", eval.certify, kCertify);
   sub->add_flag("--no-certify", eval.no_certify, kNoCertify)->excludes(certify);

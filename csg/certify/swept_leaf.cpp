@@ -9,6 +9,7 @@
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 #include "kernel/base/limits.h"
+#include "kernel/base/parallel.h"
 
 namespace cnrg {
 
@@ -263,49 +264,63 @@ SweptLeaf::SweptLeaf(const LeafInstance& placed) {
     surfaces_.push_back(std::make_unique<const PlacedSurface>(surfaces, patch, transform));
     by_patch[patch] = surfaces_.back().get();
   }
-  parts_ = soup.face_count() <= 500 ? 4 : 2;
+  std::vector<Interval3> points;
+  for (const RationalPoint& p : parameters->points())
+    points.push_back(enclose3(transform.identity() ? p : transform.apply(p)));
+  std::vector<Interval> values;
+  for (const Rational& value : parameters->values()) values.push_back(enclose(value));
+  std::vector<const PlacedSurface*> surface_of;
   for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
     const auto surface = by_patch.find(soup.face(f).patch);
     if (surface == by_patch.end()) continue;
-    for (const std::vector<PatchCorner>& corners : parameters->cells(f.index()))
-      add(*surface->second, transform, corners);
+    for (const auto& corners : parameters->cells_by_number(f.index())) {
+      add(points, values, corners);
+      surface_of.resize(cells_.size(), surface->second);
+    }
   }
+  const int parts = soup.face_count() <= 500 ? 4 : 2;
+  for_each_index(
+      cells_.size(),
+      [&](std::size_t i) {
+        const enclosure::RoundOutward here;
+        finish(*surface_of[i], parts, cells_[i]);
+      },
+      64);
   Interval all(0);
   for (const Cell& cell : cells_) {
+    if (!std::isfinite(cell.volume)) known_ = false;
     slabs_ = slabs_.hull(cell.slabs);
     all += Interval(cell.volume);
   }
   volume_ = all.sup();
 }
 
-void SweptLeaf::add(const PlacedSurface& surface, const Transform& transform,
-                    const std::vector<PatchCorner>& corners) {
-  Cell cell;
+void SweptLeaf::add(const std::vector<Interval3>& points, const std::vector<Interval>& values,
+                    std::span<const LeafParameters::Corner> corners) {
+  Cell& cell = cells_.emplace_back();
   cell.corner_count = static_cast<std::uint8_t>(corners.size());
-  const bool identity = transform.identity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    cell.corners[i] = enclose3(identity ? corners[i].point : transform.apply(corners[i].point));
-    cell.at[i] = {enclose(corners[i].at[0]), enclose(corners[i].at[1])};
+    cell.corners[i] = points[corners[i].point];
+    cell.at[i] = {values[corners[i].u], values[corners[i].v]};
   }
   const auto on_line = [&](std::size_t a, std::size_t b, std::size_t k) {
-    return corners[a].at[k] == corners[b].at[k];
+    return k == 0 ? corners[a].u == corners[b].u : corners[a].v == corners[b].v;
   };
   const auto rectangle = [&](std::size_t k) {  // sides 0 1 and 2 3 along the other parameter
     return on_line(0, 1, k) && on_line(2, 3, k) && on_line(1, 2, 1 - k) && on_line(3, 0, 1 - k);
   };
-  if (corners.size() == 3 || rectangle(0) || rectangle(1)) return finish(surface, std::move(cell));
-  Cell other = cell;  // affine in two triangles (parameters.h)
-  cell.corner_count = other.corner_count = 3;
+  if (corners.size() == 3 || rectangle(0) || rectangle(1)) return;
+  cell.corner_count = 3;  // affine in two triangles (parameters.h)
+  Cell other = cell;
   other.corners = {cell.corners[0], cell.corners[2], cell.corners[3]};
   other.at = {cell.at[0], cell.at[2], cell.at[3]};
-  finish(surface, std::move(cell));
-  finish(surface, std::move(other));
+  cells_.push_back(std::move(other));
 }
 
-void SweptLeaf::finish(const PlacedSurface& surface, Cell cell) {
+void SweptLeaf::finish(const PlacedSurface& surface, int parts, Cell& cell) {
   Part whole{cell.corner_count, cell.at, cell.corners, {}};
   const bool triangle = cell.corner_count == 3;
-  const auto [parts_x, parts_y] = parts_of(surface, whole, parts_);
+  const auto [parts_x, parts_y] = parts_of(surface, whole, parts);
   const std::size_t last = cell.corner_count - 1u;
   const auto mixed = [](const auto& a, const auto& b, const Interval& share) {
     auto result = a;
@@ -365,7 +380,6 @@ void SweptLeaf::finish(const PlacedSurface& surface, Cell cell) {
     }
   }
   cell.volume = volume.sup();
-  if (!std::isfinite(cell.volume)) known_ = false;
   const auto densest = [](const std::vector<Interval>& strips) {
     double most = 0;
     for (const Interval& strip : strips) most = std::max(most, strip.sup());
@@ -373,7 +387,6 @@ void SweptLeaf::finish(const PlacedSurface& surface, Cell cell) {
   };
   cell.of_part = {densest(columns), densest(rows)};
   for (std::size_t i = 0; i <= last; ++i) cell.slabs.extend(cell.corners[i], cell.far);
-  cells_.push_back(std::move(cell));
 }
 
 double SweptLeaf::volume(const Slabs& within) const {

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "csg/curves/surface_placed.h"
@@ -58,13 +59,14 @@ class SweptLeaf {
     std::array<double, 2> of_part{0, 0};  ///< the same of a part, per share of the sides 0 1 or 1 2
     Slabs slabs = Slabs::nothing();
   };
-  void add(const PlacedSurface& surface, const Transform& transform, const std::vector<PatchCorner>& corners);
-  void finish(const PlacedSurface& surface, Cell cell);
+  /// `points` and `values`: by the numbers of the corners.
+  void add(const std::vector<std::array<Interval, 3>>& points, const std::vector<Interval>& values,
+           std::span<const LeafParameters::Corner> corners);
+  static void finish(const PlacedSurface& surface, int parts, Cell& cell);
   std::vector<Cell> cells_;
   std::vector<std::unique_ptr<const PlacedSurface>> surfaces_;
   Slabs slabs_ = Slabs::nothing();
   double volume_ = 0;
-  int parts_ = 1;  // of a cell, along what is not straight
   bool known_ = true;
 };
 
