@@ -51,7 +51,7 @@ TEST_CASE("of two regions the one with the dominant material wins, wherever it s
   const std::string nodes = kMaterials +
                             "  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: rock}\n"
                             "  beam: {box: {min: [2, 1, 1], max: [6, 3, 3]}, material: steel}\n";
-  const std::array<std::size_t, 4> beam_first{20, 32, 16, 2};  // as `b_first` of SEMANTICS.md
+  const std::array<std::size_t, 4> beam_first{20, 32, 16, 2};  // as `b_first` of papers/lessons/05-tables
   for (const std::string operands : {"[block, beam]", "[beam, block]"}) {
     const LevelRun r = run_levels(nodes + "  r: {union: " + operands + "}\nresult: r\n");
     CHECK(counts(r) == beam_first);
