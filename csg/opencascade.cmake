@@ -3,7 +3,9 @@
 #   CNRG_OPENCASCADE_TOOLKITS  the targets that STEP and BREP files need; empty where they cannot be had
 #   CNRG_OPENCASCADE_LACK      why they cannot be had, without a full stop; empty where they can
 # and cnrg_toolkits, by which tests find theirs.
-find_package(OpenCASCADE QUIET)
+if(NOT OpenCASCADE_DIR OR EXISTS "${OpenCASCADE_DIR}/OpenCASCADEConfig.cmake")  # or CMake would take another one
+  find_package(OpenCASCADE QUIET)
+endif()
 
 # cnrg_toolkits(FOUND LACKING TOOLKIT...): the targets for toolkits by their names before 7.8, and the toolkits that have
 # no target.
@@ -44,6 +46,8 @@ if(OpenCASCADE_FOUND)
   endif()
 elseif(OpenCASCADE_CONSIDERED_CONFIGS)
   set(CNRG_OPENCASCADE_LACK "${OpenCASCADE_CONSIDERED_CONFIGS} refuses: ${OpenCASCADE_NOT_FOUND_MESSAGE}")
+elseif(OpenCASCADE_DIR)
+  set(CNRG_OPENCASCADE_LACK "OpenCASCADE_DIR=${OpenCASCADE_DIR} is without OpenCASCADEConfig.cmake")
 else()
   set(CNRG_OPENCASCADE_LACK "OpenCASCADE is not installed (no OpenCASCADEConfig.cmake)")
 endif()

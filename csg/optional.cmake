@@ -29,6 +29,24 @@ function(cnrg_optional name purpose lack packages)
   set(CNRG_WITH_${name} ${with} PARENT_SCOPE)
 endfunction()
 
+# usable(LACK WHAT HEADERS FOLDERS LIBRARIES): LACK, if it is empty, says why no program can be compiled with the headers
+# and linked with the libraries.
+function(usable variable what headers folders libraries)
+  string(SHA1 key "${headers};${folders};${libraries};${CMAKE_CXX_FLAGS};${CMAKE_CXX_COMPILER}")
+  if(${variable} OR CNRG_USABLE_${key})
+    return()
+  endif()
+  list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n")
+  list(JOIN headers "" headers)
+  try_compile(CNRG_USABLE_${key} SOURCE_FROM_CONTENT usable.cpp "${headers}int main() {}\n"
+    CMAKE_FLAGS "-DINCLUDE_DIRECTORIES=${folders}" LINK_LIBRARIES ${libraries} OUTPUT_VARIABLE said)
+  if(NOT CNRG_USABLE_${key})
+    unset(CNRG_USABLE_${key} CACHE)  # to be asked again
+    string(REGEX MATCH "[^\n]*(error|cannot find)[^\n]*" reason "${said}")
+    set(${variable} "${what} is there, and nothing can be built with it: ${reason}" PARENT_SCOPE)
+  endif()
+endfunction()
+
 find_package(ZLIB QUIET)
 find_package(EXPAT QUIET)
 missing(lack "what reads them" ZLIB_LIBRARIES EXPAT_LIBRARIES)
@@ -47,6 +65,7 @@ endif()
 find_path(CNRG_HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/serial)
 find_library(CNRG_HDF5_LIBRARY NAMES hdf5_serial hdf5)
 missing(lack HDF5 CNRG_HDF5_INCLUDE CNRG_HDF5_LIBRARY)
+usable(lack HDF5 hdf5.h "${CNRG_HDF5_INCLUDE}" "${CNRG_HDF5_LIBRARY}")
 cnrg_optional(HDF5 "Files .h5m and .med, by HDF5" "${lack}" libhdf5-dev)
 
 find_path(CNRG_CAIRO_INCLUDE cairo/cairo-ft.h)
@@ -56,18 +75,27 @@ find_package(Freetype QUIET)
 find_file(CNRG_FONT DejaVuSans.ttf PATHS /usr/share/fonts PATH_SUFFIXES truetype/dejavu dejavu TTF dejavu-sans-fonts
   NO_DEFAULT_PATH)
 missing(lack "what pictures need" CNRG_CAIRO_INCLUDE CNRG_CAIRO_LIBRARY FREETYPE_LIBRARIES CNRG_FONT)
+usable(lack "what pictures need" "ft2build.h;cairo/cairo-ft.h" "${CNRG_CAIRO_INCLUDE};${FREETYPE_INCLUDE_DIRS}"
+  "${CNRG_CAIRO_LIBRARY};${FREETYPE_LIBRARIES}")
 cnrg_optional(CAIRO "Pictures, by cairo" "${lack}" "libcairo2-dev libfreetype-dev fonts-dejavu-core")
 
 # TetGen says its version in a comment of its header only.
 find_path(CNRG_TETGEN_INCLUDE tetgen.h)
 find_library(CNRG_TETGEN_LIBRARY tet)
 missing(lack TetGen CNRG_TETGEN_INCLUDE CNRG_TETGEN_LIBRARY)
+usable(lack TetGen tetgen.h "${CNRG_TETGEN_INCLUDE}" "${CNRG_TETGEN_LIBRARY}")
 cnrg_optional(TETGEN "Tetrahedra by TetGen (AGPL)" "${lack}" libtet1.5-dev)
 
 # The page of `cnrg view`; csg/view/web/bundle says what happens without the network.
 find_program(CNRG_NODE node)
 find_program(CNRG_NPM npm)
 missing(lack Node.js CNRG_NODE CNRG_NPM)
+if(NOT lack)  # as package-lock.json asks
+  execute_process(COMMAND ${CNRG_NODE} --version OUTPUT_VARIABLE said ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT said MATCHES "^v([0-9]+)[0-9.]*$" OR CMAKE_MATCH_1 LESS 18)
+    set(lack "${CNRG_NODE} is no Node.js of version 18 or later, but '${said}'")
+  endif()
+endif()
 cnrg_optional(VIEW "The page of cnrg view, bundled by Node.js" "${lack}" "nodejs npm")
 
 # The module for Python, by the system's own interpreter, for which numpy and the others are packaged.
@@ -80,9 +108,13 @@ else()
   endif()
   find_package(Python COMPONENTS Interpreter Development.Module QUIET)
   if(Python_FOUND)  # it would look for another, and end with an error of its own
-    find_package(pybind11 QUIET)
+    cnrg_find(pybind11)
+    missing(lack pybind11 pybind11_FOUND)
+  elseif(Python_EXECUTABLE)
+    set(lack "${Python_EXECUTABLE} is no Python 3 with headers")
+  else()
+    missing(lack Python Python_FOUND)
   endif()
-  missing(lack "what it is built with" Python_FOUND pybind11_FOUND)
   set(packages "pybind11-dev python3-dev")
 endif()
 cnrg_optional(PYTHON "The Python module" "${lack}" "${packages}")

@@ -1,8 +1,17 @@
 # Libraries that cnrg cannot be built without. All that are lacking are named at once, in our own words.
 
+# cnrg_find(PACKAGE): by the CMake files of the package. Where PACKAGE_DIR has none, CMake would take another package
+# without a word; here it is missing.
+macro(cnrg_find package)
+  string(TOLOWER ${package} lower)
+  if(NOT ${package}_DIR OR EXISTS "${${package}_DIR}/${package}Config.cmake" OR
+      EXISTS "${${package}_DIR}/${lower}-config.cmake")
+    find_package(${package} CONFIG QUIET)
+  endif()
+endmacro()
+
 # missing(LACK WHAT VARIABLE...): LACK says which of them were not found, and which were all the same; which are paths of
-# the cache where nothing is any more; of a package PACKAGE_FOUND that is there and cannot be used, what its CMake files
-# say.
+# the cache where nothing is; of a package PACKAGE_FOUND that is there and cannot be used, what its CMake files say.
 function(missing lack what)
   set(absent "")
   set(present "")
@@ -13,6 +22,9 @@ function(missing lack what)
       list(APPEND gone "${variable}=${${variable}}")
     elseif(${variable})
       list(APPEND present "${package}=${${variable}}")
+    elseif(${package}_DIR AND NOT ${package}_CONSIDERED_CONFIGS AND
+        NOT EXISTS "${${package}_DIR}/${package}Config.cmake")
+      list(APPEND gone "${package}_DIR=${${package}_DIR}, without ${package}Config.cmake")
     elseif(${package}_CONSIDERED_CONFIGS)
       list(APPEND absent "${package}, for ${${package}_CONSIDERED_CONFIGS} refuses: ${${package}_NOT_FOUND_MESSAGE}")
     else()
@@ -57,18 +69,18 @@ cnrg_required(GMP libgmp-dev GMP_INCLUDE_DIR GMP_LIBRARY_RELEASE GMPXX_LIBRARIES
 find_path(MPFR_INCLUDE_DIR mpfr.h HINTS ENV MPFR_INC_DIR)
 find_library(MPFR_LIBRARIES NAMES mpfr libmpfr-4 libmpfr-1 HINTS ENV MPFR_LIB_DIR)
 cnrg_required(MPFR libmpfr-dev MPFR_INCLUDE_DIR MPFR_LIBRARIES)
-find_package(Boost CONFIG QUIET)
+cnrg_find(Boost)
 cnrg_required(Boost libboost-dev Boost_FOUND)
 find_path(CNRG_CGAL_INCLUDE CGAL/version.h)
 cnrg_required(CGAL libcgal-dev CNRG_CGAL_INCLUDE)
-find_package(TBB CONFIG QUIET)
+cnrg_find(TBB)
 cnrg_required(oneTBB libtbb-dev TBB_FOUND)
-find_package(yaml-cpp CONFIG QUIET)
+cnrg_find(yaml-cpp)
 cnrg_required(yaml-cpp libyaml-cpp-dev yaml-cpp_FOUND)
 if(CNRG_PROGRAM)
-  find_package(CLI11 CONFIG QUIET)
+  cnrg_find(CLI11)
   cnrg_required(CLI11 libcli11-dev CLI11_FOUND)
-  find_package(nlohmann_json CONFIG QUIET)
+  cnrg_find(nlohmann_json)
   cnrg_required(nlohmann-json nlohmann-json3-dev nlohmann_json_FOUND)
   find_package(ZLIB QUIET)
   cnrg_required(zlib zlib1g-dev ZLIB_LIBRARIES)

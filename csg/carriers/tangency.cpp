@@ -406,8 +406,8 @@ class Finder : ContactMarks {
     const Rational part = product(way, off) / product(way, way);
     const MeridianPoint foot = slant.from + part * way, apart = off - part * way;
     if (part < 0 || part > 1 || foot.r <= 0 || product(apart, apart) != ball.radius * ball.radius) return;
-    const auto place = [&](const MeridianPoint& p) {
-      return placed.axis.foot + p.t * placed.axis.direction + p.r * *direction;
+    const auto place = [&placed, &across = *direction](const MeridianPoint& p) {
+      return placed.axis.foot + p.t * placed.axis.direction + p.r * across;
     };
     mark_line(a, *direction, place(slant.from), place(slant.to));
     mark_point(b, place(foot));

@@ -185,13 +185,15 @@ const std::optional<Contact>& Pieces::contact_of(std::uint32_t sheet, std::uint3
   const auto [it, fresh] = contacts_.try_emplace(std::minmax(sheet, other));
   if (!fresh) return it->second;
   // A plane, a quadric or a torus each, in this order.
-  const auto& [quadrics, tori] = equations_;
+  const auto& quadrics = equations_.quadrics;
+  const auto& tori = equations_.tori;
   const auto rank = [&](std::uint32_t s) { return tori.contains(s) ? 2 : quadrics.contains(s) ? 1 : 0; };
-  const auto [low, high] = std::minmax(sheet, other, [&](auto a, auto b) { return rank(a) < rank(b); });
+  const auto order = std::minmax(sheet, other, [&](auto a, auto b) { return rank(a) < rank(b); });
+  const std::uint32_t low = order.first, high = order.second;
   const auto plane = planes_.find(low);
-  const auto with = [&](const auto& surface) {
-    if (rank(low) == 1) it->second = contact(quadrics.at(low), surface);
-    else if (plane != planes_.end()) it->second = contact(plane->second, surface);
+  const auto with = [&, &found = it->second](const auto& surface) {
+    if (rank(low) == 1) found = contact(quadrics.at(low), surface);
+    else if (plane != planes_.end()) found = contact(plane->second, surface);
   };
   if (rank(low) == 2) it->second = contact(tori.at(low), tori.at(high));
   else if (rank(high) == 2) with(tori.at(high));

@@ -379,7 +379,7 @@ class PieceMaker {
       // Near nothing of another leaf, as the cell that is no piece.
       if (std::ranges::any_of(pieces, [](const auto& p) { return p.first == kNone; })) continue;
       std::vector<Piece>& all = out_.pieces_;
-      const auto of = [&](std::size_t i) -> const Piece& { return all[pieces[i].first]; };
+      const auto of = [&all, &pieces = pieces](std::size_t i) -> const Piece& { return all[pieces[i].first]; };
       const bool curved =
           std::ranges::any_of(pieces, [&](const auto& p) { return all[p.first].kind == Piece::Kind::cell; });
       std::set<std::uint32_t> sheets;

@@ -350,7 +350,7 @@ void SweptLeaf::finish(const PlacedSurface& surface, int parts, Cell& cell) {
       nodes.push_back(node);
     }
   }
-  const auto part_of_nodes = [&](std::initializer_list<std::array<int, 2>> corners) {
+  const auto part_of_nodes = [&, parts_x = parts_x](std::initializer_list<std::array<int, 2>> corners) {
     Part part;
     for (const auto& [i, j] : corners) {
       const Node& node = nodes[static_cast<std::size_t>(j * (parts_x + 1) + i)];

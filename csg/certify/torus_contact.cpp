@@ -68,7 +68,8 @@ std::optional<Tube> tube_of(const Quadric& q) {
 }
 
 std::optional<Contact> with_ball(const Torus& torus, const RationalPoint& middle, const Rational& around_it) {
-  const auto& [center, axis, radius, tube] = torus;
+  const RationalPoint &center = torus.center, &axis = torus.axis;  // clang 14 captures no bindings
+  const Rational &radius = torus.radius, &tube = torus.tube;
   const RationalPoint way = middle - center, flat = way - part_along(way, axis);
   const Rational off = dot(flat, flat), square = dot(way, way) + radius * radius, root2 = radius * radius * off;
   // The nearest or farthest point of the circle, where the distance is known, and from there to the surface.
@@ -92,7 +93,8 @@ std::optional<Contact> with_ball(const Torus& torus, const RationalPoint& middle
 }
 
 std::optional<Contact> with_cylinder(const Torus& torus, const Tube& cylinder) {
-  const auto& [center, axis, radius, tube] = torus;
+  const RationalPoint &center = torus.center, &axis = torus.axis;  // clang 14 captures no bindings
+  const Rational &radius = torus.radius, &tube = torus.tube;
   const Rational &thick = cylinder.radius, inner = radius - tube, outer = radius + tube;
   const RationalPoint way = cylinder.point - center;
   if (is_zero(cross(cylinder.direction, axis))) {

@@ -14,6 +14,9 @@ namespace cnrg {
 /// the extension is unknown; else as `read_file` (csg/text/input_file.h).
 MeshData read_mesh(const std::string& path, bool decimal, const std::string& inside = {});
 
+/// What reads .vtp, with its version; in a build without it that it is lacking, and what to install.
+std::string vtp_library();
+
 /// `read_mesh` knows the extension.
 bool is_mesh_file(const std::string& path);
 

@@ -374,6 +374,12 @@ class VtpReader {
 
 }  // namespace
 
+std::string vtp_library() {
+  const XML_Expat_Version version = XML_ExpatVersionInfo();
+  return "Expat " + std::to_string(version.major) + "." + std::to_string(version.minor) + "." +
+         std::to_string(version.micro);
+}
+
 MeshData read_vtp(const std::string& path, const std::string& text, bool decimal) {
   return VtpReader(path, text, decimal).read();
 }

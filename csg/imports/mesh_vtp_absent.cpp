@@ -4,11 +4,13 @@
 
 namespace cnrg {
 
+std::string vtp_library() {
+  return "this cnrg was built without Expat and zlib: install libexpat1-dev zlib1g-dev and build cnrg again with "
+         "CNRG_VTP=ON";
+}
+
 MeshData read_vtp(const std::string& path, const std::string&, bool) {
-  throw InputError(
-      "mesh: '" + path +
-      "': this cnrg has no Expat and zlib: install libexpat1-dev and zlib1g-dev and build cnrg again, or "
-      "give the mesh as .vtk");
+  throw InputError("mesh: '" + path + "': " + vtp_library() + ", or give the mesh as .vtk");
 }
 
 }  // namespace cnrg

@@ -80,7 +80,7 @@ class MemoryFile {
   int descriptor_ = -1;
   // Where there is no fork: what is in it, and where it is read.
   mutable std::string bytes_;
-  mutable std::size_t at_ = 0;
+  [[maybe_unused]] mutable std::size_t at_ = 0;
   [[noreturn]] void fail() const;
   [[noreturn]] void fail_by_system() const;
   std::size_t seek(std::ptrdiff_t at, int whence) const;

@@ -19,6 +19,12 @@
 namespace cnrg {
 namespace {
 
+#ifdef O_PATH
+constexpr int kPlaceOnly = O_PATH;
+#else  // a pipe or a device is opened, without waiting for its other end
+constexpr int kPlaceOnly = O_RDONLY | O_NONBLOCK;
+#endif
+
 class Descriptor {
  public:
   Descriptor(const std::string& path, int flags) : number_(open(path.c_str(), flags | O_CLOEXEC)) {}
@@ -68,7 +74,7 @@ std::string folder_of_inputs(const std::string& path) {
 
 std::string read_file(const std::string& path, const std::string& inside, std::size_t most) {
   std::error_code code;
-  const Descriptor place(path, O_PATH);
+  const Descriptor place(path, kPlaceOnly);
   if (!place.open_now() && !inside.empty()) refuse_outside(path, inside);  // tells nothing of what is elsewhere
   if (!place.open_now() && (errno == ENOENT || errno == ENOTDIR)) {
     throw FileError("there is no file '" + path + "': check the path");

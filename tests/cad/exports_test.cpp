@@ -516,8 +516,10 @@ TEST_CASE("random solids are valid, with the faces of the result on their surfac
     std::mt19937_64 random(seed);
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
     const auto eighths = [&](int from, int to) { return std::to_string(from + below(to - from)) + "/8"; };
+    // What is drawn has a name, for compilers differ in which operand comes first.
     const auto point = [&] {
-      return "[" + eighths(-10, 11) + ", " + eighths(-10, 11) + ", " + eighths(-10, 11) + "]";
+      const std::string z = eighths(-10, 11), y = eighths(-10, 11), x = eighths(-10, 11);
+      return "[" + x + ", " + y + ", " + z + "]";
     };
     std::string nodes = "nodes:\n", list;
     const int leaves = 2 + below(2);
@@ -525,23 +527,34 @@ TEST_CASE("random solids are valid, with the faces of the result on their surfac
       const std::string name(1, static_cast<char>('a' + i));
       nodes += "  " + name + ": {";
       switch (below(4)) {
-        case 0:
-          nodes += "box: {min: [-1/2, -1, " + eighths(-8, 0) + "], max: [1, " + eighths(1, 12) + ", 1]}";
+        case 0: {
+          const std::string back = eighths(1, 12), bottom = eighths(-8, 0);
+          nodes += "box: {min: [-1/2, -1, " + bottom + "], max: [1, " + back + ", 1]}";
           break;
-        case 1: nodes += "sphere: {center: " + point() + ", radius: " + eighths(6, 14) + ", segments: 40}"; break;
-        case 2:
-          nodes += "cylinder: {from: " + point() + ", to: [2, " + eighths(-4, 5) +
-                   ", 3/2], radius: " + eighths(3, 9) + ", segments: 40}";
+        }
+        case 1: {
+          const std::string radius = eighths(6, 14), center = point();
+          nodes += "sphere: {center: " + center + ", radius: " + radius + ", segments: 40}";
           break;
-        default:
-          nodes += "torus: {center: " + point() + ", axis: [0, " + std::to_string(below(2)) +
-                   ", 1], radius: " + eighths(8, 13) + ", tube: " + eighths(2, 5) + ", segments: 48, rings: 24}";
+        }
+        case 2: {
+          const std::string radius = eighths(3, 9), y = eighths(-4, 5), from = point();
+          nodes += "cylinder: {from: " + from + ", to: [2, " + y + ", 3/2], radius: " + radius + ", segments: 40}";
+          break;
+        }
+        default: {
+          const std::string tube = eighths(2, 5), radius = eighths(8, 13), y = std::to_string(below(2)),
+                            center = point();
+          nodes += "torus: {center: " + center + ", axis: [0, " + y + ", 1], radius: " + radius +
+                   ", tube: " + tube + ", segments: 48, rings: 24}";
+        }
       }
       nodes += "}\n";
       list += (i > 0 ? ", " : "") + name;
     }
-    nodes += std::string("  model: {") + (below(2) == 0 ? "union" : "difference") + ": [" + list +
-             "], dominance: " + (below(2) == 0 ? "left" : "right") + "}";
+    const bool left = below(2) == 0, united = below(2) == 0;
+    nodes += std::string("  model: {") + (united ? "union" : "difference") + ": [" + list +
+             "], dominance: " + (left ? "left" : "right") + "}";
     CAPTURE(nodes);
     Scene scene(nodes);
     const Result result = scene.result();

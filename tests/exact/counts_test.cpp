@@ -70,5 +70,15 @@ TEST_CASE("one more id than there are is an error, not the number of another thi
   CHECK(edges.size() == kMostIds);
 }
 
+// Half a gigabyte: a value is a bit.
+TEST_CASE("one more entry of lists than there are places is an error", "[counts][.limits]") {
+  using Bits = Csr<FaceId, bool>;
+  const auto too_many = Contains("4294967296 entries of lists, and at most 4294967295 ");
+  CHECK_THROWS_WITH(Bits::from_parts({0, 0}, std::vector<bool>(kMostPlaces + 1)), too_many);
+  Bits lists;
+  CHECK(lists.push_back(std::vector<bool>(kMostPlaces)) == FaceId(0));
+  CHECK_THROWS_WITH(lists.push_back(std::vector<bool>(1)), too_many);
+}
+
 }  // namespace
 }  // namespace cnrg

@@ -1,4 +1,5 @@
 // What CMake says where libraries are lacking: once, in our own words, with the package that brings them.
+#include <filesystem>
 #include <string>
 
 #include "tests/app/program.h"
@@ -7,9 +8,12 @@
 namespace cnrg {
 namespace {
 
-/// What a configuration that fails says. CMake breaks no line that begins with spaces.
+/// What a configuration that fails says, which may use the folder `broken`. CMake breaks no line that begins with
+/// spaces.
 std::string refusal(const std::string& options) {
   const Workshop w;
+  std::filesystem::create_directory(w.path("broken"));
+  w.write("broken/hdf5.h", "#error \"broken here\"\n");
   const Outcome o = w.shell("'" CNRG_CMAKE "' -S '" CNRG_SOURCES "' -B build -G '" CNRG_GENERATOR
                             "' -DCMAKE_CXX_COMPILER='" CNRG_CXX "' -DBUILD_TESTING=OFF " +
                             options + " >.out 2>.err");
@@ -38,6 +42,16 @@ TEST_CASE("an optional library whose path in CMake's cache is gone is refused wi
   const std::string said = refusal("-DCNRG_PROGRAM=OFF -DCNRG_VTP=ON -DEXPAT_LIBRARY=/gone/libexpat.so");
   for (const char* words : {"CNRG_VTP is ON, but", "/gone/libexpat.so", "libexpat1-dev", "CNRG_VTP=OFF"})
     CHECK_THAT(said, Catch::Contains(words));
+}
+
+TEST_CASE("what is there and cannot be used is refused with the reason, not replaced without a word",
+          "[install]") {
+  CHECK_THAT(refusal("-DCNRG_PROGRAM=OFF -DTBB_DIR=\"$PWD/broken\""),
+             Catch::Contains("TBB_DIR=/") && Catch::Contains("TBBConfig.cmake; correct it"));
+  CHECK_THAT(refusal("-DCNRG_PROGRAM=OFF -DCNRG_OPENCASCADE=ON -DOpenCASCADE_DIR=\"$PWD/broken\""),
+             Catch::Contains("OpenCASCADE_DIR=/") && Catch::Contains("OpenCASCADEConfig.cmake:"));
+  CHECK_THAT(refusal("-DCNRG_HDF5=ON -DCNRG_HDF5_INCLUDE=\"$PWD/broken\""),
+             Catch::Contains("CNRG_HDF5 is ON") && Catch::Contains("broken here"));
 }
 
 }  // namespace
