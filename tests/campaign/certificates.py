@@ -171,12 +171,17 @@ def main():
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
     kinds = [k for k in KINDS if options.only.replace(" ", "_") in k.__name__]
+    none = f"--only {options.only}: there are {', '.join(k.__name__ for k in KINDS)}"
+    if options.show is not None and not kinds:
+        parser.error(none)
     gaps = {"truth": ["general", "-1"], "contacts": ["contact"]}.get(options.mode, GAPS)
     if options.show is not None:
         print(json.dumps(draw(options.show, options.seed, kinds, gaps).tree(), indent=1))
         return 0
     cases = [(case.kind, case) for case in named() if options.only in case.kind and case.gap in gaps]
     cases += [(n, draw(n, options.seed, kinds, gaps)) for n in range(options.count if kinds else 0)]
+    if not cases:
+        parser.error(none)
     by_kind, by_distance, by_frame, by_contact = Counter(), Counter(), Counter(), Counter()
     wrong = 0
     with ThreadPoolExecutor(options.jobs) as pool:
