@@ -3,9 +3,7 @@
 #   CNRG_OPENCASCADE_TOOLKITS  the targets that STEP and BREP files need; empty where they cannot be had
 #   CNRG_OPENCASCADE_LACK      why they cannot be had, without a full stop; empty where they can
 # and cnrg_toolkits, by which tests find theirs.
-if(NOT OpenCASCADE_DIR OR EXISTS "${OpenCASCADE_DIR}/OpenCASCADEConfig.cmake")  # or CMake would take another one
-  find_package(OpenCASCADE QUIET)
-endif()
+cnrg_find(OpenCASCADE)
 
 # cnrg_toolkits(FOUND LACKING TOOLKIT...): the targets for toolkits by their names before 7.8, and the toolkits that have
 # no target.
