@@ -3,7 +3,9 @@
 #   CNRG_OPENCASCADE_TOOLKITS  the targets that STEP and BREP files need; empty where they cannot be had
 #   CNRG_OPENCASCADE_LACK      why they cannot be had, without a full stop; empty where they can
 # and cnrg_toolkits, by which tests find theirs.
-cnrg_find(OpenCASCADE)
+if(NOT OpenCASCADE_DIR OR EXISTS "${OpenCASCADE_DIR}/OpenCASCADEConfig.cmake")  # as cnrg_find; this file stands alone
+  find_package(OpenCASCADE QUIET)
+endif()
 
 # cnrg_toolkits(FOUND LACKING TOOLKIT...): the targets for toolkits by their names before 7.8, and the toolkits that have
 # no target.
