@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "csg/certify/pieces.h"
-#include "csg/leaves/cell_table.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 #include "kernel/base/limits.h"
@@ -245,11 +244,11 @@ SweptLeaf::SweptLeaf(const LeafInstance& placed) {
   const std::shared_ptr<const LeafParameters> parameters =
       surfaces && surfaces->complete() ? leaf.parameters()() : nullptr;
   const enclosure::RoundOutward outward;
-  if (const CellTable* const table = leaf.cells(); table != nullptr && table->volume_bound != 0.0) {
-    known_ = table->volume_bound.has_value();
+  if (const std::optional<double> bound = leaf.volume_bound(); bound != 0.0) {
+    known_ = bound.has_value();
     slabs_ = Slabs::everything();
     const Interval size = enclose(transform.determinant());
-    if (known_) volume_ = (Interval(*table->volume_bound) * Interval(most(size))).sup();
+    if (known_) volume_ = (Interval(*bound) * Interval(most(size))).sup();
     return;
   }
   for (std::size_t p = 0; p < soup.point_count(); ++p) slabs_.extend(enclose3(exact_value(soup, PointId(p))), 0);

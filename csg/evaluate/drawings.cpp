@@ -112,7 +112,7 @@ ProvenLines::Asked Drawings::asked_below(const std::vector<InstanceId>& roots) c
   for (const InstanceId root : roots) {
     below.emplace_back(leaves_.instances().size());
     for (const LeafId leaf : leaves_.below(unfolding_, root)) {
-      const bool read_back = leaves_.instances()[leaf.index()].leaf->cells() != nullptr;
+      const bool read_back = leaves_.instances()[leaf.index()].leaf->stored() != nullptr;
       below.back()[leaf.index()] = options_.proof == AskedProof::to_the_end || !read_back;
     }
   }

@@ -7,7 +7,7 @@
 #include "csg/result/flat.h"
 #include "csg/result/result_data.h"
 #include "csg/result/sizes.h"
-#include "csg/transfer/joined_leaf.h"
+#include "csg/transfer/stored_value.h"
 #include "csg/tree/dag.h"
 #include "csg/tree/sizes.h"
 #include "kernel/base/part_watch.h"
@@ -52,7 +52,7 @@ Result asking(const Result& result, const Tree& tree) {
   return Result(std::move(data));
 }
 
-/// By label, as `joined_leaf` gives them.
+/// By label, as StoredValue gives them.
 std::vector<LeafParts> parts_by_label(const ResultView& view, const FlatComplex& flat) {
   std::vector<LeafParts> out(flat.regions.size() + 1);
   const std::vector<LeafParts> parts = region_parts(view, flat);
@@ -86,12 +86,12 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
     view.volume_bound = [&]() -> std::optional<double> {
       return apart.data().volume_bound() == 0.0 ? std::optional(0.0) : std::nullopt;
     };
-    const FlatComplex flat = flatten(view);
+    FlatComplex flat = flatten(view);
     auto run = std::make_shared<JoinedRun>();
     run->regions = parts_by_label(view, flat);
     run->leaves = *evaluation.leaves;
     run->instances = std::move(evaluation.instances);
-    leaves_[id] = {joined_leaf(view, flat), std::move(run)};
+    leaves_[id] = {leaf_of(store(view, std::move(flat))), std::move(run)};
   } catch (const TreeError&) {
     throw;
   } catch (const InputError& e) {

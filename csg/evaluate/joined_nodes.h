@@ -8,7 +8,7 @@
 // node: the node's own transform, and those above, move what was joined, once, however many instances there are.
 //
 // Cells know the leaves below that made them: `join` tells of each new cell which old ones it is of, and the leaf
-// keeps that (CellMakers). In the users' complex these leaves have numbers of their own (leaf_numbers.h), so what
+// keeps that (StoredValue). In the users' complex these leaves have numbers of their own (leaf_numbers.h), so what
 // is asked of leaves, as `from` and `size`, finds them. What is lost are true surfaces, where something was
 // joined.
 #pragma once

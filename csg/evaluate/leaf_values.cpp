@@ -1,5 +1,5 @@
 // One pass over the complex gives the groups of all leaves. Most are values as they are; the cells of a result
-// that was read back may be open or of many components, which its file tells cell by cell; so is one that was
+// that was read back may be open or of many components, which is stored cell by cell; so is one that was
 // joined.
 #include "csg/evaluate/leaf_values.h"
 
@@ -7,31 +7,32 @@
 #include <vector>
 
 #include "csg/evaluate/operate.h"
-#include "csg/leaves/cell_table.h"
 #include "csg/operators/group.h"
 #include "csg/operators/say.h"
 
 namespace cnrg {
 namespace {
 
-/// A leaf's value; its regions have their attributes already. Of a result read back it is told by its cell table.
+/// A leaf's value; its regions have their attributes already. That of a result is stored.
 NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instance& placed, Grades& grades,
                    const Complex& complex, LeafId leaf, Group group, const CellMap& map, HeldCells& held) {
   const LeafInstance& instance = leaves.instances()[leaf.index()];
   const Node& node = tree.nodes[placed.node];
   Attributes own;
   if (!node.within) own = {node.label, grades.on(placed, node.material), node.properties};
-  const CellTable* table = instance.leaf->cells();
-  if (table == nullptr) {
+  const StoredValue* stored = instance.leaf->stored();
+  if (stored == nullptr) {
     say(complex, own, Saying::fills_in, group);
     return {complex, std::move(group)};
   }
   try {
     const auto count = static_cast<std::uint32_t>(instance.leaf->regions().size());
-    std::vector<Attributes> said = table->said;
-    for (Attributes& attributes : said) attributes.material = grades.moved(placed, attributes.material);
-    NodeValue value =
-        leaf_value(complex, leaf, group, *table, map, leaves.attributes(leaf, count, placed, grades), said, &held);
+    const auto moved = [&](Attributes said) {
+      said.material = grades.moved(placed, said.material);
+      return said;
+    };
+    NodeValue value = leaf_value(complex, leaf, group, *stored, map,
+                                 leaves.attributes(leaf, count, placed, grades), moved, &held);
     if (value.is_group()) {
       value.parts() =
           changed(complex, value.parts(), [&](Group& part) { say(complex, own, Saying::fills_in, part); });
@@ -51,10 +52,10 @@ CellMap map_of_results(std::span<const InstanceId> instances, const PreparedLeav
   std::vector<CellMap::Part> parts;
   for (const InstanceId i : instances) {
     const LeafId leaf = leaves.leaf_of(i);
-    const CellTable* table = leaf.valid() ? leaves.instances()[leaf.index()].leaf->cells() : nullptr;
-    if (table == nullptr) continue;
+    const StoredValue* stored = leaf.valid() ? leaves.instances()[leaf.index()].leaf->stored() : nullptr;
+    if (stored == nullptr) continue;
     if (points.empty()) points = carried.points_of_leaves(complex, vertex_of);
-    parts.push_back(part_of(leaf, *table, points[leaf]));
+    parts.push_back(part_of(leaf, *stored, points[leaf]));
   }
   return parts.empty() ? CellMap() : CellMap(complex, parts);
 }

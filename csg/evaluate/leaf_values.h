@@ -9,7 +9,7 @@
 namespace cnrg {
 
 /// Puts the values of the leaves among some instances (ascending): its group on the complex, with the attributes
-/// of its node; of a result read back (csg/leaves/cell_table.h) what its file says. TreeError, at the leaf, for a
+/// of its node; of a result read back what its file says. TreeError, at the leaf, for a
 /// result whose cells do not fit. `carried` has put the soup in order if one of the leaves is a result, and
 /// `vertex_of` is as RefineReport has it. Returns what of leaves below joined nodes holds the cells of these.
 HeldCells put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::span<const InstanceId> instances,

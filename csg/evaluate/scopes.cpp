@@ -185,7 +185,7 @@ class Scopes {
           instances[leaf.index()] = x_.placed.instances[leaf.index()];
       }
       const bool has_results = std::any_of(instances.begin(), instances.end(),
-                                           [](const auto& i) { return i.leaf->cells() != nullptr; });
+                                           [](const auto& i) { return i.leaf->stored() != nullptr; });
       const bool traced = has_results || !sections_.empty() || !steps_.empty();
       for (const CarriedGroup& group : carried.groups()) instances.push_back({group.leaf(), {}});
       Soup soup = make_soup(instances, x_.options.reach, surfaces(instances.size()));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "csg/leaves/cell_table.h"
 #include "csg/leaves/geometry_leaf.h"
 
 namespace cnrg {
@@ -15,9 +14,7 @@ SweptLeaves::SweptLeaves(const Tree& tree, const Unfolding& unfolding, const Pre
     const LeafId leaf = leaves.leaf_of(id);
     steps_.push_back(
         {tree.nodes[instance.node].op, leaf.valid() ? std::vector<InstanceId>() : instance.operands, leaf});
-    const auto curved = [&](const PreparedLeaf& one) {
-      return one.surfaces() || (one.cells() != nullptr && one.cells()->volume_bound != 0.0);
-    };
+    const auto curved = [&](const PreparedLeaf& one) { return one.surfaces() || one.volume_bound() != 0.0; };
     curved_.push_back(leaf.valid() ? curved(*leaves.instances()[leaf.index()].leaf)
                                    : std::ranges::any_of(steps_.back().operands, [&](InstanceId operand) {
                                        return curved_[operand.index()] != 0;

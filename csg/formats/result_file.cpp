@@ -152,12 +152,11 @@ Result read_result(const std::string& path) {
   options.vertices = true;
   RefineReport report;
   const std::shared_ptr<const Complex> complex = build_complex(make_soup({{leaf}}), options, &report);
-  const CellMap map(*complex, {part_of(LeafId(0), *leaf->cells(), report.vertex_of)});
+  const CellMap map(*complex, {part_of(LeafId(0), *leaf->stored(), report.vertex_of)});
   const auto data = std::make_shared<Result::Data>();
   data->complex = complex;
-  const auto value =
-      std::make_shared<const NodeValue>(leaf_value(*complex, LeafId(0), leaf_groups(*complex).front(),
-                                                   *leaf->cells(), map, leaf->regions(), leaf->cells()->said));
+  const auto value = std::make_shared<const NodeValue>(leaf_value(
+      *complex, LeafId(0), leaf_groups(*complex).front(), *leaf->stored(), map, leaf->regions(), std::identity()));
   data->value = value;
   SimplifiedComplex simplified = simplify(*complex, *value, selection_of(*complex, *value));
   put_in_order(*complex, simplified);

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -21,7 +22,7 @@ namespace cnrg {
 
 class LeafParameters;
 class LeafSurfaces;
-struct CellTable;
+struct StoredValue;
 
 /// The surfaces that carry the curved patches of a leaf, before its transform. csg/carriers compares those of all
 /// leaves; what is derived from this says which kinds there are.
@@ -79,8 +80,12 @@ class PreparedLeaf {
   /// What the leaf itself says of its regions (regions of a group, components of results read back): region i
   /// (from 1) has entry i - 1. The node's own attributes are in the tree. A grade is in the leaf's coordinates.
   virtual std::vector<Attributes> regions() const = 0;
-  /// The value of a result read back; `regions` are then its components. Nothing for all other leaves.
-  virtual const CellTable* cells() const { return nullptr; }
+  /// The value of a result read back or joined (csg/transfer/stored_value.h); `regions` are then its components.
+  /// Nothing for all other leaves.
+  virtual const StoredValue* stored() const { return nullptr; }
+  /// How far the volumes of such a value may be from those between true surfaces, before the transform; nothing:
+  /// nobody knows.
+  virtual std::optional<double> volume_bound() const { return 0.0; }
   /// Things to tell the user, such as an open mesh that is taken as a surface.
   virtual std::vector<std::string> notices() const { return {}; }
   /// True for planes and half-spaces.

@@ -4,7 +4,6 @@
 // Leaves with curved patches are made with a record of their parameters or (null, as `prepare` does) without.
 #pragma once
 
-#include "csg/leaves/cell_table.h"
 #include "csg/leaves/leaf.h"
 
 namespace cnrg {
@@ -60,9 +59,9 @@ std::unique_ptr<PreparedLeaf> prepare_mesh(const MeshShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_cad(const CadShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_group(const GroupShape& shape);
 
-// imports/result_leaf.cpp
+// transfer/result_check.cpp
 /// Reads a result that `cnrg eval -o file.json` wrote, of a group or of components: open, closed or neither, of
-/// any dimension. The leaf has the same complex and (PreparedLeaf::cells) the same value: components with their
+/// any dimension. The leaf has the same complex and (PreparedLeaf::stored) the same value: components with their
 /// names, materials and dominance, and features. Its soup has the faces by their loops (by their facets where they
 /// are not flat) with the regions on both sides (Fill::sides), the edges that bound no face as wires, and isolated
 /// points, active or not. Faces, edges and regions are numbered as in the file (regions from 1); patches are kept.

@@ -1,5 +1,5 @@
-// Every cell of the complex that lies on the leaf is a piece of one cell of the file (cell_map.h), a 3-cell is by
-// its label.
+// Every cell of the complex that lies on the leaf is a piece of one stored cell (cell_map.h), a 3-cell is by its
+// label.
 #include "csg/transfer/leaf_value.h"
 
 #include <algorithm>
@@ -24,24 +24,29 @@ constexpr const char* kAgain = "; write the file again with `cnrg eval -o`";
 
 class LeafValue {
  public:
-  LeafValue(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table, const CellMap& map)
-      : complex_(complex), leaf_(leaf), cells_(cells), table_(table), map_(map), part_(map.part_of(leaf)) {}
+  LeafValue(const Complex& complex, LeafId leaf, const Group& cells, const StoredValue& stored, const CellMap& map)
+      : complex_(complex), leaf_(leaf), cells_(cells), stored_(stored), map_(map), part_(map.part_of(leaf)) {
+    const auto& regions = stored.cells.regions;
+    const auto outside = std::find_if(regions.begin(), regions.end(), [](const auto& r) { return !r.bounded; });
+    if (outside != regions.end()) outside_ = Index(outside - regions.begin());
+  }
 
-  Components run(const std::vector<Attributes>& attributes, const std::vector<Attributes>& said) {
+  Components run(const std::vector<Attributes>& attributes,
+                 const std::function<Attributes(const Attributes&)>& placed) {
     select(static_cast<Component>(attributes.size()));
     const Selection& s = out_.selection;
     const auto set_origins = [&](const auto& cells, std::vector<LeafSetId>& origins) {
-      for (const auto& [cell, component] : cells) origins.push_back(set_of(made(piece(cell)), nullptr));
+      for (const auto& [cell, component] : cells) origins.push_back(set_of(stored(piece(cell)), nullptr));
     };
     set_origins(s.vertices, out_.origins.vertices);
     set_origins(s.edges, out_.origins.edges);
     set_origins(s.faces, out_.origins.faces);
     set_origins(s.regions, out_.origins.regions);
-    put_said(said);
+    put_said(placed);
     for (std::size_t i = 0; i < attributes.size(); ++i) {
-      out_.attributes.push_back({{attributes[i], {leaf_}}, table_.dominances[table_.group ? 0 : i]});
+      out_.attributes.push_back({{attributes[i], {leaf_}}, stored_.dominances[stored_.group ? 0 : i]});
     }
-    for (std::size_t i = 0; table_.makers != nullptr && i < s.regions.size(); ++i) {
+    for (std::size_t i = 0; i < s.regions.size(); ++i) {
       const auto set = out_.origins.sets[out_.origins.regions[i]];
       std::vector<LeafId>& leaves = out_.attributes[s.regions[i].second - 1].leaves;
       if (leaves.size() < set.size() || !std::includes(leaves.begin(), leaves.end(), set.begin(), set.end())) {
@@ -54,9 +59,15 @@ class LeafValue {
 
  private:
   using Piece = CellMap::Piece;
-  using Made = CellMakers::Made;
+  using Origin = FlatComplex::Provenance;
+  /// What is told of a cell.
+  struct Stored {
+    Component component = 0;
+    bool feature = false;
+    const Origin* origin = nullptr;
+  };
 
-  // The cell of the file that a cell is a piece of.
+  // The stored cell that a cell is a piece of.
   std::optional<Piece> piece_on(FaceId f) const {
     std::optional<Piece> found;
     map_.for_each_piece(complex_, f, [&](const Piece& piece) {
@@ -72,7 +83,7 @@ class LeafValue {
     const auto found = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.part == part_; });
     return found == pieces.end() ? std::nullopt : std::optional(*found);
   }
-  Piece piece(RegionId r) const { return {part_, 3, label(r)}; }
+  Piece piece(RegionId r) const { return {part_, 3, region(r)}; }
   Piece piece(FaceId f) const {
     const std::optional<Piece> found = piece_on(f);
     return found ? *found : piece(complex_.face_regions[f][0]);
@@ -83,47 +94,39 @@ class LeafValue {
     return found ? *found : piece(complex_.some_region(cell));
   }
 
-  /// What the file says of a cell.
-  CellTable::Cell stated(const Piece& of) const {
+  Stored stored(const Piece& of) const {
+    const auto told = [](const auto& cell) {
+      Stored out{cell.component, false, &cell.origin};
+      if constexpr (requires { cell.feature; }) out.feature = cell.feature;
+      return out;
+    };
     switch (of.dimension) {
-      case 0: return table_.vertices.at(of.number);
-      case 1: return table_.edges.at(of.number);
-      case 2: return {table_.faces.at(of.number), false, table_.said_of_faces.at(of.number)};
-      default: return {table_.regions.at(of.number)};
+      case 0: return told(stored_.cells.vertices.at(of.number));
+      case 1: return told(stored_.cells.edges.at(of.number));
+      case 2: return told(stored_.cells.faces.at(of.number));
+      default: return of.number == FlatComplex::kNone ? Stored() : told(stored_.cells.regions.at(of.number));
     }
   }
-  /// What made it; nullptr where only the leaf is known.
-  const Made* made(const Piece& of) const {
-    if (table_.makers == nullptr) return nullptr;
-    switch (of.dimension) {
-      case 0: return &table_.makers->vertices.at(of.number);
-      case 1: return &table_.makers->edges.at(of.number);
-      case 2: return &table_.makers->faces.at(of.number);
-      default: return &table_.makers->regions.at(of.number);
-    }
-  }
-
   LeafId here(LeafId of_run) const { return LeafId(leaf_.value() + 1 + of_run.value()); }
 
-  /// The leaf and those that made a cell, with what is said of it.
-  LeafSetId set_of(const Made* made, const SaidPointer& said) {
-    LeafSetId& set = sets_[{made, said.get()}];
+  /// The leaf and those that a cell came from, with what is said of it.
+  LeafSetId set_of(const Stored& cell, const SaidPointer& said) {
+    const Origin* const origin = cell.origin != nullptr && !cell.origin->leaves.empty() ? cell.origin : nullptr;
+    LeafSetId& set = sets_[{origin, said.get()}];
     if (set.valid()) return set;
     std::vector<LeafId> leaves{leaf_};
-    if (made != nullptr) {
-      for (const LeafId leaf : made->leaves) leaves.push_back(here(leaf));
+    if (origin != nullptr) {
+      for (const LeafId leaf : origin->leaves) leaves.push_back(here(leaf));
     }
     return set = out_.origins.sets.intern(leaves, said);
   }
 
  public:
-  /// After `run`: the cells of the leaves that made its cells.
+  /// After `run`: the cells of the leaves that its cells came from.
   void list_held(const Selection& selection, HeldCells& held) const {
     const auto add = [&](const auto& cells, auto& list) {
       for (const auto& [cell, component] : cells) {
-        const Made* const by = made(piece(cell));
-        if (by == nullptr) continue;
-        for (const LeafCell& of : by->cells)
+        for (const LeafCell& of : stored(piece(cell)).origin->cells)
           list.emplace_back(cell, LeafCell{here(of.leaf), of.dimension, of.number});
       }
     };
@@ -133,21 +136,22 @@ class LeafValue {
   }
 
  private:
-  /// A cell has what the file says of the cell that it is a piece of; else what is said of a face or an edge that
-  /// it bounds.
-  void put_said(const std::vector<Attributes>& said) {
-    if (said.empty()) return;
+  /// A cell has what is said of the cell that it is a piece of; else what is said of a face or an edge that it
+  /// bounds.
+  void put_said(const std::function<Attributes(const Attributes&)>& placed) {
+    if (stored_.said.empty()) return;
     Scratch<EdgeId, LeafSetId::Value> at_edge(complex_.edge_count());  // 1 + the set
     Scratch<VertexId, LeafSetId::Value> at_vertex(complex_.points.size());
-    std::map<std::pair<Index, int>, SaidPointer> known;
+    std::map<std::pair<const Attributes*, int>, SaidPointer> known;
     const auto said_by = [&](LeafSetId set) -> const SaidPointer& { return out_.origins.sets.said(set); };
     const auto told = [&](const Piece& of) {
-      SaidPointer& what = known[{stated(of).said, of.dimension}];
-      if (what == nullptr) what = std::make_shared<const Said>(Said{said[stated(of).said], of.dimension});
-      return set_of(made(of), what);
+      const Stored cell = stored(of);
+      SaidPointer& what = known[{cell.origin->said, of.dimension}];
+      if (what == nullptr) what = std::make_shared<const Said>(Said{placed(*cell.origin->said), of.dimension});
+      return set_of(cell, what);
     };
     const auto speaks = [&](const Piece& of, int dimension) {
-      return of.dimension == dimension && stated(of).said != CellTable::kSilent;
+      return of.dimension == dimension && stored(of).origin->said != nullptr;
     };
     const auto bound = [&](auto& around, auto cell, LeafSetId set) {
       if (around.get(cell) == 0) around[cell] = set.value() + 1;
@@ -173,7 +177,7 @@ class LeafValue {
         set = told(of);
         for (const VertexId v : complex_.edge_ends[e]) at_vertex[v] = set.value() + 1;
       } else if (at_edge.get(e) != 0) {
-        set = set_of(made(of), said_by(LeafSetId(at_edge.get(e) - 1)));
+        set = set_of(stored(of), said_by(LeafSetId(at_edge.get(e) - 1)));
       }
     }
     for (std::size_t i = 0; i < s.vertices.size(); ++i) {
@@ -181,15 +185,16 @@ class LeafValue {
       const Piece of = piece(v);
       if (speaks(of, 0)) out_.origins.vertices[i] = told(of);
       else if (at_vertex.get(v) != 0)
-        out_.origins.vertices[i] = set_of(made(of), said_by(LeafSetId(at_vertex.get(v) - 1)));
+        out_.origins.vertices[i] = set_of(stored(of), said_by(LeafSetId(at_vertex.get(v) - 1)));
     }
   }
 
-  std::uint32_t label(RegionId r) const {
+  /// The stored region of a 3-cell; kNone where there is none.
+  Index region(RegionId r) const {
     for (const Label& label : complex_.labels(r)) {
-      if (label.leaf == leaf_) return label.region;
+      if (label.leaf == leaf_) return label.region - 1;
     }
-    return 0;
+    return outside_;
   }
 
   /// Active 3-cells and what is inside of their regions, then the cells that lie on the leaf.
@@ -200,10 +205,10 @@ class LeafValue {
     inside.vertices = cells_.vertices;
     inside.regions.resize(count);
     const auto add = [&](RegionId r) {
-      const Component c = stated(piece(r)).component;
+      const Component c = stored(piece(r)).component;
       if (c != 0) inside.cells.emplace_back(r, c);
     };
-    if (table_.regions[0] == 0) {
+    if (outside_ == FlatComplex::kNone || stored_.cells.regions[outside_].component == 0) {
       for (const auto& [r, region] : cells_.cells) add(r);
     } else {
       for (const RegionId r : IdRange<RegionId>(complex_.region_count)) {
@@ -216,7 +221,7 @@ class LeafValue {
         if (c != count + 1) continue;
         const std::optional<Piece> of = piece_on(id);
         require(of.has_value(), "leaf_value: a cell of a leaf lies on none of its faces");
-        const CellTable::Cell cell = stated(*of);
+        const Stored cell = stored(*of);
         c = cell.component;
         if (cell.feature && c != 0 && of->dimension == dimension) see_feature(id);
       }
@@ -230,14 +235,15 @@ class LeafValue {
   const Complex& complex_;
   const LeafId leaf_;
   const Group& cells_;
-  const CellTable& table_;
+  const StoredValue& stored_;
   const CellMap& map_;
   const Index part_;
-  std::map<std::pair<const Made*, const Said*>, LeafSetId> sets_;
+  Index outside_ = FlatComplex::kNone;  // the unbounded region
+  std::map<std::pair<const Origin*, const Said*>, LeafSetId> sets_;
   Components out_;
 };
 
-/// `group_of` numbers regions as they come in the complex; in the file region i is component i.
+/// `group_of` numbers regions as they come in the complex; in the value region i is component i.
 void keep_numbers(const Components& components, Group& group) {
   std::vector<RegionAttributes> regions(components.attributes.size() - 1);
   std::vector<Component> number(group.regions.size() + 1, 0);
@@ -254,25 +260,27 @@ void keep_numbers(const Components& components, Group& group) {
 
 }  // namespace
 
-CellMap::Part part_of(LeafId leaf, const CellTable& table, std::span<const VertexId> points) {
+CellMap::Part part_of(LeafId leaf, const StoredValue& stored, std::span<const VertexId> points) {
   CellMap::Part part{leaf, {}, {}};
-  for (const auto& [ends, edge] : table.segments)
-    part.segments.push_back({{points[ends.first], points[ends.second]}, edge});
-  for (const auto& [point, cell] : table.vertices) part.vertices.emplace_back(points[point], point);
+  const auto& [vertices, edges] = std::tie(stored.cells.vertices, stored.cells.edges);
+  for (Index i = 0; i < edges.size(); ++i) {
+    for_each_piece(edges[i], [&](Index a, Index b) { part.segments.push_back({{points[a], points[b]}, i}); });
+  }
+  for (Index i = 0; i < vertices.size(); ++i) part.vertices.emplace_back(points[vertices[i].point], i);
   return part;
 }
 
-NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table,
+NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, const StoredValue& stored,
                      const CellMap& map, const std::vector<Attributes>& attributes,
-                     const std::vector<Attributes>& said, HeldCells* held) {
+                     const std::function<Attributes(const Attributes&)>& placed, HeldCells* held) {
   std::vector<Attributes> all = attributes;
-  if (table.group) all.push_back({.name = Name::of_entities()});
+  if (stored.group) all.push_back({.name = Name::of_entities()});
   if (map.overlap() && map.overlap()->first.part == map.part_of(leaf))
     refuse_overlap(map.overlap()->first, map.overlap()->second);
-  LeafValue made(complex, leaf, cells, table, map);
-  Components components = made.run(all, said);
+  LeafValue made(complex, leaf, cells, stored, map);
+  Components components = made.run(all, placed);
   if (held != nullptr) made.list_held(components.selection, *held);
-  if (!table.group) return components;
+  if (!stored.group) return components;
   const CellSet missing = missing_boundary(complex, components);
   if (!missing.empty()) {
     throw InputError("the result calls itself a group but is not closed: " + std::to_string(missing.size()) +
@@ -280,7 +288,7 @@ NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, co
   }
   Group group = group_of(complex, components);
   keep_numbers(components, group);
-  group.dominance = table.dominances[0];
+  group.dominance = stored.dominances[0];
   return {complex, std::move(group)};
 }
 

@@ -18,6 +18,7 @@
 #include "csg/transfer/marked_cells.h"
 #include "csg/transfer/result_triangles.h"
 #include "kernel/base/leaf_words.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/union_find.h"
 #include "kernel/complex/builder.h"
 #include "kernel/exact/exact_vectors.h"
@@ -28,6 +29,7 @@ namespace result {
 namespace {
 
 using Piece = CellMap::Piece;
+using Loop = FlatComplex::Loop;
 
 std::string words(const char* kind, Index number) { return std::string(kind) + " " + std::to_string(number); }
 template <class List>
@@ -43,10 +45,10 @@ std::string words(const List& list) {
 }
 
 /// The cells of the file as a complex; an error at the first face that is not planar, or whose sides are not.
-std::shared_ptr<const Complex> complex_of(const Cursor& root, const Content& content) {
+std::shared_ptr<const Complex> complex_of(const Cursor& root, const StoredValue& stored) {
   const auto made = [&](Fill fill) {
     Soup soup;
-    add_to(soup, content, {}, fill);
+    add_to(soup, stored, {}, fill);
     return build_complex(soup);
   };
   const auto face = [&](const LeafError& e) {
@@ -67,20 +69,23 @@ std::shared_ptr<const Complex> complex_of(const Cursor& root, const Content& con
 
 class Check {
  public:
-  Check(const Cursor& root, const Content& content)
-      : root_(root), content_(content), table_(content.table), made_(complex_of(root, content)), c_(*made_) {}
+  Check(const Cursor& root, const StoredValue& stored)
+      : root_(root), stored_(stored), cells_(stored.cells), made_(complex_of(root, stored)), c_(*made_) {
+    for (Index i = 0; i < cells_.faces.size(); ++i)
+      for_each_facet(cells_.faces[i], [&](auto&&...) { face_of_facet_.push_back(i); });
+  }
 
   void run() {
-    if (table_.group) require_group();
+    if (stored_.group) require_group();
     std::vector<VertexId> points;
-    for (Index p = 0; p < table_.points.size(); ++p)
+    for (Index p = 0; p < stored_.points.size(); ++p)
       points.emplace_back(p);  // all distinct: they keep their numbers
-    const CellMap map(c_, {part_of(LeafId(0), table_, points)});
+    const CellMap map(c_, {part_of(LeafId(0), stored_, points)});
     require_apart(map);
     const std::vector<PlacedFacet> facets = place_facets();
     require_one_place(facets);
     const NodeValue value =
-        leaf_value(c_, LeafId(0), leaf_groups(c_).front(), table_, map, content_.components, {});
+        leaf_value(c_, LeafId(0), leaf_groups(c_).front(), stored_, map, stored_.components, std::identity());
     const MarkedCells marks = marks_of(map);
     const SimplifiedComplex simplified =
         simplify(c_, selection_of(c_, value), value.features(), SimplifyMode::features, &marks);
@@ -94,26 +99,27 @@ class Check {
 
  private:
   const Cursor& root_;
-  const Content& content_;
-  const CellTable& table_;
+  const StoredValue& stored_;
+  const FlatComplex& cells_;
   const std::shared_ptr<const Complex> made_;
   const Complex& c_;
+  std::vector<Index> face_of_facet_;
   FlatComplex flat_;
 
   // --- before the cells are flattened
 
   /// A component is one region, in one piece but for faces that are inside of it; features are of entities.
   void require_group() const {
-    UnionFind sets(content_.regions.size());
-    for (Index i = 0; i < content_.faces.size(); ++i) {
-      const auto [front, back] = content_.faces[i].regions;
-      const Index c = table_.faces[i];
-      if (c != 0 && content_.regions[front].component == c && content_.regions[back].component == c)
+    UnionFind sets(cells_.regions.size());
+    for (const FlatComplex::Face& face : cells_.faces) {
+      const auto [front, back] = face.regions;
+      const Index c = face.component;
+      if (c != 0 && cells_.regions[front].component == c && cells_.regions[back].component == c)
         sets.unite(front, back);
     }
-    std::vector<Index> first(content_.components.size() + 1, kNone);
-    for (Index i = 0; i < content_.regions.size(); ++i) {
-      const Index c = content_.regions[i].component;
+    std::vector<Index> first(stored_.components.size() + 1, kNone);
+    for (Index i = 0; i < cells_.regions.size(); ++i) {
+      const Index c = cells_.regions[i].component;
       if (c == 0) continue;
       if (first[c] == kNone) first[c] = i;
       if (sets.find(i) == sets.find(first[c])) continue;
@@ -125,13 +131,14 @@ class Check {
       if (first[c] == kNone)
         at("components", c - 1).refuse("in a group a component is a region, and none is of this one");
     }
-    const auto require_entity = [&](const char* kind, Index i, const CellTable::Cell& cell) {
-      if (cell.feature && cell.component != content_.entities())
-        at(kind, i).member("feature").refuse("only entities of a group are features");
+    const auto require_entities = [&](const char* kind, const auto& cells) {
+      for (Index i = 0; i < cells.size(); ++i) {
+        if (cells[i].feature && cells[i].component != stored_.components.size() + 1)
+          at(kind, i).member("feature").refuse("only entities of a group are features");
+      }
     };
-    Index i = 0;
-    for (const auto& [point, cell] : table_.vertices) require_entity("vertices", i++, cell);
-    for (i = 0; i < table_.edges.size(); ++i) require_entity("edges", i, table_.edges[i]);
+    require_entities("vertices", cells_.vertices);
+    require_entities("edges", cells_.edges);
   }
 
   /// Cells meet in points of the file only, and none lies on another one.
@@ -141,7 +148,7 @@ class Check {
       if (!first || piece < first->first) first.emplace(piece, v);
     };
     for (const VertexId v : c_.vertices) {
-      if (v.index() < table_.points.size()) continue;
+      if (v.index() < stored_.points.size()) continue;
       for (const Piece& piece : map.pieces(v)) see(piece, v);
     }
     if (first) {
@@ -156,12 +163,12 @@ class Check {
 
   /// Every facet is one face.
   std::vector<PlacedFacet> place_facets() const {
-    std::vector<PlacedFacet> facets(content_.facets.size());
+    std::vector<PlacedFacet> facets(face_of_facet_.size());
     for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
       const auto covers = c_.cover(f);
-      const Index k = covers[0].source.value(), face = content_.facets[k].face;
+      const Index k = covers[0].source.value(), face = face_of_facet_[k];
       if (covers.size() > 1) {
-        const Index other = content_.facets[covers[1].source.index()].face;
+        const Index other = face_of_facet_[covers[1].source.index()];
         at("faces", face)
             .refuse(other == face ? "facets of this face lie on each other"
                                   : "this face and " + words("face", other) + " lie on each other");
@@ -170,19 +177,19 @@ class Check {
       facets[k] = {f, covers[0].same};
     }
     for (Index k = 0; k < facets.size(); ++k) {
-      if (!facets[k].cell.valid()) at("faces", content_.facets[k].face).refuse("a face without area");
+      if (!facets[k].cell.valid()) at("faces", face_of_facet_[k]).refuse("a face without area");
     }
     return facets;
   }
 
   /// A region of the file is one of the complex.
   void require_one_place(const std::vector<PlacedFacet>& facets) const {
-    std::vector<RegionId> place(content_.regions.size());
+    std::vector<RegionId> place(cells_.regions.size());
     for (Index k = 0; k < facets.size(); ++k) {
-      const Index face = content_.facets[k].face;
+      const Index face = face_of_facet_[k];
       for (unsigned side = 0; side < 2; ++side) {
         const RegionId r = c_.region(HalfFace(facets[k].cell, facets[k].same ? side : 1 - side));
-        RegionId& known = place[content_.faces[face].regions[side]];
+        RegionId& known = place[cells_.faces[face].regions[side]];
         if (known.valid() && known != r)
           at("faces", face).member("regions").at(side).refuse("this side does not look into that region");
         known = r;
@@ -201,17 +208,17 @@ class Check {
       if (component != 0) list[id] = piece.number + 1;
     };
     for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
-      map.for_each_piece(c_, f,
-                         [&](const Piece& piece) { mark(marks.faces, f, piece, table_.faces[piece.number]); });
+      map.for_each_piece(
+          c_, f, [&](const Piece& piece) { mark(marks.faces, f, piece, cells_.faces[piece.number].component); });
     }
     for (const EdgeId e : IdRange<EdgeId>(c_.edge_count())) {
       for (const Piece& piece : map.pieces(e)) {
-        if (piece.dimension == 1) mark(marks.edges, e, piece, table_.edges[piece.number].component);
+        if (piece.dimension == 1) mark(marks.edges, e, piece, cells_.edges[piece.number].component);
       }
     }
     for (const VertexId v : c_.vertices) {
       for (const Piece& piece : map.pieces(v)) {
-        if (piece.dimension == 0) mark(marks.vertices, v, piece, table_.vertices.at(piece.number).component);
+        if (piece.dimension == 0) mark(marks.vertices, v, piece, cells_.vertices[piece.number].component);
       }
     }
     return marks;
@@ -219,9 +226,8 @@ class Check {
 
   Cursor at(const char* kind, std::size_t i) const { return root_.member(kind).at(i); }
   Cursor cell(const Piece& piece) const {
-    if (piece.dimension > 0) return at(piece.dimension == 1 ? "edges" : "faces", piece.number);
-    const auto vertex = table_.vertices.find(piece.number);
-    return at("vertices", std::size_t(std::distance(table_.vertices.begin(), vertex)));
+    static constexpr const char* kLists[] = {"vertices", "edges", "faces"};
+    return at(kLists[piece.dimension], piece.number);
   }
 
   // --- what was flattened, and the file
@@ -237,22 +243,12 @@ class Check {
   static void same(const Cursor& at, bool made, const char* yes, const char* no) {
     if (at.boolean() != made) at.refuse(made ? yes : no);
   }
-  template <class Loops>
-  static void same_loops(const Cursor& at, const std::vector<Loop>& stated, const Loops& made) {
-    if (!std::equal(stated.begin(), stated.end(), made.begin(), made.end(), [](const auto& a, const auto& b) {
-          return std::equal(a.begin(), a.end(), b.begin(), b.end());
-        }))
-      at.member("loops").refuse("the loops that the cells of the file make are " + words(made));
+  static void same_loops(const Cursor& at, const std::vector<Loop>& stated, const std::vector<Loop>& made) {
+    if (stated != made) at.member("loops").refuse("the loops that the cells of the file make are " + words(made));
   }
   template <class Points>
-  void same_isolated(const Cursor& at, const Points& made) const {
-    if (!at.has("isolated") && made.empty()) return;
-    const Cursor list = at.member("isolated").array();
-    if (list.size() == 0) list.refuse("what is empty is left out");
-    Loop stated;
-    for (std::size_t i = 0; i < list.size(); ++i)
-      stated.push_back(list.at(i).number(table_.points.size(), "point"));
-    same(list, stated, made);
+  static void same_isolated(const Cursor& at, const Points& stated, const Points& made) {
+    if (at.has("isolated") || !made.empty()) same(at.member("isolated"), stated, made);
   }
 
   /// Calls `see` for each cell of a list, which must have as many.
@@ -267,75 +263,75 @@ class Check {
   }
 
   void compare(const std::vector<PlacedFacet>& facets) const {
-    for (Index p = 0; p < table_.points.size(); ++p) {
+    for (Index p = 0; p < stored_.points.size(); ++p) {
       if (p < flat_.points.size() && flat_.points[p].value() == p) continue;
       at("points", p)
           .refuse("this point is inside of a straight edge or of a face, and no vertex; it is left out");
     }
-    auto vertex = table_.vertices.begin();
-    each("vertices", flat_.vertices, [&](const Cursor& at, const FlatComplex::Vertex& made, Index) {
-      const auto& [point, stated] = *vertex++;
-      same(at.member("point"), point, made.point, "point");
-      compare_state(at, stated, made);
-      if (made.feature != stated.feature) at.member("feature").refuse(kNoFeature);
+    each("vertices", flat_.vertices, [&](const Cursor& at, const FlatComplex::Vertex& made, Index i) {
+      same(at.member("point"), cells_.vertices[i].point, made.point, "point");
+      compare_state(at, cells_.vertices[i], made);
       compare_region(at, made.free, made.region);
     });
     each("edges", flat_.edges, [&](const Cursor& at, const FlatComplex::Edge& made, Index i) {
-      Loop stated = content_.edges[i].points;
-      if (content_.edges[i].closed) stated.pop_back();
-      same(at.member("points"), stated, made.points);
+      same(at.member("points"), cells_.edges[i].points, made.points);
       same(at.member("closed"), made.closed, "this edge has no vertex and is closed", "this edge has ends");
-      compare_state(at, table_.edges[i], made);
-      if (made.feature != table_.edges[i].feature) at.member("feature").refuse(kNoFeature);
+      compare_state(at, cells_.edges[i], made);
       same(at.member("wire"), made.wire, "no face has this edge on its boundary",
            "a face has this edge on its boundary");
       compare_region(at, made.wire, made.region);
     });
     each("faces", flat_.faces, [&](const Cursor& at, const FlatComplex::Face& made, Index i) {
-      compare_face(at, content_.faces[i], made);
-      compare_state(at, {table_.faces[i]}, made);
-      require_triangles(c_, content_, content_.faces[i], facets, at);
+      const FlatComplex::Face& face = cells_.faces[i];
+      compare_face(at, face, made);
+      compare_state(at, face, made);
+      const auto first = std::lower_bound(face_of_facet_.begin(), face_of_facet_.end(), i);
+      require_triangles(c_, stored_.points, face, facets.data() + (first - face_of_facet_.begin()), at);
     });
     each("regions", flat_.regions,
          [&](const Cursor& at, const FlatComplex::Region& made, Index i) { compare_region(at, made, i); });
   }
-  static constexpr const char* kNoFeature = "a cell that is no part of the result is no feature";
 
   template <class Cell>
-  void compare_state(const Cursor& at, const CellTable::Cell& stated, const Cell& made) const {
+  static void compare_state(const Cursor& at, const Cell& stated, const Cell& made) {
     same(at.member("component"), stated.component, made.component, "component");
     same(at.member("entity"), made.entity, "the regions around this cell are not all of its component",
          stated.component == 0 ? "a cell that is no part of the result is no entity"
                                : "this cell is in the interior of a region of its component");
+    if constexpr (requires { made.feature; }) {
+      if (made.feature != stated.feature)
+        at.member("feature").refuse("a cell that is no part of the result is no feature");
+    }
   }
 
   /// The member `region` of a cell that no face bounds or holds; other cells have none.
   void compare_region(const Cursor& at, bool wanted, Index made) const {
     if (wanted && made != kNone) {
-      same(at.member("region"), at.member("region").number(content_.regions.size(), "region"), made, "region");
+      same(at.member("region"), at.member("region").number(cells_.regions.size(), "region"), made, "region");
     } else if (at.has("region")) {
       at.member("region").refuse("faces are around this cell, and say which regions are");
     }
   }
 
-  void compare_face(const Cursor& at, const Face& stated, const FlatComplex::Face& made) const {
-    same_loops(at, content_.walks(stated), made.loops);
-    same_isolated(at, made.isolated);
+  static void compare_face(const Cursor& at, const FlatComplex::Face& stated, const FlatComplex::Face& made) {
+    same_loops(at, stated.loops, made.loops);
+    same_isolated(at, stated.isolated, made.isolated);
     same(at.member("regions"), stated.regions, made.regions);
-    if (stated.flat != made.facets.empty())
-      at.refuse(stated.flat ? "this face is not flat, and has facets" : "this face is flat, and has no facets");
-    if (stated.flat) return;
+    const bool flat = stated.facets.empty();
+    if (flat != made.facets.empty())
+      at.refuse(flat ? "this face is not flat, and has facets" : "this face is flat, and has no facets");
+    if (flat) return;
     const Cursor facets = at.member("facets");
     for (std::size_t k = 0; k < facets.size(); ++k) {
       if (k == made.facets.size()) facets.at(k).refuse("this facet is none");
-      same_loops(facets.at(k), content_.facets[stated.first + k].walks, made.facets[k].loops);
-      same_isolated(facets.at(k), made.facets[k].isolated);
+      same_loops(facets.at(k), stated.facets[k].loops, made.facets[k].loops);
+      same_isolated(facets.at(k), stated.facets[k].isolated, made.facets[k].isolated);
     }
     if (facets.size() < made.facets.size()) facets.refuse("a facet is missing behind the last one");
   }
 
   void compare_region(const Cursor& at, const FlatComplex::Region& made, Index i) const {
-    same(at.member("component"), content_.regions[i].component, made.component, "component");
+    same(at.member("component"), cells_.regions[i].component, made.component, "component");
     same(at.member("bounded"), made.bounded, "this region has bounds", "this region reaches infinity");
     const Cursor shells = at.member("shells").array();
     for (std::size_t s = 0; s < shells.size() || s < made.shells.size(); ++s) {
@@ -363,7 +359,7 @@ class Check {
       if (k == shell.size()) shell.refuse("a side is missing: " + wanted());
       const Cursor side = shell.at(k).only({"face", "side"});
       if (k == made.size()) side.refuse("this side is not of this shell");
-      const Index face = side.member("face").number(content_.faces.size(), "face");
+      const Index face = side.member("face").number(cells_.faces.size(), "face");
       const std::string which = side.member("side").text();
       if (which != "front" && which != "back") side.member("side").refuse("`front` or `back` is needed here");
       if (2 * face + (which == "back") != made[k]) side.refuse("here in this shell is " + wanted());
@@ -390,9 +386,9 @@ std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
 std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name) {
   const result::JsonFile file = result::parsed(text, name);
   const result::Cursor root(file);
-  result::Content content = result::read_content(root);
-  result::Check(root, content).run();
-  return result::leaf_of(std::move(content));
+  StoredValue stored = result::read_value(root);
+  result::Check(root, stored).run();
+  return leaf_of(std::move(stored));
 }
 
 }  // namespace cnrg

@@ -11,49 +11,65 @@
 namespace cnrg::result {
 namespace {
 
+using Loop = FlatComplex::Loop;
 using Step = std::pair<Index, Index>;  // from point to point
 
 class TriangleCheck {
  public:
-  TriangleCheck(const Complex& complex, const Content& content, const std::vector<PlacedFacet>& facets)
-      : content_(content), table_(content.table), c_(complex), facets_(facets) {}
+  TriangleCheck(const Complex& complex, const std::vector<RationalPoint>& points, const FlatComplex::Face& face)
+      : c_(complex), points_(points), face_(face) {}
 
-  void run(const Face& face, const Cursor& at) const {
-    check_triangles(at, face);
-    check_cells(at, face);
-  }
-
- private:
   /// Triangles are turned as their facet is, and their sides cancel but for its walks: so they cover it, once.
-  void check_triangles(const Cursor& at, const Face& face) const {
+  void check_triangles(const Cursor& at, const PlacedFacet* placed) const {
     const Cursor list = at.member("triangles").array();
     std::size_t t = 0;
     std::vector<std::array<Index, 3>> triangles;
-    for (std::size_t k = face.first; k < face.first + face.facets; ++k) {
-      const Facet& facet = content_.facets[k];
-      std::size_t wanted = 2 * facet.walks.size() + 2 * facet.isolated.size();
-      for (const Loop& walk : facet.walks) wanted += walk.size();
+    for_each_facet(face_, [&](const std::vector<Loop>& walks, const auto& isolated) {
+      std::size_t wanted = 2 * walks.size() + 2 * isolated.size();
+      for (const Loop& walk : walks) wanted += walk.size();
       wanted -= 4;  // by Euler's formula: each corner is one of some triangle
       triangles.clear();
       for (; triangles.size() < wanted && t < list.size(); ++t) {
-        triangles.push_back(triangle(list.at(t), facets_[k]));
+        triangles.push_back(triangle(list.at(t), *placed));
         if (triangles.size() > 1 && triangles.back() < triangles[triangles.size() - 2]) {
           list.at(t).refuse("the triangles of a facet are in the order of their points");
         }
       }
+      ++placed;
       if (triangles.size() < wanted) list.refuse("triangles are missing: they do not cover the face");
-      if (face.flat && facet.walks.size() == 1 && wanted == 1 &&
-          triangles[0] == std::array{facet.walks[0][0], facet.walks[0][1], facet.walks[0][2]})
-        continue;
-      require_covered(list, facet, triangles);
-    }
+      const bool is_triangle =
+          face_.facets.empty() && walks.size() == 1 && wanted == 1 && std::ranges::equal(triangles[0], walks[0]);
+      if (!is_triangle) require_covered(list, walks, isolated, triangles);
+    });
     if (t < list.size()) list.at(t).refuse("there are more triangles than cover the face");
   }
 
+  /// Each facet lies in the cells of its patch.
+  void check_cells(const Cursor& at) const {
+    if (!at.has("cells")) return;
+    std::size_t facet = 0;
+    for_each_facet(face_, [&](const std::vector<Loop>& walks, const auto&) {
+      const auto& cells = face_.cells[facet];
+      const Cursor list = at.member("cells").at(facet++);
+      for (const Loop& walk : walks) {
+        for (const Index p : walk) {
+          bool held = false;
+          for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (!in_plane(cells[i], points_[p]))
+              list.at(i).refuse("the facet does not lie in the plane of this cell");
+            held = held || holds(cells[i], points_[p]);
+          }
+          if (!held) list.refuse("point " + std::to_string(p) + " of the facet is in none of these cells");
+        }
+      }
+    });
+  }
+
+ private:
   std::array<Index, 3> triangle(const Cursor& at, const PlacedFacet& facet) const {
     at.array_of(3, "a triangle has three points");
     std::array<Index, 3> p{};
-    for (std::size_t k = 0; k < 3; ++k) p[k] = at.at(k).number(table_.points.size(), "point");
+    for (std::size_t k = 0; k < 3; ++k) p[k] = at.at(k).number(points_.size(), "point");
     const Projection axes = c_.sheet_projection[c_.face_sheet[facet.cell]];
     const bool turned =
         p[0] != p[1] && p[1] != p[2] && p[2] != p[0] &&
@@ -63,8 +79,9 @@ class TriangleCheck {
     return p;
   }
 
-  void require_covered(const Cursor& list, const Facet& facet,
-                       const std::vector<std::array<Index, 3>>& triangles) const {
+  static void require_covered(const Cursor& list, const std::vector<Loop>& walks,
+                              const ShortList<Index, 2>& isolated,
+                              const std::vector<std::array<Index, 3>>& triangles) {
     std::vector<Step> sides, wanted;
     std::vector<Index> corners;
     for (const auto& p : triangles) {
@@ -73,7 +90,7 @@ class TriangleCheck {
     }
     std::sort(sides.begin(), sides.end());
     sort_unique(corners);
-    for (const Loop& walk : facet.walks) {
+    for (const Loop& walk : walks) {
       for (std::size_t i = 0; i < walk.size(); ++i) wanted.emplace_back(walk[i], walk[(i + 1) % walk.size()]);
     }
     std::sort(wanted.begin(), wanted.end());
@@ -84,31 +101,11 @@ class TriangleCheck {
     for (const auto& [a, b] : inner) opposite.emplace_back(b, a);
     std::sort(opposite.begin(), opposite.end());
     if (!std::includes(sides.begin(), sides.end(), wanted.begin(), wanted.end()) || opposite != inner ||
-        !std::includes(corners.begin(), corners.end(), facet.isolated.begin(), facet.isolated.end())) {
+        !std::includes(corners.begin(), corners.end(), isolated.begin(), isolated.end())) {
       list.refuse("the triangles do not cover the face from edge to edge, once");
     }
   }
 
-  /// Each facet lies in the cells of its patch.
-  void check_cells(const Cursor& at, const Face& face) const {
-    if (!at.has("cells")) return;
-    for (std::size_t k = face.first; k < face.first + face.facets; ++k) {
-      const Facet& facet = content_.facets[k];
-      const Cursor list = at.member("cells").at(k - face.first);
-      for (const Loop& walk : facet.walks) {
-        for (const Index p : walk) {
-          bool held = false;
-          for (std::size_t i = 0; i < facet.cells.size(); ++i) {
-            const auto& cell = content_.cells[facet.cells[i]];
-            if (!in_plane(cell, table_.points[p]))
-              list.at(i).refuse("the facet does not lie in the plane of this cell");
-            held = held || holds(cell, table_.points[p]);
-          }
-          if (!held) list.refuse("point " + std::to_string(p) + " of the facet is in none of these cells");
-        }
-      }
-    }
-  }
   static bool in_plane(const std::vector<PatchCorner>& cell, const RationalPoint& p) {
     const auto flat = [&](std::size_t i, std::size_t k) {
       return volume6(cell[0].point, cell[i].point, cell[k].point, p) == 0;
@@ -116,17 +113,18 @@ class TriangleCheck {
     return flat(1, 2) && (cell.size() == 3 || flat(2, 3));
   }
 
-  const Content& content_;
-  const CellTable& table_;
   const Complex& c_;
-  const std::vector<PlacedFacet>& facets_;
+  const std::vector<RationalPoint>& points_;
+  const FlatComplex::Face& face_;
 };
 
 }  // namespace
 
-void require_triangles(const Complex& complex, const Content& content, const Face& face,
-                       const std::vector<PlacedFacet>& facets, const Cursor& at) {
-  TriangleCheck(complex, content, facets).run(face, at);
+void require_triangles(const Complex& complex, const std::vector<RationalPoint>& points,
+                       const FlatComplex::Face& face, const PlacedFacet* placed, const Cursor& at) {
+  const TriangleCheck check(complex, points, face);
+  check.check_triangles(at, placed);
+  check.check_cells(at);
 }
 
 }  // namespace cnrg::result

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "csg/imports/result_content.h"
+#include "csg/transfer/stored_value.h"
 #include "kernel/complex/complex.h"
 
 namespace cnrg::result {
@@ -15,8 +15,9 @@ struct PlacedFacet {
   bool same = true;
 };
 
-/// `at` is the face in the file, whose points have their numbers in the complex. Throws LeafFileError.
-void require_triangles(const Complex& complex, const Content& content, const Face& face,
-                       const std::vector<PlacedFacet>& facets, const Cursor& at);
+/// `face` is what the file says of a face, `placed` its facets, `at` its place in the file, whose points have
+/// their numbers in the complex. Throws LeafFileError.
+void require_triangles(const Complex& complex, const std::vector<RationalPoint>& points,
+                       const FlatComplex::Face& face, const PlacedFacet* placed, const Cursor& at);
 
 }  // namespace cnrg::result

@@ -101,7 +101,7 @@ class LeafWelder {
     soups_.emplace_back();
     first_point_.push_back(static_cast<Index>(model_.points.size()));
     const PreparedLeaf& leaf = *instances_[i].leaf;
-    if (leaf.unbounded() || leaf.cells() != nullptr || instances_[i].transform->determinant() == 0) return;
+    if (leaf.unbounded() || leaf.stored() != nullptr || instances_[i].transform->determinant() == 0) return;
     Soup& soup = soups_.back().emplace();
     leaf.add_to(soup, instances_[i].transform);
     for (PointId p : IdRange<PointId>(soup.point_count())) model_.points.push_back(value(soup, p));

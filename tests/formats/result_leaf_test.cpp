@@ -36,10 +36,10 @@ Json comparable(const std::string& path, const std::vector<std::string>& more = 
 
 /// Of the first leaf of the soup.
 NodeValue value_of(const Case& c, const PreparedLeaf& prepared) {
-  REQUIRE(prepared.cells() != nullptr);
-  const CellMap map(*c.complex, {part_of(LeafId(0), *prepared.cells(), c.vertex_of)});
-  return leaf_value(*c.complex, LeafId(0), c.leaves[0], *prepared.cells(), map, prepared.regions(),
-                    prepared.cells()->said);
+  REQUIRE(prepared.stored() != nullptr);
+  const CellMap map(*c.complex, {part_of(LeafId(0), *prepared.stored(), c.vertex_of)});
+  return leaf_value(*c.complex, LeafId(0), c.leaves[0], *prepared.stored(), map, prepared.regions(),
+                    std::identity());
 }
 
 Case read_back(const std::string& path, const Transform& transform = {}) {

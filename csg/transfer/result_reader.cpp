@@ -1,19 +1,22 @@
 // The tables of a result file. What can be said without geometry is checked here: types, ranges, members that no
 // result has, things that are named and do not exist, things that exist and are not named. What the cells are is
-// known only once they are made (csg/transfer/result_check.cpp).
+// known only once they are made (result_check.cpp).
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <set>
 
 #include "csg/imports/read_grades.h"
-#include "csg/imports/result_content.h"
 #include "csg/text/number.h"
+#include "csg/transfer/stored_value.h"
 #include "kernel/base/counts.h"
+#include "kernel/base/limits.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg::result {
 namespace {
+
+using Loop = FlatComplex::Loop;
 
 /// Things that are listed and have to be named somewhere.
 class Named {
@@ -34,7 +37,7 @@ class Reader {
  public:
   explicit Reader(const Cursor& root) : root_(root) {}
 
-  Content read() {
+  StoredValue read() {
     if (!root_.has("format") || root_.member("format").text() != "cnrg result") {
       root_.refuse("this is no result of cnrg: `\"format\": \"cnrg result\"` is missing");
     }
@@ -45,8 +48,8 @@ class Reader {
                 "attributes", "points", "frame", "vertices", "edges", "patches", "cells", "faces", "regions",
                 "volume_bound"});
     root_.member("node").text();
-    if (root_.has("volume_bound")) table_.volume_bound = read_bound(root_.member("volume_bound"));
-    table_.group = root_.member("group").boolean();
+    if (root_.has("volume_bound")) value_.volume_bound = read_bound(root_.member("volume_bound"));
+    value_.group = root_.member("group").boolean();
     read_leaves();
     read_materials();
     read_components();
@@ -57,21 +60,24 @@ class Reader {
     read_edges();
     read_patches();
     read_faces();
-    choose_wires(content_);
+    for (FlatComplex::Edge& edge : cells_.edges) edge.wire = edge.around.empty();
     require_all();
-    return std::move(content_);
+    return std::move(value_);
   }
 
  private:
   const Cursor root_;
-  Content content_;
-  CellTable& table_ = content_.table;
-  std::vector<Edge>& edges_ = content_.edges;
-  std::vector<char> frame_;                    // by point
-  std::map<std::string, Rational> materials_;  // with their dominance
+  StoredValue value_;
+  FlatComplex& cells_ = value_.cells;
+  std::vector<char> frame_, on_edge_;                 // by point
+  std::map<Index, Index> vertex_at_;                  // by point
+  std::map<std::pair<Index, Index>, Index> edge_at_;  // by segment, the smaller point first
+  std::map<std::string, Rational> materials_;         // with their dominance
   std::vector<std::shared_ptr<const PlacedGrade>> made_grades_;
   Index next_said_ = 0;
-  Named points_, leaves_, components_, grades_, said_, cells_, patches_;
+  Named points_, leaves_, components_, grades_, said_, patch_cells_, patches_;
+  std::vector<const Attributes*> said_at_;  // by number
+  std::vector<std::vector<PatchCorner>> cells_of_patches_;
   std::vector<Index> patch_numbers_;      // of those with parameters
   Index next_patch_ = 0, next_cell_ = 0;  // patches and cells are numbered as faces name them
 
@@ -141,7 +147,7 @@ class Reader {
   Rational dominance(const Cursor& of, bool wanted) const {
     if (!wanted && of.has("dominance")) {
       of.member("dominance")
-          .refuse(table_.group ? "a group has one dominance, and its components have none"
+          .refuse(value_.group ? "a group has one dominance, and its components have none"
                                : "only a group has one dominance; here each component has one");
     }
     return wanted ? of.member("dominance").rational() : Rational(0);
@@ -204,45 +210,45 @@ class Reader {
     if (!root_.has("attributes")) return;
     each("attributes", [&](const Cursor& a) {
       a.only({"name", "called", "material", "grade", "properties"});
-      table_.said.push_back(attributes(a));
-      if (table_.said.back().empty()) a.refuse("what says nothing is left out");
+      said_at_.push_back(&*value_.said.insert(attributes(a)).first);
+      if (said_at_.back()->empty()) a.refuse("what says nothing is left out");
     });
-    if (table_.said.empty()) root_.member("attributes").refuse("what is empty is left out");
-    said_.resize(table_.said.size());
+    if (said_at_.empty()) root_.member("attributes").refuse("what is empty is left out");
+    said_.resize(said_at_.size());
   }
 
-  /// The place of what is said of a cell; these are numbered as cells name them.
-  Index said_of(const Cursor& cell, Index component) {
-    if (!cell.has("attributes")) return CellTable::kSilent;
+  /// What is said of a cell; attributes are numbered as cells name them.
+  const Attributes* said_of(const Cursor& cell, Index component) {
+    if (!cell.has("attributes")) return nullptr;
     const Cursor at = cell.member("attributes");
     if (component == 0) at.refuse("nothing is said of a cell that is no part of the result");
-    const Index number = at.number(table_.said.size(), "attributes");
+    const Index number = at.number(said_at_.size(), "attributes");
     if (number > next_said_) {
       at.refuse("attributes are numbered as cells name them; " + std::to_string(next_said_) + " is next");
     }
     next_said_ = std::max(next_said_, number + 1);
-    return said_.name(number);
+    return said_at_[said_.name(number)];
   }
 
   void read_components() {
-    const Rational of_group = dominance(root_, table_.group);
-    if (table_.group) table_.dominances.push_back(of_group);
+    const Rational of_group = dominance(root_, value_.group);
+    if (value_.group) value_.dominances.push_back(of_group);
     if (root_.has("grades")) grades_.resize(root_.member("grades").array().size());
     made_grades_ = read_grades(
         root_, [&](const std::string& name, const Cursor& at) { require_material(name, at); },
         [&](Index inner) { grades_.name(inner); });
     each("components", [&](const Cursor& c) {
       c.only({"name", "called", "material", "leaves", "dominance", "grade", "properties"});
-      content_.components.push_back(attributes(c));
-      const Rational own = dominance(c, !table_.group);
-      if (!table_.group) table_.dominances.push_back(own);
+      value_.components.push_back(attributes(c));
+      const Rational own = dominance(c, !value_.group);
+      if (!value_.group) value_.dominances.push_back(own);
       ascending(c.member("leaves"), leaves_.size(), "leaf", [&](Index leaf) { leaves_.name(leaf); });
     });
-    components_.resize(content_.components.size());
+    components_.resize(value_.components.size());
   }
 
   void read_points() {
-    auto& points = table_.points;
+    auto& points = value_.points;
     each("points", [&](const Cursor& p) {
       points.push_back(p.point());
       if (points.size() > 1 && !(points[points.size() - 2] < points.back())) {
@@ -250,14 +256,15 @@ class Reader {
       }
     });
     frame_.assign(points.size(), 0);
+    on_edge_.assign(points.size(), 0);
     points_.resize(points.size());
     ascending(root_.member("frame"), points.size(), "point", [&](Index p) { frame_[p] = 1; });
   }
 
   /// The entities of a group have the number after its last component.
   Index component_of(const Cursor& cell, bool is_region = false) {
-    const std::size_t count = content_.components.size() + 1;
-    const Index c = cell.member("component").number(count + (table_.group && !is_region), "component");
+    const std::size_t count = value_.components.size() + 1;
+    const Index c = cell.member("component").number(count + (value_.group && !is_region), "component");
     if (c != 0 && c < count) components_.name(c - 1);
     read_origin(cell, c, is_region);
     return c;
@@ -292,26 +299,20 @@ class Reader {
   }
 
   void read_regions() {
-    table_.regions.assign(1, 0);
     bool unbounded = false;
     each("regions", [&](const Cursor& r) {
       r.only({"component", "name", "material", "bounded", "volume", "shells", "origin"});
-      const Index component = component_of(r, true);
-      const Attributes none, &own = component == 0 ? none : content_.components[component - 1];
+      FlatComplex::Region& region = cells_.regions.emplace_back();
+      region.component = component_of(r, true);
+      region.bounded = r.member("bounded").boolean();
+      const Attributes none, &own = region.component == 0 ? none : value_.components[region.component - 1];
       const auto same = [&](const char* key, const std::string& wanted) {
         if (r.member(key).text() != wanted) r.member(key).refuse("its component says \"" + wanted + "\"");
       };
       same("name", own.name);
       same("material", own.material.name());
-      table_.regions.push_back(component);
-      if (r.member("bounded").boolean()) {
-        content_.regions.push_back({Index(table_.regions.size() - 1), component});
-        return;
-      }
-      if (unbounded) not_bounded(r, "what parts this region from another one");
-      unbounded = true;
-      content_.regions.push_back({0, component});
-      table_.regions[0] = component;
+      if (!region.bounded && unbounded) not_bounded(r, "what parts this region from another one");
+      unbounded = unbounded || !region.bounded;
     });
   }
 
@@ -325,9 +326,8 @@ class Reader {
     if (list.array().size() < least) {
       list.refuse("at least " + std::to_string(least) + " points are needed here");
     }
-    loop.reserve(list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
-      loop.push_back(list.at(i).number(table_.points.size(), "point"));
+      loop.push_back(list.at(i).number(value_.points.size(), "point"));
       if (i > 0 && loop[i] == loop[i - 1]) list.at(i).refuse("the same point twice in a row");
     }
     return loop;
@@ -336,85 +336,88 @@ class Reader {
   void read_vertices() {
     each("vertices", [&](const Cursor& v) {
       v.only({"point", "component", "entity", "feature", "region", "attributes", "origin"});
-      const Index point = v.member("point").number(table_.points.size(), "point");
+      const Index point = v.member("point").number(value_.points.size(), "point");
       use(point, v, "this vertex");
-      CellTable::Cell cell{component_of(v), v.member("feature").boolean()};
-      cell.said = said_of(v, cell.component);
-      if (!table_.vertices.empty() && table_.vertices.rbegin()->first >= point) {
+      FlatComplex::Vertex vertex;
+      vertex.point = point;
+      read_cell(v, vertex);
+      if (!cells_.vertices.empty() && cells_.vertices.back().point >= point) {
         v.refuse("vertices are in the order of their points, and no two have the same");
       }
-      table_.vertices.emplace_hint(table_.vertices.end(), point, cell);
+      vertex_at_.emplace_hint(vertex_at_.end(), point, Index(cells_.vertices.size()));
+      cells_.vertices.push_back(std::move(vertex));
     });
+  }
+  template <class Cell>
+  void read_cell(const Cursor& at, Cell& cell) {
+    cell.component = component_of(at);
+    cell.feature = at.member("feature").boolean();
+    cell.origin.said = said_of(at, cell.component);
   }
 
   void read_edges() {
     each("edges", [&](const Cursor& e) {
       e.only({"points", "closed", "component", "entity", "feature", "wire", "region", "attributes", "origin"});
-      Edge edge;
+      FlatComplex::Edge edge;
       edge.closed = e.member("closed").boolean();
       edge.points = read_loop(e.member("points"), edge.closed ? 3 : 2);
-      CellTable::Cell cell{component_of(e), e.member("feature").boolean()};
-      cell.said = said_of(e, cell.component);
-      for (const Index p : edge.points) use(p, e, "this edge");
-      if (edge.closed) {
-        edge.points.push_back(edge.points[0]);
-      } else {
-        for (const Index p : {edge.points.front(), edge.points.back()}) {
-          const auto vertex = table_.vertices.find(p);
-          if (vertex == table_.vertices.end()) e.refuse("no vertex at its end, point " + std::to_string(p));
-          if (!table_.group || cell.component == 0 || vertex->second.component != 0) continue;
-          not_closed(e, "its end, point " + std::to_string(p) + ", is missing");
-        }
+      read_cell(e, edge);
+      for (const Index p : edge.points) {
+        use(p, e, "this edge");
+        on_edge_[p] = 1;
       }
-      for (std::size_t i = 1; i < edge.points.size(); ++i) {
-        const auto segment = std::minmax(edge.points[i - 1], edge.points[i]);
-        if (!table_.segments.try_emplace(segment, next_number(edges_.size(), "edges")).second) {
+      for (const Index p : {edge.points.front(), edge.points.back()}) {
+        if (edge.closed) break;
+        const auto vertex = vertex_at_.find(p);
+        if (vertex == vertex_at_.end()) e.refuse("no vertex at its end, point " + std::to_string(p));
+        if (!value_.group || edge.component == 0 || cells_.vertices[vertex->second].component != 0) continue;
+        not_closed(e, "its end, point " + std::to_string(p) + ", is missing");
+      }
+      for_each_piece(edge, [&](Index a, Index b) {
+        if (!edge_at_.try_emplace(std::minmax(a, b), next_number(cells_.edges.size(), "edges")).second) {
           e.refuse("two edges between the same points");
         }
-      }
-      table_.edges.push_back(cell);
-      edges_.push_back(std::move(edge));
+      });
+      cells_.edges.push_back(std::move(edge));
     });
+    for (FlatComplex::Vertex& vertex : cells_.vertices) vertex.free = !on_edge_[vertex.point];
   }
 
   void read_faces() {
     each("faces", [&](const Cursor& f) {
       f.only({"loops", "isolated", "component", "entity", "regions", "patch", "facets", "triangles", "cells",
               "attributes", "origin"});
-      const Index component = component_of(f);
-      table_.said_of_faces.push_back(said_of(f, component));
+      const Index number = next_number(cells_.faces.size(), "faces");
+      FlatComplex::Face& face = cells_.faces.emplace_back();
+      face.component = component_of(f);
+      face.origin.said = said_of(f, face.component);
       const Cursor sides = f.member("regions").array_of(2, "two regions are needed here: in front and behind");
-      Face face;
       for (std::size_t i = 0; i < 2; ++i) {
         if (sides.at(i).is_null()) not_bounded(f, "this face");
-        face.regions[i] = sides.at(i).number(content_.regions.size(), "region");
-        if (table_.group && component == 0 && content_.regions[face.regions[i]].component != 0) {
+        face.regions[i] = sides.at(i).number(cells_.regions.size(), "region");
+        if (value_.group && face.component == 0 && cells_.active(face.regions[i])) {
           not_closed(f, "this face of a region is missing");
         }
       }
-      face.patch = f.member("patch").number(kNone, "patch");
-      if (face.patch > next_patch_) {
+      const Index patch = f.member("patch").number(kNone, "patch");
+      if (patch > next_patch_) {
         f.member("patch").refuse("patches are numbered as faces name them; " + std::to_string(next_patch_) +
                                  " is next");
       }
-      next_patch_ = std::max(next_patch_, face.patch + 1);
-      face.flat = !f.has("facets");
-      face.first = content_.facets.size();
-      const Index number = next_number(content_.faces.size(), "faces");
-      table_.faces.push_back(component);
-      std::vector<Loop> walks = read_walks(f, face.flat);
-      walk_boundary(f, walks, component, face.flat);
-      if (face.flat) {
-        add_facet(f, std::move(walks), number);
+      next_patch_ = std::max(next_patch_, patch + 1);
+      face.patch = {LeafId(0), patch};
+      const bool flat = !f.has("facets");
+      face.loops = read_walks(f, flat);
+      walk_boundary(f, face, number);
+      face.isolated = read_isolated(f);
+      if (flat) {
+        require_area(f, face.loops);
       } else {
-        face.walks = std::move(walks);
         const Cursor facets = f.member("facets").array();
         if (facets.size() == 0) facets.refuse("a face that is not flat has facets");
-        for (std::size_t i = 0; i < facets.size(); ++i) add_curved(facets.at(i), number);
+        for (std::size_t i = 0; i < facets.size(); ++i) face.facets.push_back(read_facet(facets.at(i)));
       }
-      face.facets = content_.facets.size() - face.first;
-      content_.faces.push_back(std::move(face));
-      if (f.has("cells")) choose_cells(f.member("cells"), component);
+      if (f.has("cells")) choose_cells(f.member("cells"), face);
     });
   }
 
@@ -429,11 +432,11 @@ class Reader {
       if (!patch_numbers_.empty() && patch <= patch_numbers_.back()) p.refuse("patches are ascending");
       patch_numbers_.push_back(patch);
       leaves_.name(p.member("leaf").number(leaves_.size(), "leaf"));
-      content_.patches[patch] = p.member("name").text();
+      value_.patches[patch] = p.member("name").text();
     });
     each("cells", [&](const Cursor& c) {
       if (c.array().size() != 3 && c.size() != 4) c.refuse("a cell has three corners or four");
-      auto& cell = content_.cells.emplace_back();
+      auto& cell = cells_of_patches_.emplace_back();
       for (std::size_t i = 0; i < c.size(); ++i) {
         const Cursor corner = c.at(i).array_of(5, "x, y, z, u and v are needed here");
         const auto number = [&](std::size_t k) { return corner.at(k).rational(); };
@@ -442,55 +445,58 @@ class Reader {
       if (!is_cell(cell)) c.refuse("the corners of a cell lie in a plane and not on a line");
     });
     require_distinct_cells();
-    cells_.resize(content_.cells.size());
+    patch_cells_.resize(cells_of_patches_.size());
     patches_.resize(patch_numbers_.size());
   }
 
   void require_distinct_cells() const {
-    std::vector<std::size_t> order(content_.cells.size());
+    std::vector<std::size_t> order(cells_of_patches_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return content_.cells[a] != content_.cells[b] ? content_.cells[a] < content_.cells[b] : a < b;
+      return cells_of_patches_[a] != cells_of_patches_[b] ? cells_of_patches_[a] < cells_of_patches_[b] : a < b;
     });
     for (std::size_t i = 1; i < order.size(); ++i) {
-      if (content_.cells[order[i]] != content_.cells[order[i - 1]]) continue;
+      if (cells_of_patches_[order[i]] != cells_of_patches_[order[i - 1]]) continue;
       root_.member("cells").at(order[i]).refuse("this cell stands twice, at " + std::to_string(order[i - 1]) +
                                                 ", too");
     }
   }
 
-  /// The cells of patches for the facets of the last face.
-  void choose_cells(const Cursor& lists, Index component) {
-    const Face& face = content_.faces.back();
-    if (component == 0) lists.refuse("a face that is no part of the result has no parameters");
-    const auto patch = std::lower_bound(patch_numbers_.begin(), patch_numbers_.end(), face.patch);
-    if (patch == patch_numbers_.end() || *patch != face.patch) lists.refuse("its patch is not among `patches`");
+  /// The cells of patches for the facets of a face.
+  void choose_cells(const Cursor& lists, FlatComplex::Face& face) {
+    if (face.component == 0) lists.refuse("a face that is no part of the result has no parameters");
+    const Index number = face.patch->second;
+    const auto patch = std::lower_bound(patch_numbers_.begin(), patch_numbers_.end(), number);
+    if (patch == patch_numbers_.end() || *patch != number) lists.refuse("its patch is not among `patches`");
     patches_.name(Index(patch - patch_numbers_.begin()));
-    lists.array_of(face.facets, "one list for each facet is needed here");
+    lists.array_of(std::max<std::size_t>(face.facets.size(), 1), "one list for each facet is needed here");
     for (std::size_t i = 0; i < lists.size(); ++i) {
       const Cursor list = lists.at(i).array();
       if (list.size() == 0) list.refuse("a facet of a patch with parameters lies in a cell");
-      std::vector<Index>& cells = content_.facets[face.first + i].cells;
+      auto& cells = face.cells.emplace_back();
       for (std::size_t k = 0; k < list.size(); ++k) {
-        cells.push_back(cells_.name(list.at(k).number(cells_.size(), "cell")));
-        if (cells[k] > next_cell_)
+        const Index cell = patch_cells_.name(list.at(k).number(patch_cells_.size(), "cell"));
+        if (cell > next_cell_)
           list.at(k).refuse("cells are numbered as faces name them; cell " + std::to_string(next_cell_) +
                             " is next");
-        next_cell_ = std::max(next_cell_, cells[k] + 1);
-        if (k > 0 && !(content_.cells[cells[k - 1]] < content_.cells[cells[k]])) {
+        next_cell_ = std::max(next_cell_, cell + 1);
+        cells.push_back(cells_of_patches_[cell]);
+        if (k > 0 && !(cells[k - 1] < cells[k])) {
           list.at(k).refuse("cells are in the order of their corners, and each stands once");
         }
       }
     }
   }
 
-  void add_curved(const Cursor& at, Index face) {
+  FlatComplex::Facet read_facet(const Cursor& at) {
     at.only({"loops", "isolated"});
-    std::vector<Loop> walks = read_walks(at, true);
-    for (const Loop& walk : walks) {
+    FlatComplex::Facet facet{read_walks(at, true), {}};
+    for (const Loop& walk : facet.loops) {
       for (const Index p : walk) use(p, at, "this face");
     }
-    add_facet(at, std::move(walks), face);
+    facet.isolated = read_isolated(at);
+    require_area(at, facet.loops);
+    return facet;
   }
 
   std::vector<Loop> read_walks(const Cursor& face, bool needed) const {
@@ -506,40 +512,40 @@ class Reader {
   }
 
   /// Checks that each step of a face is along an edge of the file (an active one if the face is active in a
-  /// group), and counts how often faces use each edge.
-  void walk_boundary(const Cursor& face, const std::vector<Loop>& walks, Index component, bool flat) {
+  /// group), and notes at the edges that it walks them.
+  void walk_boundary(const Cursor& at, const FlatComplex::Face& face, Index number) {
     std::map<Index, std::pair<Index, Index>> first;  // edge -> the segment where the face walks it first
-    for (const Loop& walk : walks) {
+    for (const Loop& walk : face.loops) {
       for (std::size_t i = 0; i < walk.size(); ++i) {
         const Index a = walk[i], b = walk[(i + 1) % walk.size()];
-        if (frame_[a]) not_bounded(face, "this face");
-        const auto found = table_.segments.find(std::minmax(a, b));
+        if (frame_[a]) not_bounded(at, "this face");
+        const auto found = edge_at_.find(std::minmax(a, b));
         const auto between = [&] { return " points " + std::to_string(a) + " and " + std::to_string(b); };
-        if (found == table_.segments.end()) face.refuse("no edge joins" + between());
-        Edge& edge = edges_[found->second];
-        if (table_.group && component != 0 && table_.edges[found->second].component == 0) {
-          not_closed(face, "its edge between" + between() + " is missing");
+        if (found == edge_at_.end()) at.refuse("no edge joins" + between());
+        FlatComplex::Edge& edge = cells_.edges[found->second];
+        if (value_.group && face.component != 0 && edge.component == 0) {
+          not_closed(at, "its edge between" + between() + " is missing");
         }
         const auto [entry, fresh] = first.try_emplace(found->second, a, b);
         const auto& segment = entry->second;
-        if (!fresh && std::minmax(a, b) == std::minmax(segment.first, segment.second)) edge.slit = true;
-        if (fresh || edge.slit) ++edge.uses;
-        edge.curved = edge.curved || !flat;
+        if (fresh) edge.around.push_back(2 * number);
+        else if (std::minmax(a, b) == std::minmax(segment.first, segment.second)) edge.slit = true;
       }
     }
   }
 
-  void add_facet(const Cursor& at, std::vector<Loop> walks, Index face) {
-    Facet facet;
-    facet.face = face;
-    facet.walks = std::move(walks);
-    if (at.has("isolated")) {
-      const Cursor list = at.member("isolated").array();
-      if (list.size() == 0) list.refuse("what is empty is left out");
-      ascending(list, table_.points.size(), "point", [&](Index p) { facet.isolated.push_back(p); });
-    }
-    if (!take_slits_out(table_.points, facet)) at.refuse("a face without area");
-    content_.facets.push_back(std::move(facet));
+  ShortList<Index, 2> read_isolated(const Cursor& at) const {
+    ShortList<Index, 2> isolated;
+    if (!at.has("isolated")) return isolated;
+    const Cursor list = at.member("isolated").array();
+    if (list.size() == 0) list.refuse("what is empty is left out");
+    ascending(list, value_.points.size(), "point", [&](Index p) { isolated.push_back(p); });
+    return isolated;
+  }
+
+  void require_area(const Cursor& at, const std::vector<Loop>& walks) const {
+    const auto loops = without_slits(value_.points, walks);
+    if (loops && loops->empty()) at.refuse("a face without area");
   }
 
   void require_all() const {
@@ -549,13 +555,13 @@ class Reader {
     if (grades_.size() > 0) grades_.require_all(root_.member("grades"), "nothing has this grade");
     if (said_.size() > 0) said_.require_all(root_.member("attributes"), "no cell has these attributes");
     if (!root_.has("cells")) return;
-    cells_.require_all(root_.member("cells"), "no face lies in this cell");
+    patch_cells_.require_all(root_.member("cells"), "no face lies in this cell");
     patches_.require_all(root_.member("patches"), "no face of this patch has parameters");
   }
 };
 
 }  // namespace
 
-Content read_content(const Cursor& root) { return Reader(root).read(); }
+StoredValue read_value(const Cursor& root) { return Reader(root).read(); }
 
 }  // namespace cnrg::result

@@ -1,0 +1,76 @@
+// A value that stands by itself, to go on as a leaf: read from a file (result_reader.cpp) and held against its own
+// cells (result_check.cpp), or taken from a result at hand.
+//
+// All its cells go to the soup, active or not: what each of them is stands here (leaf_value.h).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "csg/imports/json_cursor.h"
+#include "csg/leaves/leaf.h"
+#include "csg/result/flat.h"
+#include "kernel/exact/rational.h"
+
+namespace cnrg {
+
+struct StoredValue {
+  using Index = FlatComplex::Index;
+
+  StoredValue() = default;
+  StoredValue(StoredValue&&) = default;
+
+  /// Points, faces, edges, vertices and regions have the numbers that they have as cells of the leaf; regions are
+  /// labels from 1, but for the unbounded one, which is 0. Of a file without triangles, shells and origins, and
+  /// `around` an edge are the faces that walk it, each by its front. Origins are those of a run: leaf i of it is
+  /// the (i + 1)-th one after the leaf that has this value.
+  FlatComplex cells;
+  std::vector<RationalPoint> points;  ///< ascending, before the transform
+  bool group = true;                  ///< then the component after the last one is its entities
+  std::vector<Attributes> components;
+  std::vector<Rational> dominances;            ///< of each component; of a group: one
+  std::set<Attributes, AttributesOrder> said;  ///< what `cells` refer to; a grade is in the leaf's coordinates
+  std::map<Index, std::string> patches;        ///< names of those with parameters
+  std::optional<double> volume_bound = 0.0;    ///< as of PreparedLeaf
+
+  Index label(Index region) const { return cells.regions[region].bounded ? region + 1 : 0; }
+  Component entities() const { return Component(components.size() + 1); }
+};
+
+/// The pieces of an edge, by their ends.
+template <class Piece>
+void for_each_piece(const FlatComplex::Edge& edge, const Piece& piece) {
+  const std::size_t n = edge.points.size();
+  for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) piece(edge.points[k], edge.points[(k + 1) % n]);
+}
+/// The planar pieces of a face: calls `see` with the walks and the isolated points of each.
+template <class See>
+void for_each_facet(const FlatComplex::Face& face, const See& see) {
+  if (face.facets.empty()) see(face.loops, face.isolated);
+  for (const FlatComplex::Facet& facet : face.facets) see(facet.loops, facet.isolated);
+}
+
+/// The value as a leaf.
+std::unique_ptr<PreparedLeaf> leaf_of(StoredValue value);
+/// That of a result, as a file of it would have it, but with origins; all of it must have bounds.
+StoredValue store(const ResultView& view, FlatComplex cells);
+
+namespace result {
+
+/// Throws LeafFileError for what is missing, of another type or out of range, and for what refers to nothing.
+StoredValue read_value(const Cursor& root);
+
+/// Walks of a planar face without its slits, the outer one first; nothing if these are all of it.
+std::optional<std::vector<FlatComplex::Loop>> without_slits(const std::vector<RationalPoint>& points,
+                                                            const std::vector<FlatComplex::Loop>& walks);
+
+/// Adds the cells as a leaf; point i of the value is point i of the leaf, and facets are its faces in their order.
+/// `fill` is `sides`, or `none` for a leaf without regions.
+LeafId add_to(Soup& soup, const StoredValue& value, const Transform& transform, Fill fill);
+
+}  // namespace result
+}  // namespace cnrg
