@@ -47,15 +47,13 @@ NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instanc
 
 /// Of the cells of results among the leaves.
 CellMap map_of_results(std::span<const InstanceId> instances, const PreparedLeaves& leaves, const Complex& complex,
-                       const CarriedGroups& carried, const std::vector<VertexId>& vertex_of) {
-  IdVector<LeafId, std::vector<VertexId>> points;
+                       const Soup& soup, const std::vector<VertexId>& vertex_of) {
   std::vector<CellMap::Part> parts;
   for (const InstanceId i : instances) {
     const LeafId leaf = leaves.leaf_of(i);
     const StoredValue* stored = leaf.valid() ? leaves.instances()[leaf.index()].leaf->stored() : nullptr;
     if (stored == nullptr) continue;
-    if (points.empty()) points = carried.points_of_leaves(complex, vertex_of);
-    parts.push_back(part_of(leaf, *stored, points[leaf]));
+    parts.push_back(part_of(leaf, *stored, std::span(vertex_of).subspan(soup.first_point(leaf).index())));
   }
   return parts.empty() ? CellMap() : CellMap(complex, parts);
 }
@@ -63,9 +61,8 @@ CellMap map_of_results(std::span<const InstanceId> instances, const PreparedLeav
 }  // namespace
 
 HeldCells put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::span<const InstanceId> instances,
-                          const PreparedLeaves& leaves, Grades& grades, const Complex& complex,
-                          const CarriedGroups& carried, const std::vector<VertexId>& vertex_of,
-                          ValueStore& values) {
+                          const PreparedLeaves& leaves, Grades& grades, const Complex& complex, const Soup& soup,
+                          const std::vector<VertexId>& vertex_of, ValueStore& values) {
   std::vector<std::vector<Attributes>> attributes(leaves.instances().size());
   for (const InstanceId i : instances) {
     const LeafId leaf = leaves.leaf_of(i);
@@ -73,7 +70,7 @@ HeldCells put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::spa
     attributes[leaf.index()] = leaves.attributes(leaf, complex.leaf_regions[leaf], unfolding.instances[i], grades);
   }
   std::vector<Group> groups = leaf_groups(complex, attributes);
-  const CellMap map = map_of_results(instances, leaves, complex, carried, vertex_of);
+  const CellMap map = map_of_results(instances, leaves, complex, soup, vertex_of);
   HeldCells held;
   for (const InstanceId i : instances) {
     const LeafId leaf = leaves.leaf_of(i);

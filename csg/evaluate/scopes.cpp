@@ -83,7 +83,6 @@ class Scopes {
     std::vector<InstanceId> here;  // whose values are made here, operands before users
     std::shared_ptr<const Complex> complex;
     std::optional<LeafPlaces> places;
-    IdVector<VertexId, PointPlace> points;  // if it is carried on
     ValueStore values;
     std::map<InstanceId, NodeValue> first;  // of instances in steps: the value of their first operands
   };
@@ -133,7 +132,7 @@ class Scopes {
   /// `top`: the scope of the results.
   Scope evaluate(std::span<const InstanceId> roots, std::vector<std::pair<InstanceId, CarriedGroup>> first,
                  bool top) {
-    Scope scope{{}, nullptr, std::nullopt, {}, ValueStore(instances_.size(), x_.options.keep_all), {}};
+    Scope scope{{}, nullptr, std::nullopt, ValueStore(instances_.size(), x_.options.keep_all), {}};
     std::vector<InstanceId> sections;
     list(roots, scope.here, sections);
     for (const InstanceId id : scope.here) {
@@ -150,7 +149,7 @@ class Scopes {
     std::vector<InstanceId> of;  // by carried group
     for (const InstanceId id : sections) {
       Scope section = evaluate(std::span(&id, 1), {}, false);
-      carried.emplace_back(*section.complex, section.values[id].group(), places_of(section), section.points);
+      carried.emplace_back(*section.complex, section.values[id].group(), places_of(section));
       of.push_back(id);
     }
     const std::size_t whole = carried.size();
@@ -186,20 +185,17 @@ class Scopes {
       }
       const bool has_results = std::any_of(instances.begin(), instances.end(),
                                            [](const auto& i) { return i.leaf->stored() != nullptr; });
-      const bool traced = has_results || !sections_.empty() || !steps_.empty();
       for (const CarriedGroup& group : carried.groups()) instances.push_back({group.leaf(), {}});
       Soup soup = make_soup(instances, x_.options.reach, surfaces(instances.size()));
-      if (traced) carried.put_in_order(soup);
       x_.options.watch.check();
       RefineOptions options;
       options.threads = x_.options.threads;
       options.watch = x_.options.watch;
       if (!top) options.watch.progress = {};
-      options.vertices = traced;
+      options.vertices = has_results || !carried.empty();
       ComplexDraft draft(soup, options, &report);
-      const HeldCells held = put_leaf_values(tree_, x_.unfolding, scope.here, x_.leaves, x_.grades, *draft,
-                                             carried, report.vertex_of, scope.values);
-      if (!top) scope.points = carried.points(*draft, report.vertex_of);
+      const HeldCells held = put_leaf_values(tree_, x_.unfolding, scope.here, x_.leaves, x_.grades, *draft, soup,
+                                             report.vertex_of, scope.values);
       if (!carried.empty()) {
         std::vector<Group> groups = carried.on(*draft, report.vertex_of);
         scope.places.emplace(*draft);
@@ -409,7 +405,7 @@ class Scopes {
       }();
       if (!outcome.conflicts.empty()) return std::nullopt;
       removals.add(outcome.removals);
-      value.emplace(*scope.complex, outcome.value.group(), places_of(scope), scope.points);
+      value.emplace(*scope.complex, outcome.value.group(), places_of(scope));
     }
     removed_in_steps_[id] = std::move(removals);
     return value;

@@ -5,7 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "csg/leaves/geometry_leaf.h"
 #include "csg/operators/origins.h"
 #include "csg/transfer/carried_groups.h"
 #include "csg/transfer/marked_cells.h"
@@ -36,12 +35,10 @@ class KeyNumbers {
 
 class CarriedGroup::Maker {
  public:
-  Maker(const Complex& complex, const Group& group, const LeafPlaces& places,
-        const IdVector<VertexId, PointPlace>& points, CarriedGroup& out)
+  Maker(const Complex& complex, const Group& group, const LeafPlaces& places, CarriedGroup& out)
       : complex_(complex),
         group_(group),
         places_(places),
-        points_(points),
         out_(out),
         marks_(complex),
         face_origin_(complex.face_count()),
@@ -87,7 +84,6 @@ class CarriedGroup::Maker {
   const Complex& complex_;
   const Group& group_;
   const LeafPlaces& places_;
-  const IdVector<VertexId, PointPlace>& points_;
   CarriedGroup& out_;
   MarkedCells marks_;
   IdVector<FaceId, LeafSetId> face_origin_;  // none() for what is no entity
@@ -220,10 +216,11 @@ class CarriedGroup::Maker {
     return without(v, std::move(carried));
   }
 
-  /// The facets around an edge along a curved surface that are not carried: what curve it is a piece of.
+  /// The facets around an edge along a curved surface or a curve that are not carried: what curve it is a piece
+  /// of.
   Index removed_facets(EdgeId e) {
     std::vector<Index> list;
-    bool curved = false;
+    bool curved = has_wire(e);
     const auto see = [&](const Soup::Face& source) { curved = curved || source.surface != 0; };
     for (const FaceUse& use : complex_.edge_uses[e]) {
       for (const Cover& x : complex_.cover(use.face)) see(complex_.sources[x.source]);
@@ -316,7 +313,6 @@ class CarriedGroup::Maker {
       const PointId p =
           xyz != nullptr ? soup_.add_point(xyz[0], xyz[1], xyz[2]) : soup_.add_point(complex_.points.rational(v));
       point_[v] = p.value();
-      out_.points_.push_back(points_[v]);
     }
   }
 
@@ -448,10 +444,9 @@ class CarriedGroup::Maker {
   }
 };
 
-CarriedGroup::CarriedGroup(const Complex& complex, const Group& group, const LeafPlaces& places,
-                           const IdVector<VertexId, PointPlace>& points) {
+CarriedGroup::CarriedGroup(const Complex& complex, const Group& group, const LeafPlaces& places) {
   require(!complex.frame.valid(), "carried: a value with a frame");
-  Maker(complex, group, places, points, *this).run();
+  Maker(complex, group, places, *this).run();
 }
 
 }  // namespace cnrg

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/group.h"
 #include "csg/transfer/cell_map.h"
@@ -26,18 +27,13 @@
 
 namespace cnrg {
 
-/// Of a point or vertex, its place among the points that a leaf has added; without a leaf it was constructed, and
-/// the place says in which order.
-using PointPlace = std::pair<LeafId, std::uint32_t>;
-
 class CarriedGroup {
  public:
-  /// `places` and, by vertex, `points`: of `complex`, whose leaves have the same numbers where the group goes.
-  CarriedGroup(const Complex& complex, const Group& group, const LeafPlaces& places,
-               const IdVector<VertexId, PointPlace>& points);
+  /// `places`: of `complex`, whose leaves have the same numbers where the group goes.
+  CarriedGroup(const Complex& complex, const Group& group, const LeafPlaces& places);
 
   /// One leaf whose labels are classes of 3-cells, to be added to a soup as it is.
-  const std::shared_ptr<const PreparedLeaf>& leaf() const { return leaf_; }
+  const std::shared_ptr<const GeometryLeaf>& leaf() const { return leaf_; }
 
  private:
   friend class CarriedGroups;
@@ -84,8 +80,7 @@ class CarriedGroup {
     std::vector<Label> labels;
   };
 
-  std::shared_ptr<const PreparedLeaf> leaf_;
-  std::vector<PointPlace> points_;                           // by point of the leaf
+  std::shared_ptr<const GeometryLeaf> leaf_;
   std::vector<Face> faces_;                                  // by leaf_face
   std::vector<std::vector<std::pair<Index, bool>>> covers_;  // sources, each on the front of the face or not
   std::vector<Edge> edges_;
@@ -96,7 +91,7 @@ class CarriedGroup {
   std::vector<Wire> wires_;
   std::vector<Segment> segments_;
   std::vector<std::vector<LeafCell>> gone_;    // distinct lists of leaves' cells that held a cell and were removed
-  std::vector<RemovedFacet> facets_;           // of edges along curved surfaces
+  std::vector<RemovedFacet> facets_;           // of edges along curved surfaces and curves
   std::vector<std::vector<Index>> facets_of_;  // distinct lists
   std::vector<RegionAttributes> regions_;
   Rational dominance_;
@@ -110,16 +105,7 @@ class CarriedGroups {
   bool empty() const { return groups_.empty(); }
   const std::vector<CarriedGroup>& groups() const { return groups_; }
 
-  /// Puts faces and points of a soup whose last leaves are these groups in the order that they would have if all
-  /// had been refined together: results show that order, as in the numbers of regions. Without groups it only
-  /// notes where points come from.
-  void put_in_order(Soup& soup);
-  /// After `put_in_order`: where the vertices of the new complex came from; `vertex_of` as RefineReport has it.
-  IdVector<VertexId, PointPlace> points(const Complex& complex, const std::vector<VertexId>& vertex_of) const;
-  /// After `put_in_order`: of each leaf the vertices of its points, in its order.
-  IdVector<LeafId, std::vector<VertexId>> points_of_leaves(const Complex& complex,
-                                                           const std::vector<VertexId>& vertex_of) const;
-  /// After `put_in_order`: the values on the new complex.
+  /// The values on the new complex; `vertex_of` as RefineReport has it.
   std::vector<Group> on(const Complex& complex, const std::vector<VertexId>& vertex_of);
   /// After `on`: what the cells of the complex come from. `places` become those of the new sources.
   /// `surfaces` as `make_soup` has it: patches that it gives no number, and are curved, get one each.
@@ -132,11 +118,8 @@ class CarriedGroups {
   class SourcesMaker;
   using Piece = CellMap::Piece;  // of the group at its part's place
   std::vector<CarriedGroup> groups_;
-  std::vector<PointPlace> of_point_;  // by PointId of the soup
-  std::vector<PointId> moved_;        // by point of the soup before it was put in order
   CellMap cells_;
 
-  std::vector<SourceId> order_of_faces(const Soup& soup) const;
   CellMap map_of(const Complex& complex, const std::vector<VertexId>& vertex_of) const;
   LeafSetId origin(const Piece& piece) const;
   const std::vector<LeafCell>& gone(const Piece& piece) const;

@@ -11,6 +11,7 @@ namespace cnrg {
 LeafId Soup::add_leaf(Fill fill) {
   check_count(leaf_count() + 1, kPlural<LeafId>);
   fills_.push_back(fill);
+  first_points_.emplace_back(point_count());
   return LeafId(fills_.size() - 1);
 }
 
@@ -109,47 +110,6 @@ void Soup::number_surfaces(const std::function<std::uint32_t(std::uint32_t patch
   const LeafId last(leaf_count() - 1);
   for (auto face = faces_.rbegin(); face != faces_.rend() && face->leaf == last; ++face)
     face->surface = surface_of(face->patch);
-}
-
-void Soup::reorder_faces(std::span<const SourceId> order) {
-  require(order.size() == faces_.size(), "soup: an order of other faces");
-  std::vector<Face> faces;
-  std::vector<std::uint32_t> offsets{0};
-  std::vector<PointId> all;
-  std::vector<std::pair<SourceId, std::array<PointId, 3>>> planes;
-  faces.reserve(faces_.size()), offsets.reserve(offsets_.size()), all.reserve(corners_.size());
-  for (const SourceId f : order) {
-    if (const std::array<PointId, 3>* points = plane(f)) planes.emplace_back(SourceId(faces.size()), *points);
-    const std::span<const PointId> of_face = corners(f);
-    all.insert(all.end(), of_face.begin(), of_face.end());
-    offsets.push_back(static_cast<std::uint32_t>(all.size()));
-    faces.push_back(face(f));
-  }
-  faces_ = std::move(faces), offsets_ = std::move(offsets), corners_ = std::move(all), planes_ = std::move(planes);
-}
-
-void Soup::reorder_points(std::span<const PointId> order) {
-  require(order.size() == point_count() && !seed_.valid(), "soup: an order of other points");
-  std::vector<double> all;
-  all.reserve(xyz_.size());
-  std::vector<std::pair<PointId, RationalPoint>> exact;
-  std::vector<PointId> place(order.size());
-  for (const PointId p : order) {
-    place[p.index()] = PointId(all.size() / 3);
-    if (const RationalPoint* value = rational(p)) exact.emplace_back(place[p.index()], *value);
-    all.insert(all.end(), xyz(p), xyz(p) + 3);
-  }
-  xyz_ = std::move(all), rationals_ = std::move(exact);
-  const auto move = [&](PointId& p) {
-    if (p.valid()) p = place[p.index()];
-  };
-  for (PointId& p : corners_) move(p);
-  for (auto& [f, points] : planes_) {
-    for (PointId& p : points) move(p);
-  }
-  for (Wire& wire : wires_) move(wire.a), move(wire.b);
-  for (Isolated& point : isolated_) move(point.point);
-  for (Isolated& end : curve_ends_) move(end.point);
 }
 
 void Soup::set_frame(LeafId frame, PointId seed, std::vector<std::pair<LeafId, std::uint32_t>> seed_regions) {

@@ -71,11 +71,6 @@ class Soup {
   /// leaves; 0: none is known.
   void number_surfaces(const std::function<std::uint32_t(std::uint32_t patch)>& surface_of);
 
-  /// Puts the faces and the points in another order, in which cells are numbered: face `order[i]` becomes face i,
-  /// and so do points.
-  void reorder_faces(std::span<const SourceId> order);
-  void reorder_points(std::span<const PointId> order);
-
   /// Declares a leaf as the frame: a closed convex box, oriented outward, that cuts off what is unbounded. Points
   /// of other leaves are strictly inside, except where faces of unbounded leaves are cut off on it. Cells on and
   /// outside of it are never active. `seed_regions`: the regions of leaves (Fill::sides) at the frame's corner
@@ -101,6 +96,8 @@ class Soup {
   std::size_t face_count() const { return faces_.size(); }
   std::size_t leaf_count() const { return fills_.size(); }
   Fill fill(LeafId leaf) const { return fills_[leaf.index()]; }
+  /// The first point that was added after the leaf.
+  PointId first_point(LeafId leaf) const { return first_points_[leaf.index()]; }
   /// nullptr: x, y and z.
   const LeafAxes* own_axes(LeafId leaf) const;
   const Face& face(SourceId f) const { return faces_[f.index()]; }
@@ -126,6 +123,7 @@ class Soup {
   std::vector<double> xyz_;                                   // nearest doubles
   std::vector<std::pair<PointId, RationalPoint>> rationals_;  // sorted by id: the points that are no doubles
   std::vector<Fill> fills_;
+  std::vector<PointId> first_points_;  // by leaf
   std::vector<std::pair<LeafId, LeafAxes>> own_axes_;
   std::vector<Face> faces_;
   std::vector<std::uint32_t> offsets_{0};
