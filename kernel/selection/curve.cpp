@@ -3,6 +3,7 @@
 #include "kernel/selection/curve.h"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 #include "kernel/base/sorted.h"
@@ -57,6 +58,19 @@ void collect(const Complex& complex, const PieceOfCurve& at, std::vector<Surface
   sort_unique(surfaces);
 }
 
+/// The number of surfaces; those that lie in the same facets, as two leaves that lie on each other, are one.
+/// Facets are ascending.
+std::size_t count_surfaces(const std::vector<std::pair<Surface, SheetId>>& facets) {
+  std::set<std::vector<SheetId>> sheets_of;
+  for (auto facet = facets.begin(); facet != facets.end();) {
+    std::vector<SheetId> sheets;
+    const Surface surface = facet->first;
+    for (; facet != facets.end() && facet->first == surface; ++facet) sheets.push_back(facet->second);
+    sheets_of.insert(std::move(sheets));
+  }
+  return sheets_of.size();
+}
+
 bool turns_less_than_right_angle(const Complex& complex, VertexId v, EdgeId a, EdgeId b) {
   const RationalPoint p = complex.points.rational(other_end(complex, a, v));
   const RationalPoint q = complex.points.rational(v);
@@ -86,7 +100,7 @@ bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const 
   const auto bent = std::adjacent_find(facets.begin(), facets.end(),
                                        [](const auto& x, const auto& y) { return x.first == y.first; });
   if (bent == facets.end()) return false;
-  return along_a.size() > 1 || turns_less_than_right_angle(complex, v, a.edge, b.edge);
+  return count_surfaces(facets) > 1 || turns_less_than_right_angle(complex, v, a.edge, b.edge);
 }
 
 bool is_bare(const Complex& complex, FaceId f, LeavesThere leaves) {
