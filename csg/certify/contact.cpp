@@ -278,6 +278,13 @@ bool Contact::has(const RationalPoint& p) const {
   return kind == Kind::conic && dot(p - point, direction) == 0;
 }
 
+bool Contact::in(const PlaneEquation& plane) const {
+  const RationalPoint normal{plane[0], plane[1], plane[2]};
+  if (kind == Kind::none || dot(normal, point) + plane[3] != 0) return false;
+  return kind == Kind::point ||
+         (kind == Kind::line ? dot(direction, normal) == 0 : is_zero(cross(direction, normal)));
+}
+
 std::optional<Contact> contact(const Quadric& first, const Quadric& second) {
   const Matrix a = matrix_of(first), b = matrix_of(second);
   // Without what both have in their kernels, such as the direction of parallel cylinders.

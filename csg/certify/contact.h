@@ -30,6 +30,8 @@ struct Contact {
   Rational radius = 0;               ///< of a circle
   /// Of points on one of the surfaces; those of a circle are rounded.
   bool has(const RationalPoint& p) const;
+  /// True if all that the surfaces have in common lies in the plane.
+  bool in(const PlaneEquation& plane) const;
 };
 
 /// Nothing where they may cross: it is not proven that one is on one side of the other.

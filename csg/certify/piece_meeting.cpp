@@ -121,7 +121,7 @@ RationalPoint Pieces::normal_of(const Facet& facet) const {
 }
 
 PlaneEquation Pieces::equation_of(const Facet& facet) const {
-  if (pieces_[facet.piece].kind == Piece::Kind::flat) return planes_.at(pieces_[facet.piece].sheet);
+  if (pieces_[facet.piece].kind == Piece::Kind::flat) return plane_of(pieces_[facet.piece].sheet);
   const RationalPoint normal = normal_of(facet);
   return {normal[0], normal[1], normal[2], Rational(-dot(normal, corner(facet, 0)))};
 }

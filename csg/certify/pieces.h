@@ -107,6 +107,8 @@ class Pieces {
   bool drawn_alike(std::uint32_t a, std::uint32_t b) const;
   /// What two sheets have in common, if one is on one side of the other, exactly.
   const std::optional<Contact>& contact_of(std::uint32_t sheet, std::uint32_t other);
+  /// Of a flat sheet.
+  const PlaneEquation& plane_of(std::uint32_t sheet) const { return planes_.at(sheet); }
   /// How the facets of two cells, or of a cell and a flat piece, meet.
   enum class Meeting : std::uint8_t {
     apart,       ///< one is on one side of the other, without a common point

@@ -21,6 +21,8 @@ using PieceParts = std::vector<PiecePart>;
 using Patches = std::vector<std::pair<LeafId, std::uint32_t>>;
 
 constexpr std::size_t kMostSteps = 250;         // of one question
+constexpr std::size_t kMostInContact = 64;      // of one to three, of which two touch as it is known
+constexpr std::size_t kMostIfHopeless = 8;      // of one to more than two, of which some touch otherwise
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
 constexpr std::size_t kMostTold =
     64;  // places of the same patches of which it is asked whether facets are to blame
@@ -40,9 +42,10 @@ std::optional<Vector3<double>> direction(const Vector3<double>& x) {
 
 /// What is asked of some pieces.
 enum class Question : std::uint8_t {
-  none,     ///< answered by what is asked of fewer, or of the leaf itself
-  angle,    ///< apart, or independent
-  contact,  ///< apart, or what two have in common, along a curve, crosses the third at an angle
+  none,      ///< answered by what is asked of fewer, or of the leaf itself
+  angle,     ///< apart, or independent
+  contact,   ///< apart, or what two have in common, along a curve, crosses the third at an angle
+  contacts,  ///< apart, or what two pairs of three have in common, along curves, crosses at an angle
   apart,
 };
 
@@ -149,40 +152,52 @@ class Prover {
 
   void ask_pair(Index a, Index b) {
     const bool one_leaf = all_[a].leaf == all_[b].leaf;
-    if (is_cell(a) && is_cell(b) && all_[a].sheet == all_[b].sheet) return;
-    if (is_cell(a) != is_cell(b) && lies_in(is_cell(a) ? b : a, is_cell(a) ? a : b)) return;
+    if (of_one_surface(a, b)) return;
     if (one_leaf && pieces_.adjacent(a, b)) return meet(a, b);
+    if (!one_leaf && answered_by_fewer(a, b)) return;
     const Question question = one_leaf ? Question::angle : question_of({a, b});
     if (question == Question::none) return;
     ++proof_.asked;
     bool some = false;
     if (!ask({a, b}, question, some)) return;  // what is asked of more pieces is open with it
     if (contacts_.contains({a, b})) ++proof_.contacts;
-    else if (some) ++proof_.crossing, meet(a, b);
-    else ++proof_.apart;
+    else ++(some ? proof_.crossing : proof_.apart);
+    if (some) meet(a, b);
   }
+  /// What is asked of more pieces is asked of those that meet two at a time.
   void meet(Index a, Index b) {
+    if (answered_by_fewer(a, b)) return;
     together_[a].push_back(b);
     together_[b].push_back(a);
+  }
+  bool of_one_surface(Index a, Index b) const {
+    if (is_cell(a) && is_cell(b)) return all_[a].sheet == all_[b].sheet;
+    return is_cell(a) != is_cell(b) && (is_cell(a) ? lies_in(b, a) : lies_in(a, b));
+  }
+  /// True if nothing is asked of two pieces with others.
+  bool answered_by_fewer(Index a, Index b) const {
+    const Piece &one = all_[a], &other = all_[b];
+    return of_one_surface(a, b) || (!is_cell(a) && !is_cell(b) && one.sheet == other.sheet) ||
+           smooth_.contains(std::minmax(a, b)) || (one.leaf != other.leaf && !asked_for_(one.leaf, other.leaf));
   }
 
   /// Triples and quadruples whose first piece that is not exact is i.
   void ask_more(Index i) {
-    const std::vector<Index>& near = together_[i];
-    const auto counts = [&](Index j) { return all_[j].exact() || j > i; };
+    std::vector<Index> near;
+    for (const Index j : together_[i]) {
+      if (all_[j].exact() || j > i) near.push_back(j);
+    }
     for (std::size_t x = 0; x < near.size(); ++x) {
-      if (!counts(near[x])) continue;
       for (std::size_t y = x + 1; y < near.size(); ++y) {
-        if (!counts(near[y]) || !may_meet(near[x], near[y]) || !boxes_meet({i, near[x], near[y]})) continue;
+        if (!may_meet(near[x], near[y])) continue;
         const std::vector<Index> triple{i, near[x], near[y]};
         const Question question = question_of(triple);
         bool some = true;
         if (question != Question::none && !ask(triple, question, some)) continue;
         if (!some) continue;
         for (std::size_t z = y + 1; z < near.size(); ++z) {
+          if (!may_meet(near[x], near[z]) || !may_meet(near[y], near[z])) continue;
           const std::vector<Index> four{i, near[x], near[y], near[z]};
-          if (!counts(near[z]) || !may_meet(near[x], near[z]) || !may_meet(near[y], near[z]) || !boxes_meet(four))
-            continue;
           const Question last = question_of(four);
           bool any = true;
           if (last != Question::none) ask(four, last, any);
@@ -191,44 +206,33 @@ class Prover {
     }
   }
   bool may_meet(Index a, Index b) const {
-    if (all_[a].exact() && all_[b].exact()) return true;
-    return std::ranges::binary_search(together_[a], b);
-  }
-  bool boxes_meet(const std::vector<Index>& tuple) const {
-    for (std::size_t i = 0; i < tuple.size(); ++i) {
-      for (std::size_t j = i + 1; j < tuple.size(); ++j) {
-        if (!all_[tuple[i]].box.meets(all_[tuple[j]].box)) return false;
-      }
-    }
-    return true;
+    if (!all_[a].exact() || !all_[b].exact()) return std::ranges::binary_search(together_[a], b);
+    return all_[a].box.meets(all_[b].box) && !answered_by_fewer(a, b);
   }
 
+  std::size_t pairs_in_contact(const std::vector<Index>& tuple) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < tuple.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) count += contacts_.contains(std::minmax(tuple[i], tuple[j])) ? 1 : 0;
+    }
+    return count;
+  }
+
+  /// Of pieces that meet two at a time.
   Question question_of(const std::vector<Index>& tuple) const {
     bool one_leaf = true, exact = true;
     std::size_t cells = 0;
     std::vector<Index> curves;
-    for (std::size_t i = 0; i < tuple.size(); ++i) {
-      const Piece& piece = all_[tuple[i]];
-      one_leaf = one_leaf && piece.leaf == all_[tuple[0]].leaf;
-      exact = exact && piece.exact();
-      if (is_cell(tuple[i])) ++cells;
-      else curves.push_back(tuple[i]);
-      for (std::size_t j = 0; j < i; ++j) {
-        const Piece& other = all_[tuple[j]];
-        if (piece.sheet == other.sheet && is_cell(tuple[i]) == is_cell(tuple[j])) return Question::none;
-        if (is_cell(tuple[i]) != is_cell(tuple[j]) &&
-            lies_in(is_cell(tuple[i]) ? tuple[j] : tuple[i], is_cell(tuple[i]) ? tuple[i] : tuple[j]))
-          return Question::none;
-        if (smooth_.contains(std::minmax(tuple[i], tuple[j]))) return Question::none;
-        if (piece.leaf != other.leaf && !asked_for_(piece.leaf, other.leaf)) return Question::none;
-      }
+    for (const Index i : tuple) {
+      one_leaf = one_leaf && all_[i].leaf == all_[tuple[0]].leaf;
+      exact = exact && all_[i].exact();
+      if (is_cell(i)) ++cells;
+      else curves.push_back(i);
     }
     if (one_leaf || exact) return Question::none;
-    std::size_t touching = 0;
-    for (std::size_t i = 0; i < tuple.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) touching += contacts_.contains(std::minmax(tuple[i], tuple[j])) ? 1 : 0;
-    }
-    if (touching > 0) return touching == 1 && tuple.size() == 3 ? Question::contact : Question::apart;
+    const std::size_t touching = pairs_in_contact(tuple);
+    if (touching > 0 && tuple.size() > 3) return Question::apart;
+    if (touching > 0) return touching == 1 ? Question::contact : Question::contacts;
     if (curves.empty()) return cells <= 3 ? Question::angle : Question::apart;
     if (curves.size() == 1) return cells == 1 ? Question::angle : Question::apart;
     if (curves.size() > 2) return Question::apart;
@@ -253,19 +257,23 @@ class Prover {
     for (const auto& [leaf, patch] : patches) {
       if (leaves.empty() || leaves.back() != leaf) leaves.push_back(leaf);
     }
+    const bool hopeless = is_hopeless(patches);
+    // What touches is asked little with others, whatever is left for these: finer facets do not tell more.
+    const std::size_t contacts = tuple.size() > 2 ? pairs_in_contact(tuple) : 0;
+    const bool little = contacts > 0 || (hopeless && tuple.size() > 2);
     std::size_t& spent = proof_.spent[leaves];
-    if (spent >= most_steps_) {
+    if (!little && spent >= most_steps_) {
       if (++proof_.left[leaves] == 1)
         proof_.open.push_back({tuple, middle_of(root(tuple[0]).box), size_of(root(tuple[0]).box), Why::budget});
       return false;
     }
     const std::size_t before = proof_.steps;
-    const bool proven = ask_on(key, tuple, question, patches, open, some);
-    spent += proof_.steps - before;
+    const bool proven = ask_on(key, tuple, question, patches, contacts, hopeless, open, some);
+    if (!little) spent += proof_.steps - before;
     return proven;
   }
   bool ask_on(const PieceTuple& key, const std::vector<Index>& tuple, Question question, const Patches& patches,
-              std::size_t& open, bool& some) {
+              std::size_t contacts, bool hopeless, std::size_t& open, bool& some) {
     Interval3 left{};
     some = false;
     if (tuple.size() == 2 && is_cell(tuple[0]) && is_cell(tuple[1])) {
@@ -275,11 +283,14 @@ class Prover {
         return true;
       }
     }
-    if (answer(tuple, question, Between::facets_and_surfaces, kMostSteps, some, left)) return answered(key, some);
+    const std::size_t steps = tuple.size() == 2 || (contacts == 0 && !hopeless) ? kMostSteps
+                              : contacts == 1 && !hopeless                      ? kMostInContact
+                                                                                : kMostIfHopeless;
+    if (answer(tuple, question, Between::facets_and_surfaces, steps, some, left)) return answered(key, some);
     some = true;
-    OpenPlace place{tuple, middle_of(left), size_of(left), Why::facets};
+    OpenPlace place{tuple, middle_of(left), size_of(left), contacts > 0 ? Why::budget : Why::facets};
     ++open;
-    if (!hopeless_.contains(patches)) {
+    if (contacts == 0 && !hopeless) {
       bool any = false;
       const bool by_facets =
           answer(tuple, question, Between::surfaces, open <= kMostTold ? kMostOfSurfaces : kMostSteps / 2, any,
@@ -294,6 +305,12 @@ class Prover {
     }
     add_open(key, std::move(place));
     return false;
+  }
+
+  /// True if they, or some of them, touch somewhere: then finer facets do not do.
+  bool is_hopeless(const Patches& patches) const {
+    return std::ranges::any_of(hopeless_,
+                               [&](const Patches& some) { return std::ranges::includes(patches, some); });
   }
 
   static PieceTuple key_of(std::vector<Index> tuple) {
@@ -421,7 +438,7 @@ class Prover {
       if (part.piece->kind == Piece::Kind::flat && misses(*part.piece, common)) return true;
     }
     if ((question == Question::angle && at_angle(parts)) ||
-        (question == Question::contact && contact_at_angle(parts))) {
+        ((question == Question::contact || question == Question::contacts) && contact_at_angle(parts, question))) {
       some = true;
       return true;
     }
@@ -448,25 +465,39 @@ class Prover {
     return true;
   }
 
-  /// Of two parts in contact and a third piece, a sheet.
-  bool contact_at_angle(const PieceParts& parts) {
-    std::array<std::size_t, 3> order{0, 1, 2};
-    const auto number = [&](std::size_t i) { return static_cast<Index>(parts[i].piece - all_.data()); };
-    while (!contacts_.contains(std::minmax(number(order[0]), number(order[1]))))
-      std::rotate(order.begin(), order.begin() + 1, order.end());
-    const PiecePart &a = parts[order[0]], &b = parts[order[1]], &c = parts[order[2]];
-    if (c.blind || c.piece->kind == Piece::Kind::curve) return false;
+  bool touch_in_contact(const PiecePart& a, const PiecePart& b) const {
+    const auto number = [&](const PiecePart& part) { return static_cast<Index>(part.piece - all_.data()); };
+    return contacts_.contains(std::minmax(number(a), number(b)));
+  }
+  /// Of two parts in contact along a curve: its directions.
+  std::optional<Interval3> way_of_contact(const PiecePart& a, const PiecePart& b) {
     const Contact& contact = *pieces_.contact_of(a.piece->sheet, b.piece->sheet);
-    const Interval3 direction{enclose(contact.direction[0]), enclose(contact.direction[1]),
-                              enclose(contact.direction[2])};
-    if (contact.kind == Contact::Kind::line) return !holds_zero(dot(direction, c.cone));
-    if (contact.kind == Contact::Kind::circle) {
-      const Interval3 way = cross(direction, difference(a.box, enclose3(contact.point)));
-      return !holds_zero(dot(way, c.cone));
-    }
+    const Interval3 direction = enclose3(contact.direction);
+    if (contact.kind == Contact::Kind::line) return direction;
+    if (contact.kind == Contact::Kind::circle) return cross(direction, difference(a.box, enclose3(contact.point)));
     const PiecePart& one = a.blind ? b : a;
-    return contact.kind == Contact::Kind::conic && !one.blind &&
-           !holds_zero(dot(cross(direction, one.cone), c.cone));
+    if (contact.kind != Contact::Kind::conic || one.blind) return std::nullopt;
+    return cross(direction, one.cone);
+  }
+  /// Of three parts.
+  bool contact_at_angle(const PieceParts& parts, Question question) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PiecePart &a = parts[k], &b = parts[(k + 1) % 3], &c = parts[(k + 2) % 3];
+      if (!touch_in_contact(a, b)) continue;
+      if (question == Question::contact) {
+        if (c.blind || c.piece->kind == Piece::Kind::curve) return false;
+        // A plane that crosses each of them, and holds what they have in common, has no more in common with both.
+        if (c.piece->kind == Piece::Kind::flat &&
+            pieces_.contact_of(a.piece->sheet, b.piece->sheet)->in(pieces_.plane_of(c.piece->sheet)))
+          return true;
+        const auto way = way_of_contact(a, b);
+        return way && !holds_zero(dot(*way, c.cone));
+      }
+      if (!touch_in_contact(b, c)) continue;
+      const auto way = way_of_contact(a, b), other = way_of_contact(b, c);
+      if (way && other && independent(*way, *other)) return true;
+    }
+    return false;
   }
 
   /// False where a part is no longer than facets are away from the surface there: it gets no thinner.

@@ -17,14 +17,31 @@ N taylor(double r, bool odd) {
   return odd ? x + x * result : N(1) + result;
 }
 
-/// The same, of doubles and wider, in a tenth of the time. In any rounding mode x has a relative error below
-/// 2^-51, which changes the value by less than 0.785 * 0.71 * 2^-51 < 2.5e-16; each step has four operations of a
-/// number below 0.31 and what is left of the steps before, times 0.31 at most, together below 0.31 * 4 * 2^-52
-/// * 1.45 < 4.1e-16; the last sums and products add less than 2^-50.
+/// The coefficients of Taylor's polynomials in x^2 up to x^16 / 16! or x^17 / 17!, from the last one on.
+template <int last>
+constexpr std::array<double, last / 2 + 1> coefficients() {
+  std::array<double, last / 2 + 1> all{};
+  double factorial = 1;  // exact
+  for (int n = 1; n <= last; ++n) {
+    factorial *= n;
+    if ((last - n) % 2 == 0) all[static_cast<std::size_t>((last - n) / 2)] = (n / 2 % 2 == 0 ? 1 : -1) / factorial;
+  }
+  if (last % 2 == 0) all.back() = 1;
+  return all;
+}
+
+/// The same, of doubles and wider, in a tenth of the time. The rest is below (pi / 4)^18 / 18! < 1e-17. In any
+/// rounding mode x^2 has a relative error below 5 * 2^-52; so a step adds less than 4 * 2^-52 of its coefficient,
+/// and later steps multiply that by 0.31 each, beside their own coefficients: together less than 1.3e-15. The last
+/// product by x adds less than 3 * 2^-52, and the ends 2^-52.
 Interval wide_taylor(double r, bool odd) {
-  constexpr double kError = 2e-15;
+  constexpr double kError = 3e-15;
   if (r == 0) return odd ? 0 : 1;
-  const double value = taylor<double>(r, odd);
+  static constexpr auto kEven = coefficients<16>(), kOdd = coefficients<17>();
+  const double x = turn<double>() * r, square = x * x;
+  double value = 0;
+  for (const double c : odd ? kOdd : kEven) value = value * square + c;
+  if (odd) value *= x;
   return {value - kError, value + kError};
 }
 

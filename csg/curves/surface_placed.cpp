@@ -7,7 +7,9 @@ using namespace surface_math;
 
 PlacedSurface::PlacedSurface(std::shared_ptr<const LeafSurfaces> leaf, std::uint32_t patch,
                              const Transform& transform)
-    : leaf_(std::move(leaf)), surface_(leaf_ ? leaf_->patch(patch) : nullptr) {
+    : leaf_(std::move(leaf)),
+      surface_(leaf_ ? leaf_->patch(patch) : nullptr),
+      shifted_(transform.linear == Transform().linear) {
   const auto& m = transform.linear;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
@@ -22,6 +24,7 @@ PlacedSurface::PlacedSurface(std::shared_ptr<const LeafSurfaces> leaf, std::uint
 
 template <class N>
 SurfaceJet<N> PlacedSurface::moved(const SurfaceJet<N>& jet) const {
+  if (shifted_) return {sum(jet.point, as<N>(offset_)), jet.along_u, jet.along_v, jet.normal};
   const auto by = [](const std::array<Vector3<Constant>, 3>& rows, const Vector3<N>& x) {
     return Vector3<N>{dot(as<N>(rows[0]), x), dot(as<N>(rows[1]), x), dot(as<N>(rows[2]), x)};
   };

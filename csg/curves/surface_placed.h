@@ -27,6 +27,7 @@ class PlacedSurface final : public Surface {
 
   std::shared_ptr<const LeafSurfaces> leaf_;  // holds the surface
   const Surface* surface_ = nullptr;
+  bool shifted_;                                                       // no more than that
   std::array<Vector3<surface_math::Constant>, 3> linear_, cofactors_;  // rows
   Vector3<surface_math::Constant> offset_;
 };

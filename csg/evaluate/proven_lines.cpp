@@ -95,7 +95,11 @@ bool ProvenLines::add_lines() {
   for (const Piece& piece : pieces) ++cells[piece.leaf];
   bool any = false;
   for (const OpenPlace& open : proof_->open) {
-    if (open.why != UncertainPlace::Why::facets || hopeless.contains(patches_of(pieces, open))) continue;
+    if (open.why != UncertainPlace::Why::facets) continue;
+    const auto touches = [of = patches_of(pieces, open)](const Patches& some) {
+      return std::ranges::includes(of, some);
+    };
+    if (std::ranges::any_of(hopeless, touches)) continue;
     for (const std::uint32_t i : open.pieces) {
       const Piece& piece = pieces[i];
       const auto leaf = static_cast<std::uint32_t>(piece.leaf.index());

@@ -180,6 +180,26 @@ TEST_CASE("contacts of tori are certified where they are drawn", "[certify]") {
   }
 }
 
+// A cylinder lies on a floor along a line. Where a ball's surface is as near to that line, the counts depend on
+// it.
+TEST_CASE("what is near a contact is asked with it", "[certify]") {
+  for (const char* const y : {"0.29", "0.2999", "0.3", "0.3001", "0.31"}) {
+    for (const int finer : {1, 2, 3}) {
+      INFO("y = " << y << ", --finer " << finer);
+      const Asked asked(
+          "  a: {box: {min: [-3, -3, -1], max: [3, 3, 0]}}\n"
+          "  b: {cylinder: {from: [-2, 0, 1], to: [2, 0, 1], radius: 1}}\n"
+          "  c: {sphere: {center: [1/7, " +
+              std::string(y) + ", 2/5], radius: 1/2}}\n",
+          "{sum: [a, b, c]}", AskedProof::to_the_end, finer);
+      if (std::string(y) == "0.3") CHECK_FALSE(asked.certified());  // it touches the line
+      else if (asked.certified())
+        CHECK(asked.cells() == (y[2] == '2' ? Cells{12, 21, 17, 6} : Cells{10, 17, 14, 5}));
+      if (std::string(y).size() == 4) CHECK(asked.certified());
+    }
+  }
+}
+
 TEST_CASE("where surfaces touch and cross, it is named", "[certify]") {
   for (const std::string& leaves :
        {std::string("  a: {cylinder: {from: [0, 0, -4], to: [0, 0, 4], radius: 2}}\n"

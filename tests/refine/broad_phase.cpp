@@ -364,7 +364,9 @@ bool share_only(const Soup& soup, std::uint32_t f, std::uint32_t g) {
     pair.add_triangle(leaf, c[0], c[1], c[2], face, face);
   }
   RefineReport report;
-  const auto built_complex = build_complex(pair, {}, &report);
+  RefineOptions alone;
+  alone.threads = 1;  // a pair is no work for several
+  const auto built_complex = build_complex(pair, alone, &report);
   return built_complex->vertex_count() == corners.size() && built_complex->edge_count() == corners.size() + 1;
 }
 
