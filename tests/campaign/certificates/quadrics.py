@@ -383,5 +383,20 @@ def lens_plane(rng, gap):
                 f"{'below' if below else 'above'}, {where}")
 
 
+def rod_on_floor(rng, gap):
+    """A cylinder lies on a floor along a line; a ball crosses both, and its surface is near that line."""
+    (c, s), radius = rng.choice(TURNS), F(1, 2)
+    away = near(rng, gap, radius, F(1, 4), F(3, 4))
+    y, z = away * c, away * s
+    # It crosses the floor, and is not inside of the cylinder.
+    if z > radius - F(1, 32) or y ** 2 + (1 - z) ** 2 < F(9, 16) ** 2:
+        return None
+    where = "cut" if away < radius else "touch" if away == radius else "beside"
+    truth = {"cut": (12, 20, 11, 1), "touch": (11, 18, 10, 1), "beside": (10, 17, 10, 1)}[where]
+    leaves = {"a": block([-3, -3, -1], [3, 3, 0]), "b": rod([-2, 0, 1], [2, 0, 1], F(1)),
+              "c": ball([fraction(rng, F(-1), F(1)), y, z], radius)}
+    return Case("rod on floor and ball", leaves, ("union", "a", "b", "c"), truth, where)
+
+
 KINDS = [two_balls, three_balls, lens_plane, ball_plane, ball_two_planes, ball_corner, bore_wall, rod_oblique,
-         rods_parallel, rods_skew, ball_rod, pin_bore, cone_plane, cone_ball]
+         rods_parallel, rods_skew, ball_rod, rod_on_floor, pin_bore, cone_plane, cone_ball]
