@@ -252,11 +252,10 @@ class GlbWriter {
       if (!edge.own || !(edge.wire || edge.slit)) continue;
       ShapeMaker& maker =
           wires.of(group_name(1, e, "edge in a face"), kLines, material(colors_.of(by, 1, e), false, false));
-      const std::size_t n = edge.points.size();
-      for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
-        maker.add_point(edge.points[k]);
-        maker.add_point(edge.points[(k + 1) % n]);
-      }
+      for_each_segment(edge, [&](Index a, Index b) {
+        maker.add_point(a);
+        maker.add_point(b);
+      });
     }
     wires.give(shapes_);
   }

@@ -15,11 +15,7 @@ using Index = Mesh::Index;
 
 EdgePieces::EdgePieces(const FlatComplex& flat) {
   for (Index i = 0; i < flat.edges.size(); ++i) {
-    const auto& points = flat.edges[i].points;
-    for (std::size_t k = 0; k + (flat.edges[i].closed ? 0 : 1) < points.size(); ++k) {
-      const Index a = points[k], b = points[(k + 1) % points.size()];
-      pieces_[edge_key(a, b)] = {i, a < b};
-    }
+    for_each_segment(flat.edges[i], [&](Index a, Index b) { pieces_[edge_key(a, b)] = {i, a < b}; });
   }
 }
 

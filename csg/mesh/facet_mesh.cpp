@@ -32,11 +32,9 @@ FacetMesh::FacetMesh(const FlatComplex& flat, const std::vector<Vector>& xyz, co
 
 void FacetMesh::add_segments(const FlatComplex& flat) {
   for (Index i = 0; i < flat.edges.size(); ++i) {
-    const auto& edge = flat.edges[i];
-    const std::size_t n = edge.points.size();
-    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
-      segments_.push_back({{edge.points[k], edge.points[(k + 1) % n]}, i, Index(segments_.size())});
-    }
+    for_each_segment(flat.edges[i], [&](Index a, Index b) {
+      segments_.push_back({{a, b}, i, Index(segments_.size())});
+    });
   }
 }
 

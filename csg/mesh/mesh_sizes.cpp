@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/mesh/facets.h"
+#include "csg/result/flat.h"
 #include "csg/result/sizes.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
@@ -55,12 +55,6 @@ class SizeCollector {
     if (size > 0 && size < overall_) sources_.push_back({{xyz_[a], xyz_[b], xyz_[c]}, size});
   }
 
-  template <class Visit>
-  static void for_each_piece(const FlatComplex::Edge& edge, const Visit& visit) {
-    const std::size_t n = edge.points.size();
-    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) visit(edge.points[k], edge.points[(k + 1) % n]);
-  }
-
   void add_said() {
     regions_ = region_sizes(view_, flat_);
     for (Index f = 0; f < flat_.faces.size(); ++f) {
@@ -74,7 +68,7 @@ class SizeCollector {
     }
     for (const FlatComplex::Edge& edge : flat_.edges) {
       const double size = size_of(view_, edge.origin);
-      if (size > 0) for_each_piece(edge, [&](Index a, Index b) { add(a, b, b, size); });
+      if (size > 0) for_each_segment(edge, [&](Index a, Index b) { add(a, b, b, size); });
     }
     for (const FlatComplex::Vertex& vertex : flat_.vertices) {
       if (vertex.free) add(vertex.point, vertex.point, vertex.point, size_of(view_, vertex.origin));
@@ -94,7 +88,7 @@ class SizeCollector {
     for (const FlatComplex::Edge& edge : flat_.edges) {
       const bool across = !edge.around.empty() && std::none_of(edge.around.begin(), edge.around.end(),
                                                                [&](Index side) { return wide_[side >> 1] != 0; });
-      for_each_piece(edge, [&](Index a, Index b) {
+      for_each_segment(edge, [&](Index a, Index b) {
         const double size = length(a, b);
         const bool through = edge.wire && face_of[a] != face_of[b] && face_of[a] != FlatComplex::kNone &&
                              face_of[b] != FlatComplex::kNone;

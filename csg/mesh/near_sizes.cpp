@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "csg/mesh/facets.h"
+#include "csg/result/flat.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
@@ -111,11 +111,8 @@ class NearSizer {
 
   void add_segment(Index a, Index b) { segments_.push_back({std::min(a, b), std::max(a, b)}); }
   void add_edges() {
-    for (const FlatComplex::Edge& edge : flat_.edges) {
-      const std::size_t n = edge.points.size();
-      for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k)
-        add_segment(edge.points[k], edge.points[(k + 1) % n]);
-    }
+    for (const FlatComplex::Edge& edge : flat_.edges)
+      for_each_segment(edge, [&](Index a, Index b) { add_segment(a, b); });
     sort_unique(segments_);
     for (const auto& [a, b] : segments_) items_.push_back({{a, b, b}, kToEdge});
     for (const FlatComplex::Vertex& vertex : flat_.vertices) {

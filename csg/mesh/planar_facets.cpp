@@ -175,11 +175,10 @@ class FacetUniter {
 std::vector<DirectedEdge> sides_of_edges(const FlatComplex& flat) {
   std::vector<DirectedEdge> sides;
   for (const auto& edge : flat.edges) {
-    const std::size_t n = edge.points.size();
-    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
-      sides.push_back({edge.points[k], edge.points[(k + 1) % n]});
+    for_each_segment(edge, [&](Index a, Index b) {
+      sides.push_back({a, b});
       sides.push_back(turned(sides.back()));
-    }
+    });
   }
   sort_unique(sides);
   return sides;

@@ -6,7 +6,7 @@
 #include <set>
 #include <span>
 
-#include "csg/mesh/facets.h"
+#include "csg/result/flat.h"
 #include "kernel/exact/triangulate.h"
 
 namespace cnrg {
@@ -43,10 +43,7 @@ class PlcMaker {
 
   void add_edge(Index i) {
     const auto& edge = flat_.edges[i];
-    const std::size_t n = edge.points.size();
-    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
-      plc_.segments.push_back({{edge.points[k], edge.points[(k + 1) % n]}, i, edge.wire});
-    }
+    for_each_segment(edge, [&](Index a, Index b) { plc_.segments.push_back({{a, b}, i, edge.wire}); });
   }
 
   void add_face(Index i) {

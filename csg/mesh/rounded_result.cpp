@@ -111,14 +111,12 @@ void RoundedResult::match_wires_and_points() const {
   };
   for (const auto& edge : flat_.edges) {
     if (!edge.wire) continue;
-    const std::size_t n = edge.points.size();
-    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
-      const RationalPoint a = from_doubles(points_.xyz[edge.points[k]]);
-      const RationalPoint b = from_doubles(points_.xyz[edge.points[(k + 1) % n]]);
+    for_each_segment(edge, [&](Index from, Index to) {
+      const RationalPoint a = from_doubles(points_.xyz[from]), b = from_doubles(points_.xyz[to]);
       const Location at = data_->locator.locate({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
       require(at.dimension == 1, "rounded result: the middle of a wire is not on it");
       check(complex.some_region(at.edge), edge.region);
-    }
+    });
   }
   for (const auto& vertex : flat_.vertices) {
     if (vertex.region == kNone) continue;

@@ -4,9 +4,9 @@
 #include <set>
 #include <unordered_map>
 
-#include "csg/mesh/facets.h"
 #include "csg/mesh/material_field.h"
 #include "csg/mesh/mesh.h"
+#include "csg/result/flat.h"
 #include "csg/result/solid.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
@@ -86,14 +86,13 @@ class SurfaceMesher {
   void add_edges() {
     for (Index i = 0; i < flat_.edges.size(); ++i) {
       const auto& e = flat_.edges[i];
-      const std::size_t n = e.points.size();
-      for (std::size_t k = 0; k + (e.closed ? 0 : 1) < n; ++k) {
-        auto& entity = mesh_.entities[1][segment(e.points[k], e.points[(k + 1) % n])];
+      for_each_segment(e, [&](Index a, Index b) {
+        auto& entity = mesh_.entities[1][segment(a, b)];
         entity.feature = true;
         entity.wire = e.wire;
         entity.groups = groups_.of[1][i];
         entity.tags = tagger_.edge(i);
-      }
+      });
     }
   }
 
@@ -185,11 +184,10 @@ Drawing drawing_of(const FlatComplex& flat) {
   for (const auto& e : flat.edges) {
     for (const Index p : e.points) drawn[p] = 1;
     if (!e.wire) continue;
-    const std::size_t n = e.points.size();
-    for (std::size_t k = 0; k + (e.closed ? 0 : 1) < n; ++k) {
-      drawing.segments.push_back({e.points[k], e.points[(k + 1) % n]});
+    for_each_segment(e, [&](Index a, Index b) {
+      drawing.segments.push_back({a, b});
       drawing.around_segments.push_back(e.region);
-    }
+    });
   }
   for (const auto& v : flat.vertices) {
     if (drawn[v.point]) continue;

@@ -213,9 +213,7 @@ PictureCells picture_cells(const Complex& complex, const FlatComplex& flat) {
     const FlatComplex::Edge& edge = flat.edges[i];
     PictureCells::Edge& shown = out.edges.emplace_back();
     shown.edge = i;
-    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < edge.points.size(); ++k) {
-      shown.segments.push_back({edge.points[k], edge.points[(k + 1) % edge.points.size()]});
-    }
+    for_each_segment(edge, [&](Index a, Index b) { shown.segments.push_back({a, b}); });
   }
   for (Index i = 0; i < flat.vertices.size(); ++i) out.vertices.push_back({i, flat.vertices[i].point});
   return out;

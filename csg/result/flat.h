@@ -116,6 +116,27 @@ struct FlatComplex {
   }
 };
 
+/// Calls `see(a, b)` for each straight segment of an edge, with its points.
+template <class See>
+void for_each_segment(const FlatComplex::Edge& edge, const See& see) {
+  const std::size_t n = edge.points.size();
+  for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) see(edge.points[k], edge.points[(k + 1) % n]);
+}
+
+/// Calls `see(loops, isolated, begin, end)` for each planar facet of a face, in order, with the places of its
+/// triangles, if there are any; a flat face is one facet.
+template <class See>
+void for_each_facet(const FlatComplex::Face& face, const See& see) {
+  using Index = FlatComplex::Index;
+  if (face.facets.empty()) see(face.loops, face.isolated, Index(0), Index(face.triangles.size()));
+  Index begin = 0;
+  for (std::size_t k = 0; k < face.facets.size(); ++k) {
+    const Index end = face.facet_ends.empty() ? 0 : face.facet_ends[k];
+    see(face.facets[k].loops, face.facets[k].isolated, begin, end);
+    begin = end;
+  }
+}
+
 enum class Flattening : std::uint8_t {
   whole,
   cells,   ///< all cells and what bounds them: without what comes of leaves, and without triangles

@@ -60,12 +60,10 @@ Parts::Parts(const ResultView& view, const FlatComplex& flat) : flat_(flat) {
   };
   for (Index e = 0; e < flat.edges.size(); ++e) {
     const FlatComplex::Edge& edge = flat.edges[e];
-    const std::size_t count = edge.points.size();
     for (const Index p : edge.points) {
       if (cell_of_point_[p] == kUnknown) cell_of_point_[p] = {1, e};
     }
-    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < count; ++k)
-      add_segment(edge.points[k], edge.points[(k + 1) % count], e, kNone);
+    for_each_segment(edge, [&](Index a, Index b) { add_segment(a, b, e, kNone); });
   }
   for (Index f = 0; f < flat.faces.size(); ++f) {
     const FlatComplex::Face& face = flat.faces[f];

@@ -30,11 +30,8 @@ std::uint64_t directed_key(Index a, Index b) { return std::uint64_t(a) << 32 | b
 std::unordered_map<std::uint64_t, Index> pieces_of(const FlatComplex& flat) {
   std::unordered_map<std::uint64_t, Index> pieces;
   for (Index e = 0; e < flat.edges.size(); ++e) {
-    const FlatComplex::Loop& points = flat.edges[e].points;
-    for (std::size_t k = 0; k + (flat.edges[e].closed ? 0 : 1) < points.size(); ++k) {
-      const auto [a, b] = std::minmax(points[k], points[(k + 1) % points.size()]);
-      pieces.emplace(directed_key(a, b), e);
-    }
+    for_each_segment(flat.edges[e],
+                     [&](Index a, Index b) { pieces.emplace(directed_key(std::min(a, b), std::max(a, b)), e); });
   }
   return pieces;
 }

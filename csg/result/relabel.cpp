@@ -20,12 +20,6 @@ namespace {
 
 using Index = FlatComplex::Index;
 
-template <class Piece>
-void for_each_piece(const FlatComplex::Edge& edge, const Piece& piece) {
-  const std::size_t n = edge.points.size();
-  for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) piece(edge.points[k], edge.points[(k + 1) % n]);
-}
-
 /// What is in `a` more often than in `b`, as many times as it is more. Both are ascending.
 std::vector<Index> difference(const std::vector<Index>& a, const std::vector<Index>& b) {
   std::vector<Index> rest;
@@ -540,7 +534,7 @@ NumberedDrawing drawing_of_cells(const FlatComplex& flat) {
     for (const auto& t : flat.faces[f].triangles) drawing.triangles.push_back({t, f});
   }
   for (Index e = 0; e < flat.edges.size(); ++e) {
-    for_each_piece(flat.edges[e], [&](Index a, Index b) { drawing.pieces.push_back({{a, b}, e}); });
+    for_each_segment(flat.edges[e], [&](Index a, Index b) { drawing.pieces.push_back({{a, b}, e}); });
   }
   for (const auto& v : flat.vertices) {
     if (v.free) drawing.isolated.push_back(v.point);

@@ -97,13 +97,11 @@ class Finder {
     const FlatComplex& flat = parts_.flat();
     for (Index e = 0; e < flat.edges.size(); ++e) {
       const FlatComplex::Edge& edge = flat.edges[e];
-      const std::size_t n = edge.points.size();
       std::vector<Index> faces;
       for (const Index side : edge.around) faces.push_back(side / 2);
       sort_unique(faces);
       std::optional<Feature> least;
-      for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
-        const Index p = edge.points[k], q = edge.points[(k + 1) % n];
+      for_each_segment(edge, [&](Index p, Index q) {
         const std::vector<Triangle> around = triangles_around(p, q, faces);
         for (std::size_t i = 0; around.size() > 1 && i < around.size(); ++i) {
           const Triangle &one = around[i], &next = around[(i + 1) % around.size()];
@@ -115,7 +113,7 @@ class Finder {
                           {{1, e}, {2, std::min(one.face, next.face)}, {2, std::max(one.face, next.face)}},
                           {x(p), x(q)}};
         }
-      }
+      });
       if (least && least->value < kSharp) dihedral_.push_back(std::move(*least));
     }
   }

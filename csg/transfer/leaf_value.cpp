@@ -264,7 +264,7 @@ CellMap::Part part_of(LeafId leaf, const StoredValue& stored, std::span<const Ve
   CellMap::Part part{leaf, {}, {}};
   const auto& [vertices, edges] = std::tie(stored.cells.vertices, stored.cells.edges);
   for (Index i = 0; i < edges.size(); ++i) {
-    for_each_piece(edges[i], [&](Index a, Index b) { part.segments.push_back({{points[a], points[b]}, i}); });
+    for_each_segment(edges[i], [&](Index a, Index b) { part.segments.push_back({{points[a], points[b]}, i}); });
   }
   for (Index i = 0; i < vertices.size(); ++i) part.vertices.emplace_back(points[vertices[i].point], i);
   return part;

@@ -373,7 +373,7 @@ class Reader {
         if (!value_.group || edge.component == 0 || cells_.vertices[vertex->second].component != 0) continue;
         not_closed(e, "its end, point " + std::to_string(p) + ", is missing");
       }
-      for_each_piece(edge, [&](Index a, Index b) {
+      for_each_segment(edge, [&](Index a, Index b) {
         if (!edge_at_.try_emplace(std::minmax(a, b), next_number(cells_.edges.size(), "edges")).second) {
           e.refuse("two edges between the same points");
         }

@@ -24,7 +24,7 @@ class TriangleCheck {
     const Cursor list = at.member("triangles").array();
     std::size_t t = 0;
     std::vector<std::array<Index, 3>> triangles;
-    for_each_facet(face_, [&](const std::vector<Loop>& walks, const auto& isolated) {
+    for_each_facet(face_, [&](const std::vector<Loop>& walks, const auto& isolated, auto&&...) {
       std::size_t wanted = 2 * walks.size() + 2 * isolated.size();
       for (const Loop& walk : walks) wanted += walk.size();
       wanted -= 4;  // by Euler's formula: each corner is one of some triangle
@@ -48,7 +48,7 @@ class TriangleCheck {
   void check_cells(const Cursor& at) const {
     if (!at.has("cells")) return;
     std::size_t facet = 0;
-    for_each_facet(face_, [&](const std::vector<Loop>& walks, const auto&) {
+    for_each_facet(face_, [&](const std::vector<Loop>& walks, auto&&...) {
       const auto& cells = face_.cells[facet];
       const Cursor list = at.member("cells").at(facet++);
       for (const Loop& walk : walks) {

@@ -119,7 +119,7 @@ class StoredLeaf : public PreparedLeaf {
     const std::vector<char> wires = find_wires(value_);
     for (Index i = 0; i < wires.size(); ++i) {
       if (!wires[i]) continue;
-      for_each_piece(value_.cells.edges[i], [&](Index a, Index b) {
+      for_each_segment(value_.cells.edges[i], [&](Index a, Index b) {
         parameters->add_wire({{value_.points[a], value_.points[b]}, {0, 0}});
       });
     }
@@ -165,7 +165,7 @@ LeafId result::add_to(Soup& soup, const StoredValue& value, const Transform& tra
   std::vector<std::vector<PointId>> rings;
   for (Index i = 0; i < value.cells.faces.size(); ++i) {
     const FlatComplex::Face& face = value.cells.faces[i];
-    for_each_facet(face, [&](const std::vector<Loop>& walks, const auto&) {
+    for_each_facet(face, [&](const std::vector<Loop>& walks, auto&&...) {
       rings.clear();
       const std::optional<std::vector<Loop>> loops = without_slits(value.points, walks);
       for (const Loop& loop : loops ? *loops : walks) {
@@ -179,7 +179,7 @@ LeafId result::add_to(Soup& soup, const StoredValue& value, const Transform& tra
   const std::vector<char> wires = find_wires(value);
   for (Index i = 0; i < wires.size(); ++i) {
     if (!wires[i]) continue;
-    for_each_piece(value.cells.edges[i], [&](Index a, Index b) { soup.add_wire(leaf, ids[a], ids[b], i); });
+    for_each_segment(value.cells.edges[i], [&](Index a, Index b) { soup.add_wire(leaf, ids[a], ids[b], i); });
   }
   for (const FlatComplex::Vertex& vertex : value.cells.vertices) {
     if (vertex.free) soup.add_isolated(leaf, ids[vertex.point]);

@@ -41,19 +41,6 @@ struct StoredValue {
   Component entities() const { return Component(components.size() + 1); }
 };
 
-/// The pieces of an edge, by their ends.
-template <class Piece>
-void for_each_piece(const FlatComplex::Edge& edge, const Piece& piece) {
-  const std::size_t n = edge.points.size();
-  for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) piece(edge.points[k], edge.points[(k + 1) % n]);
-}
-/// The planar pieces of a face: calls `see` with the walks and the isolated points of each.
-template <class See>
-void for_each_facet(const FlatComplex::Face& face, const See& see) {
-  if (face.facets.empty()) see(face.loops, face.isolated);
-  for (const FlatComplex::Facet& facet : face.facets) see(facet.loops, facet.isolated);
-}
-
 /// The value as a leaf.
 std::unique_ptr<PreparedLeaf> leaf_of(StoredValue value);
 /// That of a result, as a file of it would have it, but with origins; all of it must have bounds.
