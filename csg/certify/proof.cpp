@@ -18,7 +18,6 @@ namespace {
 using Index = std::uint32_t;
 using Why = UncertainPlace::Why;
 using PieceParts = std::vector<PiecePart>;
-using Patches = std::vector<std::pair<LeafId, std::uint32_t>>;
 
 constexpr std::size_t kMostSteps = 250;         // of one question
 constexpr std::size_t kMostInContact = 64;      // of one to three, of which two touch as it is known
@@ -42,10 +41,9 @@ std::optional<Vector3<double>> direction(const Vector3<double>& x) {
 
 /// What is asked of some pieces.
 enum class Question : std::uint8_t {
-  none,      ///< answered by what is asked of fewer, or of the leaf itself
-  angle,     ///< apart, or independent
-  contact,   ///< apart, or what two have in common, along a curve, crosses the third at an angle
-  contacts,  ///< apart, or what two pairs of three have in common, along curves, crosses at an angle
+  none,     ///< answered by what is asked of fewer, or of the leaf itself
+  angle,    ///< apart, or independent
+  contact,  ///< apart, or what two have in common, along a curve, crosses the third, or what one has with it
   apart,
 };
 
@@ -152,9 +150,8 @@ class Prover {
 
   void ask_pair(Index a, Index b) {
     const bool one_leaf = all_[a].leaf == all_[b].leaf;
-    if (of_one_surface(a, b)) return;
+    if (one_leaf ? of_one_surface(a, b) : answered_by_fewer(a, b)) return;
     if (one_leaf && pieces_.adjacent(a, b)) return meet(a, b);
-    if (!one_leaf && answered_by_fewer(a, b)) return;
     const Question question = one_leaf ? Question::angle : question_of({a, b});
     if (question == Question::none) return;
     ++proof_.asked;
@@ -230,9 +227,7 @@ class Prover {
       else curves.push_back(i);
     }
     if (one_leaf || exact) return Question::none;
-    const std::size_t touching = pairs_in_contact(tuple);
-    if (touching > 0 && tuple.size() > 3) return Question::apart;
-    if (touching > 0) return touching == 1 ? Question::contact : Question::contacts;
+    if (pairs_in_contact(tuple) > 0) return tuple.size() == 3 ? Question::contact : Question::apart;
     if (curves.empty()) return cells <= 3 ? Question::angle : Question::apart;
     if (curves.size() == 1) return cells == 1 ? Question::angle : Question::apart;
     if (curves.size() > 2) return Question::apart;
@@ -245,9 +240,7 @@ class Prover {
 
   /// True if it is proven. `some`: whether they may have a point in common.
   bool ask(const std::vector<Index>& tuple, Question question, bool& some) {
-    Patches patches;
-    for (const Index i : tuple) patches.emplace_back(all_[i].leaf, all_[i].patch);
-    std::sort(patches.begin(), patches.end());
+    const PiecePatches patches = patches_of(all_, tuple);
     std::size_t& open = open_[patches];
     if (open >= kMostOpen) return false;
     const PieceTuple key = key_of(tuple);
@@ -257,7 +250,7 @@ class Prover {
     for (const auto& [leaf, patch] : patches) {
       if (leaves.empty() || leaves.back() != leaf) leaves.push_back(leaf);
     }
-    const bool hopeless = is_hopeless(patches);
+    const bool hopeless = hold_any(patches, hopeless_);
     // What touches is asked little with others, whatever is left for these: finer facets do not tell more.
     const std::size_t contacts = tuple.size() > 2 ? pairs_in_contact(tuple) : 0;
     const bool little = contacts > 0 || (hopeless && tuple.size() > 2);
@@ -272,8 +265,8 @@ class Prover {
     if (!little) spent += proof_.steps - before;
     return proven;
   }
-  bool ask_on(const PieceTuple& key, const std::vector<Index>& tuple, Question question, const Patches& patches,
-              std::size_t contacts, bool hopeless, std::size_t& open, bool& some) {
+  bool ask_on(const PieceTuple& key, const std::vector<Index>& tuple, Question question,
+              const PiecePatches& patches, std::size_t contacts, bool hopeless, std::size_t& open, bool& some) {
     Interval3 left{};
     some = false;
     if (tuple.size() == 2 && is_cell(tuple[0]) && is_cell(tuple[1])) {
@@ -307,12 +300,6 @@ class Prover {
     return false;
   }
 
-  /// True if they, or some of them, touch somewhere: then finer facets do not do.
-  bool is_hopeless(const Patches& patches) const {
-    return std::ranges::any_of(hopeless_,
-                               [&](const Patches& some) { return std::ranges::includes(patches, some); });
-  }
-
   static PieceTuple key_of(std::vector<Index> tuple) {
     std::sort(tuple.begin(), tuple.end());
     PieceTuple key{kNone, kNone, kNone, kNone};
@@ -341,7 +328,7 @@ class Prover {
     const auto it = earlier_->proof.answers.find(there);
     return it == earlier_->proof.answers.end() ? nullptr : &it->second;
   }
-  bool take(const Proof::Answer& before, const std::vector<Index>& tuple, const Patches& patches,
+  bool take(const Proof::Answer& before, const std::vector<Index>& tuple, const PiecePatches& patches,
             std::size_t& open, bool& some) {
     using Kind = Proof::Answer::Kind;
     some = before.kind != Kind::apart;
@@ -438,7 +425,7 @@ class Prover {
       if (part.piece->kind == Piece::Kind::flat && misses(*part.piece, common)) return true;
     }
     if ((question == Question::angle && at_angle(parts)) ||
-        ((question == Question::contact || question == Question::contacts) && contact_at_angle(parts, question))) {
+        (question == Question::contact && contact_at_angle(parts))) {
       some = true;
       return true;
     }
@@ -480,11 +467,14 @@ class Prover {
     return cross(direction, one.cone);
   }
   /// Of three parts.
-  bool contact_at_angle(const PieceParts& parts, Question question) {
+  bool contact_at_angle(const PieceParts& parts) {
     for (std::size_t k = 0; k < 3; ++k) {
       const PiecePart &a = parts[k], &b = parts[(k + 1) % 3], &c = parts[(k + 2) % 3];
       if (!touch_in_contact(a, b)) continue;
-      if (question == Question::contact) {
+      if (touch_in_contact(b, c)) {
+        const auto way = way_of_contact(a, b), other = way_of_contact(b, c);
+        if (way && other && independent(*way, *other)) return true;
+      } else if (!touch_in_contact(c, a)) {
         if (c.blind || c.piece->kind == Piece::Kind::curve) return false;
         // A plane that crosses each of them, and holds what they have in common, has no more in common with both.
         if (c.piece->kind == Piece::Kind::flat &&
@@ -493,9 +483,6 @@ class Prover {
         const auto way = way_of_contact(a, b);
         return way && !holds_zero(dot(*way, c.cone));
       }
-      if (!touch_in_contact(b, c)) continue;
-      const auto way = way_of_contact(a, b), other = way_of_contact(b, c);
-      if (way && other && independent(*way, *other)) return true;
     }
     return false;
   }
@@ -567,13 +554,24 @@ class Prover {
   std::vector<std::pair<Index, Index>> pairs_;
   std::vector<std::vector<Index>> together_;
   std::set<std::pair<Index, Index>> smooth_, contacts_;
-  std::vector<double> thickness_;        // of pieces; below 0 where it is not known yet
-  std::set<Patches> hopeless_;           // that touch somewhere
-  std::map<Patches, std::size_t> open_;  // how many places
+  std::vector<double> thickness_;             // of pieces; below 0 where it is not known yet
+  std::set<PiecePatches> hopeless_;           // that touch somewhere
+  std::map<PiecePatches, std::size_t> open_;  // how many places
   Proof proof_;
 };
 
 }  // namespace
+
+PiecePatches patches_of(const std::vector<Piece>& all, const std::vector<std::uint32_t>& pieces) {
+  PiecePatches patches;
+  for (const std::uint32_t i : pieces) patches.emplace_back(all[i].leaf, all[i].patch);
+  std::sort(patches.begin(), patches.end());
+  return patches;
+}
+
+bool hold_any(const PiecePatches& patches, const std::set<PiecePatches>& sets) {
+  return std::ranges::any_of(sets, [&](const PiecePatches& set) { return std::ranges::includes(patches, set); });
+}
 
 Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps,
             const EarlierProof* earlier) {

@@ -22,7 +22,9 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <set>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "csg/certify/certificate.h"
@@ -39,6 +41,12 @@ struct PieceTupleHash {
     return hash;
   }
 };
+
+/// Of pieces, ascending, each as often as it has one.
+using PiecePatches = std::vector<std::pair<LeafId, std::uint32_t>>;
+PiecePatches patches_of(const std::vector<Piece>& all, const std::vector<std::uint32_t>& pieces);
+/// True if one of the sets is a part of them.
+bool hold_any(const PiecePatches& patches, const std::set<PiecePatches>& sets);
 
 /// Pieces of which it is not proven that they are in general position.
 struct OpenPlace {

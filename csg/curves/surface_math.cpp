@@ -8,13 +8,12 @@ namespace {
 
 /// cos(2 pi r) or, with `odd`, sin(2 pi r), for 0 <= r <= 1/8: Taylor's polynomial up to x^18 / 18! or x^19 / 19!.
 /// Terms alternate and fall, so the rest is less than the next one, which is below (pi / 4)^20 / 20! < 1e-20.
-template <class N>
-N taylor(double r, bool odd) {
-  const N x = turn<N>() * N(r), square = x * x;
-  N result(0);
-  for (int n = odd ? 19 : 18; n >= 2; n -= 2) result = -(square * (N(1) + result)) / N(n * (n - 1));
-  if constexpr (std::is_same_v<N, Interval>) result += Interval(-1e-20, 1e-20);
-  return odd ? x + x * result : N(1) + result;
+Interval taylor(double r, bool odd) {
+  const Interval x = turn<Interval>() * Interval(r), square = x * x;
+  Interval result(0);
+  for (int n = odd ? 19 : 18; n >= 2; n -= 2) result = -(square * (Interval(1) + result)) / Interval(n * (n - 1));
+  result += Interval(-1e-20, 1e-20);
+  return odd ? x + x * result : Interval(1) + result;
 }
 
 /// The coefficients of Taylor's polynomials in x^2 up to x^16 / 16! or x^17 / 17!, from the last one on.
@@ -51,7 +50,7 @@ Interval cosine_at(double turns, bool tight) {
   if (negative) r = std::abs(0.5 - r);
   const bool odd = r > 0.125;
   if (odd) r = 0.25 - r;
-  const Interval c = tight ? taylor<Interval>(r, odd) : wide_taylor(r, odd);
+  const Interval c = tight ? taylor(r, odd) : wide_taylor(r, odd);
   return negative ? -c : c;
 }
 

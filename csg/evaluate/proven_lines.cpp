@@ -20,16 +20,6 @@ constexpr std::size_t kMostSteps = 2'000'000;    // the same with --certify
 constexpr std::size_t kMostLines = 400;          // of a patch, in one direction
 constexpr std::size_t kMostCells = 20'000;       // of a leaf that gets further lines
 
-using Patches = std::vector<std::pair<LeafId, std::uint32_t>>;
-
-Patches patches_of(const std::vector<Piece>& pieces, const OpenPlace& open) {
-  Patches result;
-  for (const std::uint32_t i : open.pieces) result.emplace_back(pieces[i].leaf, pieces[i].patch);
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
 /// By u and by v, whether a line there brings facets nearer to the surface.
 std::array<bool, 2> bends(const Piece& piece) {
   const auto point = [&](double u, double v) { return piece.surface->at(u, v).point; };
@@ -87,19 +77,15 @@ ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOpt
 bool ProvenLines::add_lines() {
   const std::vector<Piece>& pieces = pieces_->all();
   // Where surfaces touch no facets are fine enough.
-  std::set<Patches> hopeless;
+  std::set<PiecePatches> hopeless;
   for (const OpenPlace& open : proof_->open) {
-    if (open.why == UncertainPlace::Why::near) hopeless.insert(patches_of(pieces, open));
+    if (open.why == UncertainPlace::Why::near) hopeless.insert(patches_of(pieces, open.pieces));
   }
   std::map<LeafId, std::size_t> cells;
   for (const Piece& piece : pieces) ++cells[piece.leaf];
   bool any = false;
   for (const OpenPlace& open : proof_->open) {
-    if (open.why != UncertainPlace::Why::facets) continue;
-    const auto touches = [of = patches_of(pieces, open)](const Patches& some) {
-      return std::ranges::includes(of, some);
-    };
-    if (std::ranges::any_of(hopeless, touches)) continue;
+    if (open.why != UncertainPlace::Why::facets || hold_any(patches_of(pieces, open.pieces), hopeless)) continue;
     for (const std::uint32_t i : open.pieces) {
       const Piece& piece = pieces[i];
       const auto leaf = static_cast<std::uint32_t>(piece.leaf.index());
@@ -129,8 +115,12 @@ std::shared_ptr<const Certificate> ProvenLines::certificate(const Evaluation& ev
   result->contacts = proof_->contacts;
   for (const auto& [leaves, count] : proof_->left) result->left += count;
   for (const LeafId leaf : pieces_->unknown()) result->unknown.push_back(evaluation.leaves->node_of(leaf));
-  std::map<Patches, std::vector<const OpenPlace*>> by_patches;
-  for (const OpenPlace& one : proof_->open) by_patches[patches_of(pieces, one)].push_back(&one);
+  std::map<PiecePatches, std::vector<const OpenPlace*>> by_patches;
+  for (const OpenPlace& one : proof_->open) {
+    PiecePatches patches = patches_of(pieces, one.pieces);
+    sort_unique(patches);
+    by_patches[std::move(patches)].push_back(&one);
+  }
   for (const auto& [patches, ones] : by_patches) {
     UnionFind sets(ones.size());
     std::vector<Box> boxes;

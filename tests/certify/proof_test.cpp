@@ -180,8 +180,7 @@ TEST_CASE("contacts of tori are certified where they are drawn", "[certify]") {
   }
 }
 
-// A cylinder lies on a floor along a line. Where a ball's surface is as near to that line, the counts depend on
-// it.
+// A cylinder lies on a floor along a line; whether a ball beside it reaches that line is in the counts.
 TEST_CASE("what is near a contact is asked with it", "[certify]") {
   for (const char* const y : {"0.29", "0.2999", "0.3", "0.3001", "0.31"}) {
     for (const int finer : {1, 2, 3}) {
