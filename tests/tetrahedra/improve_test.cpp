@@ -309,7 +309,7 @@ TEST_CASE("no edge is longer in the end than somebody wants", "[tetrahedra]") {
     const Mesh before = random_mesh(seed, fixed);
     if (before.tetrahedra.empty()) continue;
     // In odd regions half as long; and as a mesher leaves it, or as the improver makes it to other lengths.
-    const double h = extent(before) / 8;
+    const double h = extent(before) / 6;
     const auto wanted = [h](std::int32_t region) { return region % 2 == 1 ? h / 2 : h; };
     for (const bool to_lengths : {false, true}) {
       ImproveOptions options;
