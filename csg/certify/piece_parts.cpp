@@ -163,33 +163,18 @@ PiecePart curve_part(const std::vector<Piece>& all, const Piece& piece, const st
   return part;
 }
 
-}  // namespace
-
-PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
-                  Between between) {
-  if (piece.kind == Piece::Kind::curve) return curve_part(all, piece, range, between);
-  PiecePart part{&piece, range};
-  if (piece.kind == Piece::Kind::flat) {
-    for (std::size_t k = 0; k < 3; ++k) part.box[k] = Interval(piece.box.lo[k], piece.box.hi[k]);
-    part.cone = piece.normal;
-    return part;
+/// What is at right angles to all H over a part of a cell, also where it goes on in cells of its patch; zero if it
+/// is not known.
+Interval3 normals_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
+                     const SurfaceJet<Interval>& jet) {
+  const Interval& away = range[piece.pole.first];
+  if (piece.about_pole && away.inf() <= piece.pole.second && piece.pole.second <= away.sup() &&
+      piece.pole_range[piece.pole.first].inf() <= away.inf() &&
+      away.sup() <= piece.pole_range[piece.pole.first].sup()) {
+    const Interval3 normals = cross((*piece.about_pole)[0], (*piece.about_pole)[1]);
+    const bool other_way = dot(middle_of(normals), middle_of(jet.normal)) < 0;
+    return other_way ? scaled(Interval(-1), normals) : normals;
   }
-  if (outside(piece, range)) {
-    for (Interval& x : part.box) x = Interval(kInfinity);
-    return part;
-  }
-  const SurfaceJet<Interval> jet = piece.surface->over(range[0], range[1]);
-  part.along_u = jet.along_u;
-  part.along_v = jet.along_v;
-  if (between == Between::surfaces) {
-    part.box = jet.point;
-    part.cone = with_pole(all, piece, range, jet.normal);
-    part.blind = holds_zero(part.cone);
-    return part;
-  }
-  part.box = hull(facet_box(piece, range), jet.point);
-  part.blind = piece.blind || holds_zero(jet.normal);
-  if (part.blind) return part;
   Interval3 u = hull(piece.along_u, jet.along_u), v = hull(piece.along_v, jet.along_v);
   if (piece.grid) {  // at a pole along the side that is none
     const std::size_t first = piece.at[0][0] != piece.at[1][0] ? 0 : 1, second = 1 - first;
@@ -225,13 +210,44 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
     }
     if (!touches) continue;
     if (all[j].blind) {
-      part.blind = true;
-      return part;
+      return Interval3{0, 0, 0};
     }
     u = hull(u, all[j].along_u);
     v = hull(v, all[j].along_v);
   }
-  part.cone = cross(u, v);
+  return cross(u, v);
+}
+
+}  // namespace
+
+PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
+                  Between between) {
+  if (piece.kind == Piece::Kind::curve) return curve_part(all, piece, range, between);
+  PiecePart part{&piece, range};
+  if (piece.kind == Piece::Kind::flat) {
+    for (std::size_t k = 0; k < 3; ++k) part.box[k] = Interval(piece.box.lo[k], piece.box.hi[k]);
+    part.cone = piece.normal;
+    return part;
+  }
+  if (outside(piece, range)) {
+    for (Interval& x : part.box) x = Interval(kInfinity);
+    return part;
+  }
+  const SurfaceJet<Interval> jet = piece.surface->over(range[0], range[1]);
+  part.along_u = jet.along_u;
+  part.along_v = jet.along_v;
+  if (between == Between::surfaces) {
+    part.box = jet.point;
+    part.cone = with_pole(all, piece, range, jet.normal);
+    part.blind = holds_zero(part.cone);
+    return part;
+  }
+  part.box = hull(facet_box(piece, range), jet.point);
+  part.blind = piece.blind || holds_zero(jet.normal);
+  if (part.blind) return part;
+  part.cone = normals_of(all, piece, range, jet);
+  part.blind = std::ranges::all_of(part.cone, [](const Interval& x) { return x.inf() == 0 && x.sup() == 0; });
+  if (part.blind) return part;
   for (const std::uint32_t j : piece.foreign) {
     const Piece& other = all[j];
     if (other.blind) {

@@ -189,6 +189,7 @@ class PieceMaker {
     }
     for (const Mould::Flat& flat : place.mould.flats) add_flat(place, flat);
     find_neighbours(first);
+    find_poles(out_.pieces_, first);
     add_curves(place);
     for (const Mould::Wire& wire : place.mould.wires) add_wire(place, wire);
     for (const std::uint32_t p : place.mould.isolated) add_point(place, p);

@@ -70,9 +70,15 @@ struct Piece {
   std::array<Interval3, 4> corners{};            ///< where they are
   std::array<Interval, 2> range{0, 0};           ///< of u and v; of a curve the first, from 0 to 1
   Interval3 along_u{0, 0, 0}, along_v{0, 0, 0};  ///< of F, hulls; of a curve the first
-  std::array<double, 2> turn{0, 0};              ///< about how far its normal turns along u and v, in radians
-  const PlacedSurface* surface = nullptr;        ///< of a cell, or of a curve that is a side of one
-  std::shared_ptr<const Curve> curve{};          ///< of a curved wire
+  /// Of a cell with a side that is a point: in `pole_range`, where parameter `pole.first` is from `pole.second` to
+  /// half way, the derivatives of all H of all cells about the point in coordinates x and y there, hulls
+  /// (piece_poles.cpp); null if they are not known.
+  std::shared_ptr<const std::array<Interval3, 2>> about_pole{};
+  std::array<Interval, 2> pole_range{0, 0};
+  std::pair<std::size_t, double> pole{0, 0};
+  std::array<double, 2> turn{0, 0};        ///< about how far its normal turns along u and v, in radians
+  const PlacedSurface* surface = nullptr;  ///< of a cell, or of a curve that is a side of one
+  std::shared_ptr<const Curve> curve{};    ///< of a curved wire
   std::array<std::array<Interval, 2>, 2> side{
       {{0, 0}, {0, 0}}};  ///< of a curve: parameters of its ends on `surface` or `curve`
   /// Of a flat piece: its plane, and d . x for some d in it and all points x of it.
@@ -159,6 +165,9 @@ class Pieces {
   std::set<LeafId> unknown_;
   friend class PieceMaker;
 };
+
+/// Sets what cells from `first` on, of one leaf, have at poles; `neighbours` are known.
+void find_poles(std::vector<Piece>& all, std::size_t first);
 
 /// What a part is of: facets and surfaces and all between, or surfaces alone.
 enum class Between : std::uint8_t { facets_and_surfaces, surfaces };

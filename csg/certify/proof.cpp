@@ -19,7 +19,7 @@ using Index = std::uint32_t;
 using Why = UncertainPlace::Why;
 using PieceParts = std::vector<PiecePart>;
 
-constexpr std::size_t kMostSteps = 1000;        // of one question
+constexpr std::size_t kMostSteps = 250;         // of one question
 constexpr std::size_t kMostInContact = 64;      // of one to three, of which two touch as it is known
 constexpr std::size_t kMostIfHopeless = 8;      // of one to more than two, of which some touch otherwise
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone

@@ -136,6 +136,31 @@ TEST_CASE("surfaces that cross at a good angle are certified as they are drawn",
   }
 }
 
+TEST_CASE("planes and edges through poles of balls and tips of cones are certified", "[certify]") {
+  const std::string octant = "  b: {box: {min: [0, 0, 0], max: [3, 3, 3]}}\n";
+  const std::string half = "  b: {halfspace: {point: [0, 0, 0], normal: [1, 0, 0]}}\n";
+  const std::string cone = "  a: {cone: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: ";
+  for (const int segments : {5, 8, 24, 48}) {
+    const std::string end = std::to_string(segments) + "}}\n",
+                      ball = "  a: {sphere: {center: [0, 0, 0], radius: 1, segments: " + end;
+    CAPTURE(segments);
+    for (const auto& [what, leaves, result, cells] :
+         {Known{"an octant out of a ball", ball + octant, "{difference: [a, b]}", {4, 6, 4, 1}},
+          Known{"half a ball", ball + half, "{intersection: [a, b]}", {0, 1, 2, 1}},
+          Known{"a wire from pole to pole",
+                ball + "  b: {polyline: [[0, 0, -2], [0, 0, 2]]}\n",
+                "{union: [a, b]}",
+                {4, 3, 1, 1}},
+          Known{"a quarter out of a cone", cone + end + octant, "{difference: [a, b]}", {4, 6, 4, 1}},
+          Known{"a plane along the axis of a cone", cone + end + half, "{intersection: [a, b]}", {2, 3, 3, 1}}}) {
+      INFO(what);
+      const Asked asked(leaves, result);
+      CHECK(asked.certified());
+      CHECK(asked.cells() == cells);
+    }
+  }
+}
+
 TEST_CASE("contacts of planes and quadrics are certified where they are drawn", "[certify]") {
   std::mt19937_64 random(47);
   const std::string slab = "  a: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n";

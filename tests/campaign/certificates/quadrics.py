@@ -398,5 +398,18 @@ def rod_on_floor(rng, gap):
     return Case("rod on floor and ball", leaves, ("union", "a", "b", "c"), truth, where)
 
 
+def pole_planes(rng, gap):
+    """Two walls cut a quarter out of a ball or a cone; their edge is parallel to the axis, and near its pole or tip."""
+    x, y = (rng.choice([1, -1]) * near(rng, gap, F(0), F(-1, 4), F(1, 4)) for _ in "xy")
+    if (x == 0) != (y == 0):  # a tip in one wall alone
+        return None
+    round_one = rng.random() < 0.5
+    body = ball([F(0)] * 3, F(1)) if round_one else cone([0, 0, 0], [0, 0, fraction(rng, F(1, 2), F(2), 8)], F(1))
+    leaves = {"a": body, "b": block([x, y, F(-2)], [F(2), F(2), F(3)])}
+    truth = (2, 3, 3, 1) if round_one else (4, 6, 4, 1)
+    return Case("walls at a pole", leaves, ("difference", "a", "b"), truth, "ball" if round_one else "cone")
+
+
 KINDS = [two_balls, three_balls, lens_plane, ball_plane, ball_two_planes, ball_corner, bore_wall, rod_oblique,
-         rods_parallel, rods_skew, ball_rod, rod_on_floor, pin_bore, cone_plane, cone_ball]
+         rods_parallel, rods_skew, ball_rod, rod_on_floor, pin_bore, cone_plane, cone_ball,
+         pole_planes]

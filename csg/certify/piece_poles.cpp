@@ -1,0 +1,160 @@
+// Directions about poles; see pieces.h.
+//
+// Where a side of a cell is a point, u and v are no coordinates: along one of them cells turn once around the
+// point. Coordinates there are (x, y) = r (c + f (d - c)), in a cell whose far corners are at c and d: r from 0 at
+// the pole to 1 at the far side, f from 0 to 1 along that. F is linear in them. Derivatives of S by r, and by f
+// divided by r, which is a mean of the mixed derivative, give those by x and y.
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "csg/certify/pieces.h"
+
+namespace cnrg {
+
+using namespace surface_math;
+
+namespace {
+
+/// A cell at a pole: `from` and `to` are its far corners, by the parameter around.
+struct Wedge {
+  std::uint32_t piece;
+  std::size_t around, away, at_pole, from, to;
+};
+
+std::optional<Wedge> wedge_of(const std::vector<Piece>& all, std::uint32_t number, std::uint32_t pole) {
+  const Piece& piece = all[number];
+  for (std::size_t i = 0; piece.grid && !piece.bent && !piece.blind && i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4, around = piece.at[i][0] != piece.at[next][0] ? 0 : 1, away = 1 - around;
+    if (piece.points[i] != pole || piece.points[next] != pole) continue;
+    const double at = piece.at[i][away];
+    if (at != piece.range[away].inf() && at != piece.range[away].sup()) continue;  // not known as a double
+    std::size_t from = (i + 2) % 4, to = (i + 3) % 4;
+    if (piece.at[from][around] > piece.at[to][around]) std::swap(from, to);
+    return Wedge{number, around, away, i, from, to};
+  }
+  return std::nullopt;
+}
+
+/// The cells at a pole, one after another around it; none if they are no such row or ring.
+std::vector<Wedge> wedges_about(const std::vector<Piece>& all, std::uint32_t number, std::uint32_t pole) {
+  std::map<std::uint32_t, Wedge> by_from, by_to;
+  const auto add = [&](std::uint32_t i) {
+    const auto wedge = wedge_of(all, i, pole);
+    return wedge && by_from.try_emplace(all[i].points[wedge->from], *wedge).second &&
+           by_to.try_emplace(all[i].points[wedge->to], *wedge).second;
+  };
+  if (!add(number)) return {};
+  for (const auto& [j, bits] : all[number].neighbours) {
+    bool there = false;
+    for (std::size_t k = 0; k < 4; ++k) there = there || ((bits >> k & 1u) != 0 && all[number].points[k] == pole);
+    if (there && !add(j)) return {};
+  }
+  auto it = by_from.begin();
+  for (auto at = by_from.begin(); at != by_from.end(); ++at) {
+    if (!by_to.contains(at->first)) it = at;
+  }
+  std::vector<Wedge> row;
+  while (it != by_from.end() && row.size() < by_from.size()) {
+    row.push_back(it->second);
+    it = by_from.find(all[it->second.piece].points[it->second.to]);
+  }
+  return row.size() == by_from.size() ? row : std::vector<Wedge>{};
+}
+
+/// Where far corners are on the circle about (0, 0): one more than wedges.
+std::vector<std::array<double, 2>> places_of(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
+  const auto corner = [&](const Wedge& wedge, std::size_t k) { return all[wedge.piece].points[k]; };
+  const bool ring = corner(wedges.front(), wedges.front().from) == corner(wedges.back(), wedges.back().to);
+  std::vector<double> ends{0};
+  for (const Wedge& wedge : wedges) {
+    const Piece& piece = all[wedge.piece];
+    double angle = piece.at[wedge.to][wedge.around] - piece.at[wedge.from][wedge.around];
+    if (!ring) {
+      const auto way = [&](std::size_t k) {
+        return middle_of(difference(piece.corners[k], piece.corners[wedge.at_pole]));
+      };
+      const Vector3<double> a = way(wedge.from), b = way(wedge.to), across = cross(a, b);
+      angle = std::atan2(std::sqrt(dot(across, across)), dot(a, b));
+    }
+    ends.push_back(ends.back() + angle);
+  }
+  std::vector<std::array<double, 2>> places;
+  for (const double end : ends) {
+    const double angle = ring ? 2 * std::numbers::pi * (end / ends.back()) : end;
+    places.push_back({std::cos(angle), std::sin(angle)});
+  }
+  if (ring) places.back() = places.front();
+  return ring || ends.back() < 2 * std::numbers::pi ? places : std::vector<std::array<double, 2>>{};
+}
+
+/// Hulls of the derivatives by x and y.
+struct Directions {
+  std::optional<std::array<Interval3, 2>> hulls{};
+  /// `by_r` along (x, y), and `by_f` along (dx, dy).
+  void add(const Interval3& by_r, const Interval3& by_f, const std::array<Interval, 2>& at,
+           const std::array<Interval, 2>& step) {
+    const Interval one = Interval(1) / (at[0] * step[1] - at[1] * step[0]);
+    const Interval3 x = scaled(one, difference(scaled(step[1], by_r), scaled(at[1], by_f))),
+                    y = scaled(one, difference(scaled(at[0], by_f), scaled(step[0], by_r)));
+    hulls = hulls ? std::array{hull((*hulls)[0], x), hull((*hulls)[1], y)} : std::array{x, y};
+  }
+};
+
+/// Null where they are not known.
+std::shared_ptr<const std::array<Interval3, 2>> directions_about(const std::vector<Piece>& all,
+                                                                 const std::vector<Wedge>& wedges) {
+  constexpr int kParts = 4;  // of a cell, around
+  const std::vector<std::array<double, 2>> places = places_of(all, wedges);
+  if (places.empty()) return nullptr;
+  Directions found;
+  for (std::size_t i = 0; i < wedges.size(); ++i) {
+    const auto& [number, around, away, at_pole, from, to] = wedges[i];
+    const Piece& piece = all[number];
+    const std::array<Interval, 2> c{places[i][0], places[i][1]},
+        step{Interval(places[i + 1][0]) - c[0], Interval(places[i + 1][1]) - c[1]};
+    if (!((c[0] * step[1] - c[1] * step[0]).inf() > 0)) return nullptr;
+    found.add(difference(piece.corners[from], piece.corners[at_pole]),
+              difference(piece.corners[to], piece.corners[from]), c, step);
+    const Interval begin(piece.at[from][around]),
+        wide = Interval(piece.at[to][around]) - begin,
+        length = Interval(piece.at[from][away]) - piece.at[at_pole][away];
+    std::array<Interval, 2> range = piece.pole_range;
+    for (int k = 0; k < kParts; ++k) {
+      const Interval f(double(k) / kParts, double(k + 1) / kParts);
+      range[around] = begin + f * wide;
+      const SurfaceJet<Interval> jet = piece.surface->over(range[0], range[1]);
+      const std::optional<SurfaceBend> bend = piece.surface->bend_over(range[0], range[1]);
+      if (!bend) return nullptr;
+      found.add(scaled(length, away == 0 ? jet.along_u : jet.along_v), scaled(Interval(length * wide), bend->uv),
+                {c[0] + f * step[0], c[1] + f * step[1]}, step);
+    }
+  }
+  return std::make_shared<const std::array<Interval3, 2>>(*found.hulls);
+}
+
+}  // namespace
+
+void find_poles(std::vector<Piece>& all, std::size_t first) {
+  const enclosure::RoundOutward outward;
+  for (std::uint32_t i = static_cast<std::uint32_t>(first); i < all.size(); ++i) {
+    for (std::size_t k = 0; all[i].grid && !all[i].about_pole && k < 4; ++k) {
+      if (all[i].points[k] != all[i].points[(k + 1) % 4]) continue;
+      const std::vector<Wedge> wedges = wedges_about(all, i, all[i].points[k]);
+      if (wedges.empty()) continue;
+      for (const Wedge& wedge : wedges) {
+        Piece& piece = all[wedge.piece];
+        piece.pole_range = piece.range;
+        piece.pole_range[wedge.away] =
+            hull(Interval(piece.at[wedge.at_pole][wedge.away]), Interval(middle_of(piece.range[wedge.away])));
+      }
+      const auto found = directions_about(all, wedges);
+      for (const Wedge& wedge : wedges) {
+        all[wedge.piece].about_pole = found;
+        all[wedge.piece].pole = {wedge.away, all[wedge.piece].at[wedge.at_pole][wedge.away]};
+      }
+    }
+  }
+}
+
+}  // namespace cnrg
