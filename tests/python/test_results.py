@@ -355,7 +355,7 @@ class Memory(unittest.TestCase):
     def test_memory_does_not_grow(self):
         script = (
             "import cnrg, resource\n"
-            "node = cnrg.sphere([0, 0, 0], 1, segments=24) - cnrg.box([0, 0, 0], [2, 2, 2])\n"
+            "node = cnrg.sphere([0, 0, 0], 1, segments=96) - cnrg.box([0, 0, 0], [2, 2, 2])\n"
             "def once():\n"
             "    r = node.evaluate()\n"
             "    r.points, r.faces.triangles, r.edges.around, r.regions.volumes, r.locate(r.points)\n"
@@ -369,7 +369,7 @@ class Memory(unittest.TestCase):
         )
         done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=200)
         self.assertEqual(done.returncode, 0, done.stderr)
-        # One round takes some megabytes: forty that leaked would take a hundred.
+        # One round takes several megabytes: forty that leaked would take hundreds.
         self.assertLess(int(done.stdout), 40_000)
 
 
