@@ -163,17 +163,14 @@ PiecePart curve_part(const std::vector<Piece>& all, const Piece& piece, const st
   return part;
 }
 
-/// What is at right angles to all H over a part of a cell, also where it goes on in cells of its patch; zero if it
-/// is not known.
-Interval3 normals_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
-                     const SurfaceJet<Interval>& jet) {
-  const Interval& away = range[piece.pole.first];
-  if (piece.about_pole && away.inf() <= piece.pole.second && piece.pole.second <= away.sup() &&
-      piece.pole_range[piece.pole.first].inf() <= away.inf() &&
-      away.sup() <= piece.pole_range[piece.pole.first].sup()) {
-    const Interval3 normals = cross((*piece.about_pole)[0], (*piece.about_pole)[1]);
-    const bool other_way = dot(middle_of(normals), middle_of(jet.normal)) < 0;
-    return other_way ? scaled(Interval(-1), normals) : normals;
+/// What is at right angles to all H over a part of a cell, also where it goes on in cells of its patch; nothing if
+/// it is not known.
+std::optional<Interval3> normals_of(const std::vector<Piece>& all, const Piece& piece,
+                                    const std::array<Interval, 2>& range, const SurfaceJet<Interval>& jet) {
+  if (piece.pole) {
+    const auto& [away, at, near, normals] = *piece.pole;
+    const bool touches = range[away].inf() == at || range[away].sup() == at;
+    if (touches && near.inf() <= range[away].inf() && range[away].sup() <= near.sup()) return normals;
   }
   Interval3 u = hull(piece.along_u, jet.along_u), v = hull(piece.along_v, jet.along_v);
   if (piece.grid) {  // at a pole along the side that is none
@@ -209,9 +206,7 @@ Interval3 normals_of(const std::vector<Piece>& all, const Piece& piece, const st
                 (side[i] && (bits >> i & 1u) != 0 && (bits >> next & 1u) != 0);
     }
     if (!touches) continue;
-    if (all[j].blind) {
-      return Interval3{0, 0, 0};
-    }
+    if (all[j].blind) return std::nullopt;
     u = hull(u, all[j].along_u);
     v = hull(v, all[j].along_v);
   }
@@ -245,9 +240,10 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
   part.box = hull(facet_box(piece, range), jet.point);
   part.blind = piece.blind || holds_zero(jet.normal);
   if (part.blind) return part;
-  part.cone = normals_of(all, piece, range, jet);
-  part.blind = std::ranges::all_of(part.cone, [](const Interval& x) { return x.inf() == 0 && x.sup() == 0; });
+  const std::optional<Interval3> normals = normals_of(all, piece, range, jet);
+  part.blind = !normals;
   if (part.blind) return part;
+  part.cone = *normals;
   for (const std::uint32_t j : piece.foreign) {
     const Piece& other = all[j];
     if (other.blind) {

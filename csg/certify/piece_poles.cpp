@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "csg/certify/pieces.h"
 
@@ -101,57 +102,57 @@ struct Directions {
   }
 };
 
-/// Null where they are not known.
-std::shared_ptr<const std::array<Interval3, 2>> directions_about(const std::vector<Piece>& all,
-                                                                 const std::vector<Wedge>& wedges) {
+Interval near_pole(const Piece& piece, const Wedge& wedge) {
+  return hull(Interval(piece.at[wedge.at_pole][wedge.away]), Interval(middle_of(piece.range[wedge.away])));
+}
+
+/// At right angles to all that is near the pole; nothing where it is not known.
+std::optional<Interval3> normals_about(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
   constexpr int kParts = 4;  // of a cell, around
   const std::vector<std::array<double, 2>> places = places_of(all, wedges);
-  if (places.empty()) return nullptr;
+  if (places.empty()) return std::nullopt;
   Directions found;
   for (std::size_t i = 0; i < wedges.size(); ++i) {
     const auto& [number, around, away, at_pole, from, to] = wedges[i];
     const Piece& piece = all[number];
     const std::array<Interval, 2> c{places[i][0], places[i][1]},
         step{Interval(places[i + 1][0]) - c[0], Interval(places[i + 1][1]) - c[1]};
-    if (!((c[0] * step[1] - c[1] * step[0]).inf() > 0)) return nullptr;
+    if (!((c[0] * step[1] - c[1] * step[0]).inf() > 0)) return std::nullopt;
     found.add(difference(piece.corners[from], piece.corners[at_pole]),
               difference(piece.corners[to], piece.corners[from]), c, step);
     const Interval begin(piece.at[from][around]),
         wide = Interval(piece.at[to][around]) - begin,
         length = Interval(piece.at[from][away]) - piece.at[at_pole][away];
-    std::array<Interval, 2> range = piece.pole_range;
+    std::array<Interval, 2> range;
+    range[away] = near_pole(piece, wedges[i]);
     for (int k = 0; k < kParts; ++k) {
       const Interval f(double(k) / kParts, double(k + 1) / kParts);
       range[around] = begin + f * wide;
       const SurfaceJet<Interval> jet = piece.surface->over(range[0], range[1]);
       const std::optional<SurfaceBend> bend = piece.surface->bend_over(range[0], range[1]);
-      if (!bend) return nullptr;
+      if (!bend) return std::nullopt;
       found.add(scaled(length, away == 0 ? jet.along_u : jet.along_v), scaled(Interval(length * wide), bend->uv),
                 {c[0] + f * step[0], c[1] + f * step[1]}, step);
     }
   }
-  return std::make_shared<const std::array<Interval3, 2>>(*found.hulls);
+  return cross((*found.hulls)[0], (*found.hulls)[1]);
 }
 
 }  // namespace
 
 void find_poles(std::vector<Piece>& all, std::size_t first) {
   const enclosure::RoundOutward outward;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> asked;  // patches and points
   for (std::uint32_t i = static_cast<std::uint32_t>(first); i < all.size(); ++i) {
-    for (std::size_t k = 0; all[i].grid && !all[i].about_pole && k < 4; ++k) {
-      if (all[i].points[k] != all[i].points[(k + 1) % 4]) continue;
-      const std::vector<Wedge> wedges = wedges_about(all, i, all[i].points[k]);
-      if (wedges.empty()) continue;
+    for (std::size_t k = 0; all[i].grid && k < 4; ++k) {
+      const std::uint32_t point = all[i].points[k];
+      if (point != all[i].points[(k + 1) % 4] || !asked.emplace(all[i].patch, point).second) continue;
+      const std::vector<Wedge> wedges = wedges_about(all, i, point);
+      const auto normals = wedges.empty() ? std::nullopt : normals_about(all, wedges);
+      if (!normals) continue;
       for (const Wedge& wedge : wedges) {
         Piece& piece = all[wedge.piece];
-        piece.pole_range = piece.range;
-        piece.pole_range[wedge.away] =
-            hull(Interval(piece.at[wedge.at_pole][wedge.away]), Interval(middle_of(piece.range[wedge.away])));
-      }
-      const auto found = directions_about(all, wedges);
-      for (const Wedge& wedge : wedges) {
-        all[wedge.piece].about_pole = found;
-        all[wedge.piece].pole = {wedge.away, all[wedge.piece].at[wedge.at_pole][wedge.away]};
+        piece.pole = {wedge.away, piece.at[wedge.at_pole][wedge.away], near_pole(piece, wedge), *normals};
       }
     }
   }

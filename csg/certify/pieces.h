@@ -70,12 +70,16 @@ struct Piece {
   std::array<Interval3, 4> corners{};            ///< where they are
   std::array<Interval, 2> range{0, 0};           ///< of u and v; of a curve the first, from 0 to 1
   Interval3 along_u{0, 0, 0}, along_v{0, 0, 0};  ///< of F, hulls; of a curve the first
-  /// Of a cell with a side that is a point: in `pole_range`, where parameter `pole.first` is from `pole.second` to
-  /// half way, the derivatives of all H of all cells about the point in coordinates x and y there, hulls
-  /// (piece_poles.cpp); null if they are not known.
-  std::shared_ptr<const std::array<Interval3, 2>> about_pole{};
-  std::array<Interval, 2> pole_range{0, 0};
-  std::pair<std::size_t, double> pole{0, 0};
+  /// Of a cell with a side that is a point, where it is known (piece_poles.cpp): the parameter that leads `away`
+  /// from there, its value `at` the point and the half of it that is `near`; in that half what is at right angles
+  /// to all H of all cells about the point.
+  struct Pole {
+    std::size_t away;
+    double at;
+    Interval near;
+    Interval3 normals;
+  };
+  std::optional<Pole> pole{};
   std::array<double, 2> turn{0, 0};        ///< about how far its normal turns along u and v, in radians
   const PlacedSurface* surface = nullptr;  ///< of a cell, or of a curve that is a side of one
   std::shared_ptr<const Curve> curve{};    ///< of a curved wire
@@ -173,7 +177,7 @@ void find_poles(std::vector<Piece>& all, std::size_t first);
 enum class Between : std::uint8_t { facets_and_surfaces, surfaces };
 
 /// A part of a piece: what its parameters are limited to, a box around it for all t, and what is at right angles
-/// to it there (of a curve: along it), for all t, up to positive factors.
+/// to it there (of a curve: along it), for all t, up to factors.
 struct PiecePart {
   const Piece* piece = nullptr;
   std::array<Interval, 2> range{0, 0};
