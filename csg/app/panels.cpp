@@ -24,7 +24,9 @@ PictureRequest picture_request(const PictureWords& words) {
   PictureRequest out;
   PanelRequest common;
   bool first_cut = true;
-  for (const auto& [option, value] : words) {
+  for (const auto& word : words) {  // not as [option, value], which clang 14 does not let lambdas capture
+    const std::string& option = word.first;
+    const std::string& value = word.second;
     if (option == "--node") {
       out.panels.push_back(common);
       out.panels.back().node = value;
