@@ -87,7 +87,8 @@ TEST_CASE("Aspects in contexts, counted", "[.hunt]") {
         if (alone.find(word) != std::string::npos) kind = " CURVED";
       for (const char* const word : {"halfspace", "plane:", "complement"})
         if (alone.find(word) != std::string::npos) kind += " UNBOUNDED", kind = kind.substr(0, 17);
-      for (const auto& [aspect, words] : all[i]) {
+      for (const auto& disagreement : all[i]) {
+        const std::string &aspect = disagreement.first, &words = disagreement.second;
         auto& seeds = failures[aspect + kind][setting];
         if (std::getenv("CNRG_FLAT") && !kind.empty()) continue;
         seeds.push_back(seed);

@@ -16,7 +16,7 @@ namespace {
 
 std::string text_of_case(const Case& c) {
   std::vector<RegionAttributes> components = c.group.regions;
-  components.push_back({"entities", "", {}});
+  components.push_back({{.name = "entities"}, {}});
   return topology_text(*c.complex, selection_of(*c.complex, c.group), c.simplified, components);
 }
 bool says(const std::string& text, const std::string& words) {

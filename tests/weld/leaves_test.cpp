@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <random>
 
 #include "csg/evaluate/evaluate.h"
@@ -187,7 +186,6 @@ TEST_CASE("chains are cut at their widest links, in every order", "[weld]") {
   };
   std::vector<std::string> slabs{slab("0", "1", 0), slab("0", "1.0000004", 1), slab("0", "1.0000008", 2),
                                  slab("0", "1.0000013", 3)};
-  std::optional<Counts> first;
   std::sort(slabs.begin(), slabs.end());
   do {
     std::string tree = "weld: 1e-6\nnodes:\n  u: {union: [";
