@@ -28,9 +28,12 @@ bool in_range_of_doubles(const RationalPoint& axis, const Transform& transform) 
 
 std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near,
                                             std::vector<LeafWords>* apart, const std::vector<Index>& anew,
-                                            const ExtraOfInstances& extra, std::set<Index>* drawn) {
+                                            const ExtraOfInstances& extra, std::set<Index>* drawn,
+                                            DrawnLeaves* known) {
   std::set<Index> have_lines;
+  DrawnLeaves none_known;
   if (drawn == nullptr) drawn = &have_lines;
+  if (known == nullptr) known = &none_known;
   instances = with_common_nets(instances, extra, drawn);
   const std::map<Index, LeafInstance> stretched = replace_axial(instances);
   std::vector<RevolvedInstance> revolved;
@@ -66,8 +69,8 @@ std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
   const std::vector<std::array<Index, 2>> about_one_axis = near_axes(instances, pairs);
   if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
   std::vector<LeafWords> told;
-  share_axes(instances, round_spaces(instances, revolved, pairs, about_one_axis, anew, extra), extra, *drawn,
-             told);
+  share_axes(instances, round_spaces(instances, revolved, pairs, about_one_axis, anew, extra), extra, *drawn, told,
+             *known);
   restore_axial(stretched, instances);
   if (apart != nullptr) *apart = std::move(told);
   return instances;

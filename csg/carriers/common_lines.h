@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/carriers/drawn_leaves.h"
 #include "csg/carriers/extra_lines.h"
 #include "csg/carriers/near_surfaces.h"
 #include "csg/leaves/leaf.h"
@@ -26,12 +27,10 @@ namespace cnrg {
 /// they are not drawn on the surfaces that they say they have. `extra`: instances with further lines, which all
 /// leaves that share the surface have, too; `drawn`, if given, gets those that have them. The others cannot:
 /// meshes, extrusions with `twist` or `scale`, faces of CAD models, leaves of revolution that are stretched by a
-/// number that is not rational.
-std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
-                                            std::vector<NearSurfaces>* near = nullptr,
-                                            std::vector<LeafWords>* apart = nullptr,
-                                            const std::vector<std::uint32_t>& anew = {},
-                                            const ExtraOfInstances& extra = {},
-                                            std::set<std::uint32_t>* drawn = nullptr);
+/// number that is not rational. `known`, if given, keeps leaves from one drawing to the next.
+std::vector<LeafInstance> with_common_lines(
+    std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near = nullptr,
+    std::vector<LeafWords>* apart = nullptr, const std::vector<std::uint32_t>& anew = {},
+    const ExtraOfInstances& extra = {}, std::set<std::uint32_t>* drawn = nullptr, DrawnLeaves* known = nullptr);
 
 }  // namespace cnrg

@@ -81,6 +81,8 @@ class Family {
   std::vector<RationalPoint> corners(std::size_t m) const;
 
   RationalPoint point(const MeridianPoint& at, const RevolvedGrid::Column& column) const;
+  /// The size for which `point` rounds; nothing if it does not.
+  std::optional<Rational> rounded() const { return rounds_ ? std::optional(size_) : std::nullopt; }
 
  private:
   /// Corners are doubles, which are cheaper, where that keeps planes plane: about axes of coordinates, without

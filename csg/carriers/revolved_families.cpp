@@ -41,8 +41,14 @@ class Space {
  public:
   /// `finer`: by how much banded leaves are drawn finer than they ask for.
   Space(std::vector<LeafInstance>& instances, const RoundSpace& of, const std::map<Index, int>& finer,
-        const ExtraOfInstances& extra, std::set<Index>& drawn, std::vector<LeafWords>& notices)
-      : instances_(instances), of_(of), finer_(finer), extra_(extra), drawn_(drawn), banded_(notices) {
+        const ExtraOfInstances& extra, std::set<Index>& drawn, std::vector<LeafWords>& notices, DrawnLeaves& known)
+      : instances_(instances),
+        of_(of),
+        finer_(finer),
+        extra_(extra),
+        drawn_(drawn),
+        known_(known),
+        banded_(notices) {
     for (const Index i : of.instances) add(i);
   }
 
@@ -417,7 +423,7 @@ class Space {
     std::vector<Member> members;
     members.reserve(of.size());
     for (const Index n : of) members.push_back(nodes_[n]);
-    const auto family = std::make_shared<Family>(std::move(members), of_.base.identity() && !nested);
+    const auto family = std::make_shared<Family>(std::move(members), of_.base->identity() && !nested);
     for (std::size_t m = 0; m < of.size(); ++m) {
       for (const Index i : nodes_[of[m]].instances) {
         const auto marks = of_.contacts.marks.find(i);
@@ -490,7 +496,7 @@ class Space {
   void replace_ball(const Ball& ball, const std::shared_ptr<const BallHull>& hull) {
     const auto make = [ball, hull](LeafParameters* record) { return tessellate(ball, *hull, record); };
     const SurfaceSource surfaces = [ball] { return sphere_surfaces(ball.center, ball.radius, {0, 0, 1}); };
-    for (const Index i : balls_.at(ball)) put(i, make, surfaces);
+    for (const Index i : balls_.at(ball)) instances_[i] = {made(make, surfaces), of_.base};
   }
 
   void replace(Index i, const std::shared_ptr<Family>& family, std::size_t m) {
@@ -511,19 +517,20 @@ class Space {
     } else {
       surfaces = moved(instances_[i].leaf->surfaces(), relative_.at(i));
     }
-    put(i, make, std::move(surfaces));
+    const DrawnLeaves::Lines lines{relative_.at(i), family->axis(), family->rounded(), *grid};
+    instances_[i] = {known_.on(instances_[i].leaf, lines, [&] { return made(make, surfaces); }), of_.base};
   }
 
   template <class Make>
-  void put(Index i, const Make& make, SurfaceSource surfaces) {
+  static std::unique_ptr<PreparedLeaf> made(const Make& make, const SurfaceSource& surfaces) {
     std::unique_ptr<PreparedLeaf> leaf = make(nullptr);
     leaf->set_parameters([make] {
       auto parameters = std::make_shared<LeafParameters>();
       make(parameters.get());
       return parameters;
     });
-    leaf->set_surfaces(std::move(surfaces));
-    instances_[i] = {std::move(leaf), of_.base};
+    leaf->set_surfaces(surfaces);
+    return leaf;
   }
 
   std::vector<LeafInstance>& instances_;
@@ -531,6 +538,7 @@ class Space {
   const std::map<Index, int>& finer_;
   const ExtraOfInstances& extra_;
   std::set<Index>& drawn_;
+  DrawnLeaves& known_;
   BandedLeaves banded_;
   std::set<Index> too_coarse_;
   std::map<Index, std::shared_ptr<const RevolvedForm>> forms_;  // as the leaves were
@@ -557,10 +565,10 @@ class Space {
 /// Replaces what `share_axes` does, with banded leaves as much finer as `finer` says; gives those that need more.
 std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInstance>& instances,
                          const std::vector<RoundSpace>& spaces, const ExtraOfInstances& extra,
-                         std::set<Index>& drawn, std::vector<LeafWords>& notices) {
+                         std::set<Index>& drawn, std::vector<LeafWords>& notices, DrawnLeaves& known) {
   std::set<Index> too_coarse;
   for (const RoundSpace& of : spaces) {
-    Space space(instances, of, finer, extra, drawn, notices);
+    Space space(instances, of, finer, extra, drawn, notices, known);
     too_coarse.merge(space.run());
   }
   return too_coarse;
@@ -569,14 +577,15 @@ std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInst
 }  // namespace
 
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<RoundSpace>& spaces,
-                const ExtraOfInstances& extra, std::set<Index>& drawn, std::vector<LeafWords>& notices) {
+                const ExtraOfInstances& extra, std::set<Index>& drawn, std::vector<LeafWords>& notices,
+                DrawnLeaves& known) {
   constexpr int kFinest = 8;
   const std::vector<LeafInstance> given = instances;
   std::map<Index, int> finer;
   for (;;) {
     std::vector<LeafWords> told;
     bool again = false;
-    for (const Index i : share_at(finer, instances, spaces, extra, drawn, told)) {
+    for (const Index i : share_at(finer, instances, spaces, extra, drawn, told, known)) {
       int& factor = finer.try_emplace(i, 1).first->second;
       again = again || factor < kFinest;
       factor = std::min(2 * factor, kFinest);

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "csg/carriers/drawn_leaves.h"
 #include "csg/carriers/extra_lines.h"
 #include "csg/carriers/round_spaces.h"
 #include "csg/leaves/leaf.h"
@@ -15,9 +16,9 @@ std::vector<std::array<std::uint32_t, 2>> near_axes(const std::vector<LeafInstan
                                                     const std::vector<std::array<std::uint32_t, 2>>& pairs);
 
 /// Replaces the instances of these spaces. `extra`: further lines, and `drawn` gets who has them. `notices`: of
-/// banded leaves that stay as they are, `leaf 2, face 3
-/// ...`.
+/// banded leaves that stay as they are, `leaf 2, face 3 ...`. `known`: what was drawn before.
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<RoundSpace>& spaces,
-                const ExtraOfInstances& extra, std::set<std::uint32_t>& drawn, std::vector<LeafWords>& notices);
+                const ExtraOfInstances& extra, std::set<std::uint32_t>& drawn, std::vector<LeafWords>& notices,
+                DrawnLeaves& known);
 
 }  // namespace cnrg

@@ -81,12 +81,12 @@ std::vector<RoundSpace> round_spaces(const std::vector<LeafInstance>& instances,
       return Placement(instances[a].transform) < Placement(instances[b].transform);
     });
     of.space.base = instances[*least].transform;
-    of.space.to_space = of.space.base.inverse();
+    of.space.to_space = of.space.base->inverse();
   }
   for (const RevolvedInstance& given : revolved) {
     Candidates& of = *space_of.at(given.instance);
     of.revolved.push_back(given);
-    if (of.space.base.identity()) continue;
+    if (of.space.base->identity()) continue;
     RevolvedInstance& there = of.revolved.back();
     there.transform = of.space.relative(given.transform);
     there.box =

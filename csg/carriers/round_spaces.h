@@ -15,13 +15,14 @@ using Metric = std::array<Rational, 6>;
 Metric metric_of(const Transform& transform);
 
 struct RoundSpace {
-  Transform base, to_space;                        ///< to the space of the tree, and back
+  SharedTransform base{};                          ///< to the space of the tree
+  Transform to_space{};                            ///< and back
   std::vector<std::uint32_t> instances;            ///< that share something or may do so, ascending
   std::vector<std::array<std::uint32_t, 2>> near;  ///< pairs that may have an axis in common
   Contacts contacts;                               ///< about no common axis
   /// The transform of an instance to this space.
   Transform relative(const Transform& transform) const {
-    return base.identity() ? transform : to_space * transform;
+    return base->identity() ? transform : to_space * transform;
   }
 };
 

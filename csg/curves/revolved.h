@@ -91,15 +91,18 @@ struct RevolvedGrid {
     RationalPoint direction;  ///< e(a), as near to a unit vector as can be
     Rational turn;
     bool mark = false;  ///< no even step: corners in it stay as they are
+    friend bool operator==(const Column&, const Column&) = default;
   };
   struct Row {
     MeridianPoint at;
     Rational parameter;
+    friend bool operator==(const Row&, const Row&) = default;
   };
   /// Counter-clockwise about the axis. Of a whole turn the last one is the first again, a turn later.
   std::vector<Column> columns;
   std::vector<std::vector<std::vector<Row>>> rows;  ///< of each line, each piece: from its beginning to its end
   bool mirrored = false;                            ///< columns run against the turn of the leaf
+  friend bool operator==(const RevolvedGrid&, const RevolvedGrid&) = default;
 };
 
 /// The leaf on these lines. `point(r t, column)` says where a point is: always the same for equal arguments.

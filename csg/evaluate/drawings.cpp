@@ -27,7 +27,7 @@ struct Drawing {
 
 /// LeafError names leaves by their places in `instances`.
 Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>& weld,
-             const ExtraOfInstances& lines) {
+             const ExtraOfInstances& lines, DrawnLeaves& known) {
   Drawing out;
   WeldedSurfaces round;
   if (weld) {
@@ -36,7 +36,7 @@ Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>&
     if (!round.notice.empty()) out.welded.push_back(round.notice);
   }
   out.placed.surfaces = surface_numbers(instances, &out.placed.equations);
-  instances = with_common_lines(std::move(instances), &out.near, &out.refused, round.anew, lines);
+  instances = with_common_lines(std::move(instances), &out.near, &out.refused, round.anew, lines, nullptr, &known);
   if (weld) {
     WeldedLeaves welded = weld_leaves(instances, *weld, round.farthest);
     instances = std::move(welded.instances);
@@ -92,7 +92,7 @@ Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedL
     : tree_(tree), unfolding_(unfolding), leaves_(leaves), options_(options) {
   Drawing drawing;
   const auto draw_all = [&](const ExtraOfInstances& lines) -> const PlacedLeaves& {
-    leaves.locate_errors([&] { drawing = draw(leaves.instances(), tree.weld, lines); });
+    leaves.locate_errors([&] { drawing = draw(leaves.instances(), tree.weld, lines, drawn_leaves_); });
     if (lines.empty()) first_ = drawing.placed;
     return drawing.placed;
   };
@@ -155,11 +155,11 @@ void Drawings::find_representatives() {
   }
 }
 
-PlacedLeaves Drawings::draw_only(const Leaves& leaves, const ExtraOfInstances& lines) const {
+PlacedLeaves Drawings::draw_only(const Leaves& leaves, const ExtraOfInstances& lines) {
   std::vector<LeafInstance> instances(whole_.instances.size(), LeafInstance{no_geometry(), {}});
   for (const LeafId leaf : leaves) instances[leaf.index()] = leaves_.instances()[leaf.index()];
   PlacedLeaves placed;
-  leaves_.locate_errors([&] { placed = draw(std::move(instances), tree_.weld, lines).placed; });
+  leaves_.locate_errors([&] { placed = draw(std::move(instances), tree_.weld, lines, drawn_leaves_).placed; });
   return placed;
 }
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "csg/carriers/drawn_leaves.h"
 #include "csg/carriers/placed_leaves.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/evaluate/proven_lines.h"
@@ -51,7 +52,7 @@ class Drawings {
   /// True if leaves below an instance have the same facets alone as in `first_`, all without further lines.
   bool first_alike(const Leaves& below);
   /// Some leaves drawn without the others.
-  PlacedLeaves draw_only(const Leaves& leaves, const ExtraOfInstances& lines) const;
+  PlacedLeaves draw_only(const Leaves& leaves, const ExtraOfInstances& lines);
   /// Leaves of one group as they are drawn without the others.
   const std::vector<LeafInstance>& drawn(const Leaves& leaves, const ExtraOfInstances& lines);
 
@@ -60,6 +61,7 @@ class Drawings {
   const PreparedLeaves& leaves_;
   const EvaluateOptions& options_;
   Moulds moulds_;
+  DrawnLeaves drawn_leaves_;
   PlacedLeaves whole_, first_;  // the second without further lines
   std::unique_ptr<const ProvenLines> proven_;
   std::vector<std::uint32_t> group_;  // by leaf: only those of one group have lines in common
