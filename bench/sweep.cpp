@@ -299,7 +299,9 @@ int main(int argc, char** argv) try {
   program.add_option("--distances", choice.distances, "`exact` and k from 0 to 16, instead of all")
       ->delimiter(',')
       ->allow_extra_args(false);
-  program.add_option("--operations", choice.operations, "Of union, difference, intersection, fold")
+  program
+      .add_option("--operations", choice.operations,
+                  "Of union, difference, intersection, fold; of a folder union by default")
       ->delimiter(',')
       ->allow_extra_args(false);
   program.add_option("--seeds", choice.seeds, "Seeds of each, instead of the usual number")

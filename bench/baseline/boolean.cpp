@@ -1,6 +1,6 @@
 // The Boolean as the sequence of its stages (mantyla1988, program 15.1).
 //
-// Where it departs from the book, so that what fails is the method and no slip of its programs:
+// Where it departs from the book; what each departure repairs or refuses is not measured:
 // - loops run counter-clockwise from outside; operands are assembled from polygons, not by Euler operators;
 // - both operands live in one structure, so that moving faces to the result is choosing shells (finish.cpp);
 // - the tables of on-sectors and on-edges are applied to parts of arcs instead of pairs of sectors (classify.cpp);
@@ -19,9 +19,8 @@
 //
 // What the method cannot do, and says: operands that are no 2-manifold, or whose faces are not planar (input); a
 // boundary that touches itself, as the result of an earlier Boolean may, where the other crosses it
-// (classification, null_edges). Exact arithmetic is not known to fail in another way
-// (tests/baseline/hunt_test.cpp). Doubles may fail in any
-// stage where points are nearly within epsilon.
+// (classification, null_edges). Exact arithmetic fails in another way in folds of many boxes:
+// connecting, in boxes-union-s100-kexact-r7. Doubles may fail in any stage where points are nearly within epsilon.
 #include "bench/baseline/mantyla.h"
 #include "bench/baseline/scene.h"
 

@@ -1,6 +1,6 @@
-// Mäntylä's Boolean set operations on boundary models (mantyla1986; mantyla1988, chapters 12 to 15), as
-// published: half-edge solids and Euler operators, reduction, vertex neighbourhood classification, null edges,
-// connecting, finishing. A baseline: nothing is repaired, and the exact kernel of this project takes no part.
+// Mäntylä's Boolean set operations on boundary models after mantyla1986 and mantyla1988, chapters 12 to 15:
+// half-edge solids and Euler operators, reduction, vertex neighbourhood classification, null edges, connecting,
+// finishing. It departs from the book where boolean.cpp says so. The exact kernel of this project takes no part.
 #pragma once
 
 #include <stdexcept>

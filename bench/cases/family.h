@@ -52,11 +52,14 @@ const std::vector<Family>& families();
 /// or a size that the family does not have, and a distance out of 0 to 16.
 Problem make_problem(const ProblemId& id);
 
-/// Problems of a folder of mesh files (OFF, OBJ, STL, PLY; searched through), by name: files that belong together
-/// by their names (`x_left` and `x_right`, `src-x` and `cut-x`, `xA` and `xB`) are united, each other file with
-/// its copy turned about its middle. An open mesh is a surface, and so is one without volume. Names are as
-/// `files-union-a+x_left.off-x_right.off`, paths below the folder with `+` for `/`.
-std::vector<std::string> folder_problems(const std::string& folder);
+/// Problems of a folder of mesh files (OFF, OBJ, STL, PLY; searched through), by name: of files that belong
+/// together by their names (`x_left` and `x_right`, `src-x` and `cut-x`, `xA` and `xB`), and of each other file
+/// and its copy turned about its middle. An open mesh is a surface, and so is one without volume. Names are as
+/// `files-union-a+x_left.off-x_right.off`, paths below the folder with `+` for `/`. `operations`: of
+/// `folder_operations()`; none: union.
+std::vector<std::string> folder_problems(const std::string& folder,
+                                         const std::vector<std::string>& operations = {});
+const std::vector<std::string>& folder_operations();
 /// Throws std::runtime_error, or as the reader of mesh leaves does.
 Problem make_folder_problem(const std::string& folder, const std::string& name);
 

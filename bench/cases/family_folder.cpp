@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include "bench/cases/family.h"
 #include "csg/imports/mesh_file.h"
@@ -17,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPrefix = "files-union-";
+constexpr std::string_view kPrefix = "files-";
 
 // --- files that belong together
 
-/// Paths of operands: two files, or one that is united with its copy.
+/// Paths of operands: two files, or one, beside its copy.
 using Files = std::vector<std::string>;
 
 bool is_mesh_of_any_case(const fs::path& path) {
@@ -54,6 +55,7 @@ std::string word_of(const fs::path& path) {
   return word;
 }
 
+/// By names of problems, without what comes before those of files.
 std::map<std::string, Files> problem_files(const std::string& folder) {
   if (!fs::is_directory(folder))
     throw std::runtime_error("'" + folder + "' is no folder; give the folder of the meshes");
@@ -62,8 +64,8 @@ std::map<std::string, Files> problem_files(const std::string& folder) {
     if (entry.is_regular_file() && is_mesh_of_any_case(entry.path())) meshes.insert(entry.path());
   std::map<std::string, Files> problems;
   const auto add = [&](const std::string& word, Files files) {
-    std::string name = kPrefix + word;
-    for (int i = 2; problems.contains(name); ++i) name = kPrefix + word + '_' + std::to_string(i);
+    std::string name = word;
+    for (int i = 2; problems.contains(name); ++i) name = word + '_' + std::to_string(i);
     problems.emplace(std::move(name), std::move(files));
   };
   std::set<fs::path> paired;
@@ -204,21 +206,33 @@ MeshData turned_copy(MeshData mesh) {
 
 }  // namespace
 
-std::vector<std::string> folder_problems(const std::string& folder) {
+const std::vector<std::string>& folder_operations() {
+  static const std::vector<std::string> all{"union", "difference", "intersection"};
+  return all;
+}
+
+std::vector<std::string> folder_problems(const std::string& folder, const std::vector<std::string>& operations) {
   std::vector<std::string> names;
-  for (const auto& [name, files] : problem_files(folder)) names.push_back(name);
+  const std::map<std::string, Files> files = problem_files(folder);
+  for (const std::string& operation : operations.empty() ? std::vector<std::string>{"union"} : operations)
+    for (const auto& [name, of] : files) names.push_back(std::string(kPrefix) + operation + "-" + name);
   return names;
 }
 
 Problem make_folder_problem(const std::string& folder, const std::string& name) {
   const std::map<std::string, Files> problems = problem_files(folder);
-  const auto found = problems.find(name);
-  if (found == problems.end())
-    throw std::runtime_error("folder '" + folder + "' has no problem '" + name + "'; it has " +
-                             std::to_string(problems.size()));
+  auto found = problems.end();
   Problem problem;
   problem.name = name;
-  problem.steps = {Operation::unite};
+  for (const Operation operation : {Operation::unite, Operation::subtract, Operation::intersect}) {
+    const std::string before = std::string(kPrefix) + to_string(operation) + "-";
+    if (!name.starts_with(before)) continue;
+    found = problems.find(name.substr(before.size()));
+    problem.steps = {operation};
+  }
+  if (found == problems.end())
+    throw std::runtime_error("folder '" + folder + "' has no problem '" + name + "'; it has " +
+                             std::to_string(problems.size()) + " for each operation");
   for (const std::string& path : found->second) {
     const MeshData mesh = cnrg::read_mesh(path, false);
     problem.operands.push_back(operand(path, mesh));

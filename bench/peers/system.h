@@ -51,7 +51,8 @@ struct System {
   std::string executable{};  ///< of an external system
 };
 
-/// Those built in, ours first: ours, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad.
+/// Those built in, ours first: ours, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad. They do
+/// nothing to operands, but for occt-rescaled and openscad-rescaled, whose `guarantee` says what.
 std::vector<System> systems();
 
 /// Any program: `EXECUTABLE OPERATION A.off B.off OUT.off` for each step, status 0 when OUT.off is written;

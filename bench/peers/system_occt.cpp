@@ -3,7 +3,7 @@
 // CellsBuilder is what OpenCASCADE has for Booleans of mixed dimension: BRepAlgoAPI's operators refuse most of
 // them. Parts have the dimension of their argument; what two arguments have in common of lower dimension than both
 // is no part. Shapes share vertices and edges as the model does, so nothing is sewn. OpenCASCADE's tolerance is
-// 10^-7, whatever the unit; operands are multiplied by a power of two to the size of a part in millimetres.
+// 10^-7, whatever the unit.
 #include <BOPAlgo_CellsBuilder.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -37,8 +37,7 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr int kLargestOcct = 9;  // binary exponent of the largest coordinate
-constexpr int kMaterial = 1;     // parts of one material are joined in the end
+constexpr int kMaterial = 1;  // parts of one material are joined in the end
 
 // --- operands
 
@@ -47,8 +46,7 @@ using Arguments = std::vector<TopoDS_Shape>;
 
 class ArgumentMaker {
  public:
-  ArgumentMaker(const Model& model, const Rational& scale)
-      : model_(model), scale_(scale), vertices_(model.points.size()) {}
+  explicit ArgumentMaker(const Model& model) : model_(model), vertices_(model.points.size()) {}
 
   Arguments run() {
     add_solids();
@@ -72,7 +70,7 @@ class ArgumentMaker {
 
   gp_Pnt point(std::uint32_t p) const {
     const RationalPoint& q = model_.points[p];
-    return {to_double(q[0] * scale_), to_double(q[1] * scale_), to_double(q[2] * scale_)};
+    return {to_double(q[0]), to_double(q[1]), to_double(q[2])};
   }
 
   const TopoDS_Vertex& vertex(std::uint32_t p) {
@@ -182,7 +180,6 @@ class ArgumentMaker {
   }
 
   const Model& model_;
-  const Rational& scale_;
   BRep_Builder builder_;
   std::vector<TopoDS_Vertex> vertices_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, TopoDS_Edge> edges_;
@@ -247,7 +244,7 @@ void select_parts(BOPAlgo_CellsBuilder& fuse, const std::vector<Term>& terms) {
 
 class OcctModelMaker {
  public:
-  OcctModelMaker(const TopoDS_Shape& shape, const Rational& scale) : shape_(shape), scale_(scale) {}
+  explicit OcctModelMaker(const TopoDS_Shape& shape) : shape_(shape) {}
 
   Model run() {
     for (TopExp_Explorer solids(shape_, TopAbs_SOLID); solids.More(); solids.Next()) {
@@ -297,7 +294,7 @@ class OcctModelMaker {
     numbers_.Add(vertex);
     const gp_Pnt p = BRep_Tool::Pnt(vertex);
     RationalPoint& point = model_.points.emplace_back();
-    for (int k = 0; k < 3; ++k) point[k] = from_double(p.Coord(k + 1)) / scale_;
+    for (int k = 0; k < 3; ++k) point[k] = from_double(p.Coord(k + 1));
     return static_cast<std::uint32_t>(model_.points.size() - 1);
   }
 
@@ -347,7 +344,6 @@ class OcctModelMaker {
   }
 
   const TopoDS_Shape& shape_;
-  const Rational& scale_;
   TopTools_IndexedMapOfShape numbers_;
   TopTools_MapOfShape in_solid_, covered_;
   std::vector<TopoDS_Shape> sides_;
@@ -367,11 +363,10 @@ auto guarded_occt(const char* stage, Work work) {
 }
 
 Answer answer_of_occt(const Problem& problem) {
-  const Rational scale = scale_to(problem.operands, kLargestOcct);
   Measurement measurement;
   std::vector<Arguments> operands;
   guarded_occt("input", [&] {
-    for (const Model& operand : problem.operands) operands.push_back(ArgumentMaker(operand, scale).run());
+    for (const Model& operand : problem.operands) operands.push_back(ArgumentMaker(operand).run());
   });
   measurement.lap("conversion");
   BOPAlgo_CellsBuilder fuse;
@@ -392,7 +387,7 @@ Answer answer_of_occt(const Problem& problem) {
   if (fuse.HasWarnings()) answer.note = first_line([&](std::ostream& out) { fuse.DumpWarnings(out); });
   guarded_occt("output", [&] {
     try {
-      answer.model = OcctModelMaker(fuse.Shape(), scale).run();
+      answer.model = OcctModelMaker(fuse.Shape()).run();
     } catch (const InvariantError&) {
       throw Refusal("output", "a face of the result crosses itself");
     }
@@ -405,9 +400,10 @@ Answer answer_of_occt(const Problem& problem) {
 System occt_system() {
   return {.name = "occt",
           .title = "OpenCASCADE",
-          .guarantee = "solids, surfaces, wires, points; doubles, a tolerance; parts of an operand's dimension",
+          .guarantee =
+              "solids, surfaces, wires, points; doubles, a tolerance of 1e-7; parts of an operand's dimension",
           .version = [] { return std::string("OpenCASCADE ") + OCC_VERSION_COMPLETE; },
-          .rounding = 1e-9,
+          .rounding = 1e-7,
           .regularized = false,
           .absent = "",
           .evaluate = answer_of_occt};

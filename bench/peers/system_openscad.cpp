@@ -1,8 +1,7 @@
 // OpenSCAD as a program: polyhedra and operators as its text in, its Nef polyhedron out.
 //
 // OpenSCAD 2021.01 cuts coordinates off to multiples of 2^-20, whatever their size, and computes exactly from
-// there. Operands are therefore multiplied by a power of two, so that nearly all bits of a double lie above that.
-// Results come as `nef3`, which is exact; its OFF, STL and AMF have six digits.
+// there. Results come as `nef3`, which is exact; its OFF, STL and AMF have six digits.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -15,8 +14,6 @@
 
 namespace cnrg::bench {
 namespace {
-
-constexpr int kLargestScad = 32;  // binary exponent of the largest coordinate
 
 void write_polyhedron(std::ostream& out, const TriangleMesh& mesh) {
   char line[96];
@@ -54,16 +51,9 @@ std::string line_with(const ProgramRun& run, std::initializer_list<const char*> 
   return {};
 }
 
-Model scaled(Model model, const Rational& scale) {
-  for (RationalPoint& p : model.points)
-    for (Rational& x : p) x *= scale;
-  return model;
-}
-
 Answer answer_of_openscad(const Problem& problem) {
-  const Rational scale = scale_to(problem.operands, kLargestScad);
   std::vector<TriangleMesh> operands;
-  for (const Model& operand : problem.operands) operands.push_back(rounded_triangles(operand, scale));
+  for (const Model& operand : problem.operands) operands.push_back(rounded_triangles(operand));
   const TemporaryFolder folder;
   const std::string in = folder.file("in.scad"), out = folder.file("out.nef3");
   Measurement measurement;
@@ -79,7 +69,7 @@ Answer answer_of_openscad(const Problem& problem) {
   if (!empty) {
     std::error_code error;
     if (std::filesystem::file_size(out, error) == 0 || error) throw Refusal("output", run.reason());
-    answer.model = scaled(read_nef(out), 1 / scale);
+    answer.model = read_nef(out);
   }
   measurement.lap("reading");
   answer.measures = measurement.stop();
@@ -93,7 +83,7 @@ System openscad_system() {
   return {.name = "openscad",
           .title = "OpenSCAD",
           .guarantee =
-              "closed 2-manifolds, coordinates cut off to a grid, exact from there; "
+              "closed 2-manifolds, coordinates cut off to multiples of 2^-20, exact from there; "
               "a program: its process is in time and memory",
           .version =
               [] {
@@ -101,7 +91,7 @@ System openscad_system() {
                 const ProgramRun run = run_program({"openscad", "--version"}, folder);
                 return run.errors.empty() ? std::string() : run.errors.back();
               },
-          .rounding = 0x1p-50,
+          .rounding = 0x1p-20,
           .regularized = false,
           .absent = on_path("openscad") ? "" : "there is no program openscad; install the package openscad",
           .evaluate = answer_of_openscad};

@@ -1,6 +1,5 @@
 #include "bench/peers/triangles.h"
 
-#include <cmath>
 #include <unordered_map>
 
 #include "bench/peers/face_loops.h"
@@ -54,23 +53,10 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Rationa
   return triangles;
 }
 
-Rational scale_to(const std::vector<Model>& models, int exponent) {
-  Rational largest = 0;
-  for (const Model& model : models)
-    for (const RationalPoint& p : model.points)
-      for (const Rational& x : p)
-        if (abs(x) > largest) largest = abs(x);
-  if (largest == 0) return 1;
-  int binary = 0;  // largest is in [2^(binary - 1), 2^binary)
-  std::frexp(to_double(largest), &binary);
-  return from_double(std::ldexp(1.0, exponent - (binary - 1)));
-}
-
-TriangleMesh rounded_triangles(const Model& model, const Rational& scale) {
+TriangleMesh rounded_triangles(const Model& model) {
   if (!model.solid()) throw Refusal("input", "an operand is no solid");
   TriangleMesh mesh;
-  const auto rounded = [&](const Rational& x) { return to_double(x * scale); };
-  for (const auto& [x, y, z] : model.points) mesh.points.push_back({rounded(x), rounded(y), rounded(z)});
+  for (const auto& [x, y, z] : model.points) mesh.points.push_back({to_double(x), to_double(y), to_double(z)});
   try {
     for (const Model::Face& face : model.faces) {
       const auto triangles = triangles_of(model.points, face);

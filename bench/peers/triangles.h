@@ -11,12 +11,8 @@ namespace cnrg::bench {
 std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<RationalPoint>& points,
                                                        const Model::Face& face);
 
-/// A power of two: coordinates multiplied by it have their largest from 2^exponent to below 2^(exponent + 1). 1 if
-/// all are zero.
-Rational scale_to(const std::vector<Model>& models, int exponent);
-
-/// Solid faces as triangles, coordinates times `scale` rounded to doubles. Throws Refusal with stage `input` for a
+/// Solid faces as triangles, coordinates rounded to doubles. Throws Refusal with stage `input` for a
 /// model that is no solid and for faces that are no polygons.
-TriangleMesh rounded_triangles(const Model& model, const Rational& scale = 1);
+TriangleMesh rounded_triangles(const Model& model);
 
 }  // namespace cnrg::bench

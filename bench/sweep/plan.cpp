@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include "bench/cases/family.h"
@@ -37,14 +38,14 @@ void check_size(const Family& family, long size) {
 }
 
 void add_family(const Family& family, const Choice& choice, std::vector<std::string>& problems) {
-  const int seeds = choice.seeds > 0 ? choice.seeds : family.seeds;
+  const int first = choice.first_seed.value_or(1), seeds = choice.seeds.value_or(family.seeds);
   for (const long size : choice.sizes) check_size(family, size);
   for (const long size : choice.sizes.empty() ? family.sizes : choice.sizes)
     for (const std::string& operation : family.operations) {
       const auto& wanted = choice.operations;
       if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), operation) == wanted.end()) continue;
       for (const std::optional<int>& distance : distances_of(family, choice))
-        for (int seed = choice.first_seed; seed < choice.first_seed + seeds; ++seed)
+        for (int seed = first; seed < first + seeds; ++seed)
           problems.push_back(
               ProblemId{family.name, operation, size, distance, static_cast<unsigned>(seed)}.name());
     }
@@ -58,10 +59,36 @@ void thin_out(std::vector<std::string>& problems, std::size_t limit) {
   problems = std::move(some);
 }
 
-bool is_operation(const std::string& name) {
-  return std::any_of(families().begin(), families().end(), [&](const Family& f) {
-    return std::find(f.operations.begin(), f.operations.end(), name) != f.operations.end();
-  });
+/// What is chosen has to mean something for one of the families at least, or for the folder.
+void require_meaning(const Choice& choice, const std::vector<const Family*>& chosen, bool folder) {
+  const auto require = [&](bool given, const char* option, bool applies) {
+    if (given && !applies)
+      throw std::runtime_error(std::string("--") + option + " means nothing for " +
+                               (folder           ? "a folder of meshes"
+                                : chosen.empty() ? "problems that are named one by one"
+                                                 : "these families") +
+                               ": leave it out");
+  };
+  require(!choice.sizes.empty(), "sizes", !chosen.empty());
+  require(choice.seeds.has_value(), "seeds", !chosen.empty());
+  require(choice.first_seed.has_value(), "first-seed", !chosen.empty());
+  require(!choice.distances.empty(), "distances",
+          std::any_of(chosen.begin(), chosen.end(), [](const Family* f) { return f->has_distance; }));
+  require(!choice.operations.empty(), "operations", folder || !chosen.empty());
+  for (const std::string& operation : choice.operations) {
+    const auto has = [&](const std::vector<std::string>& all) {
+      return std::find(all.begin(), all.end(), operation) != all.end();
+    };
+    if (folder ? has(folder_operations())
+               : std::any_of(chosen.begin(), chosen.end(), [&](const Family* f) { return has(f->operations); }))
+      continue;
+    std::set<std::string> all;
+    if (folder) all = {folder_operations().begin(), folder_operations().end()};
+    for (const Family* f : chosen) all.insert(f->operations.begin(), f->operations.end());
+    std::string known;
+    for (const std::string& name : all) known += (known.empty() ? "" : ", ") + name;
+    throw std::runtime_error("'" + operation + "' is no operation here; there are " + known);
+  }
 }
 
 bool is_problem(const std::string& name) {
@@ -80,19 +107,24 @@ Plan plan_of(const Choice& choice) {
   Plan plan;
   if (choice.names.empty())
     throw std::runtime_error("name families or a folder of meshes; `--list` lists families");
+  std::vector<const Family*> chosen;
   for (const std::string& name : choice.names) {
     const auto family =
         std::find_if(families().begin(), families().end(), [&](const Family& f) { return f.name == name; });
     if (family != families().end()) {
+      chosen.push_back(&*family);
       add_family(*family, choice, plan.problems);
     } else if (name == "all") {
-      for (const Family& each : families()) add_family(each, choice, plan.problems);
+      for (const Family& each : families()) {
+        chosen.push_back(&each);
+        add_family(each, choice, plan.problems);
+      }
     } else if (is_problem(name)) {
       plan.problems.push_back(name);
     } else if (fs::is_directory(name)) {
       if (choice.names.size() > 1) throw std::runtime_error("a folder makes a sweep by itself; name it alone");
       plan.folder = fs::canonical(name).string();
-      plan.problems = folder_problems(plan.folder);
+      plan.problems = folder_problems(plan.folder, choice.operations);
       if (plan.problems.empty()) throw std::runtime_error(name + ": holds no OFF, OBJ, STL or PLY file");
     } else {
       std::string known;
@@ -101,16 +133,12 @@ Plan plan_of(const Choice& choice) {
                                " (`all`: all of them); the benchmarks of speed are `bench/run speed NAME`");
     }
   }
-  for (const std::string& operation : choice.operations)
-    if (!is_operation(operation))
-      throw std::runtime_error("'" + operation +
-                               "' is no operation; there are union, difference, intersection, fold");
+  require_meaning(choice, chosen, !plan.folder.empty());
   thin_out(plan.problems, choice.limit);
   std::vector<std::string> sorted = plan.problems;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
     throw std::runtime_error("a family or a problem is named twice");
-  if (plan.problems.empty()) throw std::runtime_error("no family has these operations");
   return plan;
 }
 

@@ -13,9 +13,8 @@ struct Choice {
   std::vector<long> sizes;
   std::vector<std::string> distances;  ///< `exact` and 0 to 16
   std::vector<std::string> operations;
-  int seeds = 0;  ///< seeds 1 to this; 0: as usual
-  int first_seed = 1;
-  std::size_t limit = 0;  ///< at most so many problems, spread evenly; 0: all
+  std::optional<int> seeds, first_seed;  ///< how many, and the first one
+  std::size_t limit = 0;                 ///< at most so many problems, spread evenly; 0: all
 };
 
 struct Plan {
@@ -23,8 +22,8 @@ struct Plan {
   std::vector<std::string> problems;  ///< names, in the order of the families
 };
 
-/// Throws std::runtime_error for unknown names (with those that there are), a folder among other names, a choice
-/// that leaves nothing.
+/// Throws std::runtime_error for unknown names (with those that there are), a folder among other names, and for
+/// what was chosen and applies to none of the names.
 Plan plan_of(const Choice& choice);
 
 }  // namespace cnrg::bench

@@ -146,7 +146,10 @@ void describe(const Setup& setup, SweepRow& row) {
       [&] {
         try {
           const Problem problem = setup.make(row.problem);
-          return Json{{"operands", problem.operands.size()}, {"triangles", problem.triangle_count()}}.dump() +
+          return Json{{"operands", problem.operands.size()},
+                      {"triangles", problem.triangle_count()},
+                      {"operation", to_string(problem.steps.at(0))}}
+                     .dump() +
                  "\n";
         } catch (const std::exception& error) {
           return Json{{"error", error.what()}}.dump() + "\n";
@@ -162,7 +165,7 @@ void describe(const Setup& setup, SweepRow& row) {
   head.at("triangles").get_to(row.triangles);
   if (!setup.folder.empty()) {
     row.family = kFilesFamily;
-    row.operation = to_string(Operation::unite);
+    head.at("operation").get_to(row.operation);
     row.size = static_cast<long>(row.triangles);
     return;
   }

@@ -37,6 +37,8 @@ std::map<std::pair<std::string, std::string>, SweepRow> rows_of(const Workshop& 
 TEST_CASE("bad input has one clear line", "[sweep]") {
   const Workshop w;
   w.write("empty/x", "");
+  fs::create_directories(w.path("meshes"));
+  w.write("meshes/t.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
   fs::create_directories(w.path("nothing"));
   const auto fails = [&](const std::string& arguments, const std::string& with) {
     const Outcome o = w.run(arguments);
@@ -50,7 +52,13 @@ TEST_CASE("bad input has one clear line", "[sweep]") {
   fails("", "--list");
   fails("turned --systems ours,nex", "there is no system 'nex'");
   fails("turned --distances 17", "'17' is no distance");
-  fails("turned --operations fold", "operations");
+  fails("turned --operations fold", "'fold' is no operation here; there are");
+  // What would be ignored.
+  fails("edge-union-s4-k7-r3 --seeds 2", "--seeds means nothing for problems that are named one by one");
+  fails("edge-union-s4-k7-r3 --operations union", "--operations means nothing");
+  for (const char* option : {"--sizes 2", "--distances 3", "--seeds 2", "--first-seed 2"})
+    fails("meshes " + std::string(option), "means nothing for a folder of meshes: leave it out");
+  fails("meshes --operations fold", "there are difference, intersection, union");
   fails("turned --jobs 0", "--jobs");
   fails("turned turned", "twice");
   fails("nothing", "holds no OFF, OBJ, STL or PLY file");
