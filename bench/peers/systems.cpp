@@ -27,7 +27,7 @@ void multiply(Model& model, const Rational& scale) {
 /// The system with operands of a size that suits it; its time is that of the system alone.
 System rescaled(System system, int exponent, double rounding) {
   system.name += "-rescaled";
-  system.title += ", rescaled";
+  system.title += " (scaled)";
   system.guarantee += "; operands are multiplied by a power of two, so that their largest coordinate is 2^" +
                       std::to_string(exponent) + " or more, and its results are divided by it";
   system.rounding = rounding;

@@ -49,14 +49,11 @@ def exact_results(experiment, summary):
         fact.sentence += f", last {said(others[-1])}"
     wrong = [judged[s].of("wrong") for s in others]
     unsaid, systems_unsaid = sum(wrong), sum(count > 0 for count in wrong)
-    thin = sum(stage.tally.of("wrong") for stage in summary.stages
-               if stage.system != summary.ours and stage.stage == "topology")
     if unsaid == 0:
         fact.sentence += ". None of the others is wrong without saying so."
     else:
         fact.sentence += (f". {plural(unsaid, 'result')} of {plural(systems_unsaid, 'other system')} "
-                          f"{'is' if unsaid == 1 else 'are'} wrong without saying so")
-        fact.sentence += f", {grouped(thin)} of them in parts thinner than their rounding." if thin else "."
+                          f"{'is' if unsaid == 1 else 'are'} wrong without saying so.")
     return fact
 
 

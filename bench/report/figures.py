@@ -122,7 +122,8 @@ def _logarithmic(axes, which, values):
 
 # Failures against the distance to degeneracy.
 
-RATE_COLUMNS = ("family", "system", "distance", "k", "runs", "judged", "failures", "failure_rate")
+RATE_COLUMNS = ("family", "system", "distance", "k", "runs", "judged", "failures", "failure_rate",
+                "failure_rate_low", "failure_rate_high")
 
 
 def _rate_records(study):
@@ -130,23 +131,26 @@ def _rate_records(study):
     def places(k):
         return ("0", "exact") if k is None else ("1" if k == 0 else f"1e-{k}", k)
     return [(study.family or "all", curve.system, *places(p.k), p.tally.runs, p.tally.judged, p.tally.failures,
-             p.tally.failure_rate) for curve in study.curves for p in curve.points]
+             p.tally.failure_rate, *p.tally.failure_interval) for curve in study.curves for p in curve.points]
 
 
-def _draw_rates(axes, experiment, ours, records, ticks, lane, lanes, size=1.0):
-    """Lines along 0 % are drawn beside each other, each in a lane of its own below, so that all are seen. Ours comes
-    first, below the others: its line is the widest. `exact` stands apart from the line."""
-    lines = {}
-    for place, system in enumerate(dict.fromkeys(record[1] for record in records)):
+def _draw_rates(axes, experiment, ours, records, ticks, size=1.0):
+    """Systems stand beside each other at each distance, so that all are seen, each with the interval of its rate. Ours
+    comes first, below the others: its line is the widest. `exact` stands apart from the line."""
+    lines, systems = {}, list(dict.fromkeys(record[1] for record in records))
+    for place, system in enumerate(systems):
         look = _painted(experiment, system, system == ours, size)
-        points = [(EXACT_PLACE if record[3] == "exact" else record[3], record[7] or -lane * place)
-                  for record in records if record[1] == system]
-        joined = [point for point in points if point[0] != EXACT_PLACE]
+        aside = 0.7 * ((place + 0.5) / len(systems) - 0.5)
+        own = [record for record in records if record[1] == system]
+        points = [(aside + (EXACT_PLACE if record[3] == "exact" else record[3]), record[7]) for record in own]
+        joined = [point for point, record in zip(points, own) if record[3] != "exact"]
         lines[system] = axes.plot([x for x, _ in joined], [y for _, y in joined], **look)[0]
         if len(joined) < len(points):
             axes.plot(*points[-1], **look | {"linestyle": "none"})
+        axes.vlines([x for x, _ in points], [record[8] for record in own], [record[9] for record in own],
+                    colors=look["color"], linewidth=0.8 * size, alpha=0.6)
     axes.set_xlim(-0.6, EXACT_PLACE + 0.8)
-    axes.set_ylim(-lane * (lanes + 1), 1.02)
+    axes.set_ylim(0, 1.02)
     axes.set_xticks([*ticks, EXACT_PLACE], [*(power_of_ten(-k) for k in ticks), "exact"])
     axes.set_yticks([0, 0.25, 0.5, 0.75, 1], [percent(part) for part in (0, 0.25, 0.5, 0.75, 1)])
     return lines
@@ -163,13 +167,14 @@ def _all_rates(experiment, ours, study):
         width, height, side = 8.0, 3.4, 0.5 + _inches(names)
         figure.set_size_inches(width, height)
         axes = figure.add_axes([0.72 / width, 0.5 / height, 1 - (0.85 + side) / width, 1 - 0.6 / height])
-        lines = _draw_rates(axes, experiment, ours, records, range(0, 17, 2), 0.018, len(names))
+        lines = _draw_rates(axes, experiment, ours, records, range(0, 17, 2))
         axes.set_xlabel(DISTANCE)
         axes.set_ylabel("part of the runs that fail")
         _legend(figure, lines.values(), names, 1 - side / width, 1 - 0.1 / height)
 
     return Figure("failures", "Failures near degeneracy",
-                  "Failure rate against distance to degeneracy, all families with a distance, a line per system",
+                  "Failure rate against distance to degeneracy, all families with a distance, a line per system, with "
+                  "Wilson's intervals of 95 %",
                   RATE_COLUMNS, records, draw)
 
 
@@ -192,7 +197,7 @@ def _family_rates(experiment, ours, studies):
             axes = figure.add_axes([(0.55 + column * 2.5) / width, 1 - (head + (row + 1) * cell - 0.35) / height,
                                     2.25 / width, (cell - 0.7) / height])
             own = [record for record in records if record[0] == study.family]
-            handles |= _draw_rates(axes, experiment, ours, own, range(0, 16, 5), 0.03, len(systems), 0.75)
+            handles |= _draw_rates(axes, experiment, ours, own, range(0, 16, 5), 0.75)
             axes.set_title(_shown(study.family))
             axes.tick_params(axis="y", labelleft=column == 0)
         _legend(figure, [handles[system] for system in systems], names, 0.5 / width, 1 - 0.05 / height, columns)

@@ -19,6 +19,7 @@ MEANINGS = {
     "contact-lost": "Parts that touch in the exact result do not, or the other way round, for coordinates were "
                     "rounded.",
     "dangling-lost": "A surface, wire or point of an operand that the exact result has is missing.",
+    "within-rounding": "As much volume, up to the rounding that the system states, but with other shells or handles.",
     "wrong": "Anything else: volume or surface too much or too little, or no solid at all, and no word of it.",
     "refused": "The system says that it cannot.",
     "crashed": "The process ended by itself without a result, by a signal or otherwise.",

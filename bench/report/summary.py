@@ -18,6 +18,16 @@ def is_right(row):
     return CLASS_OF[row["verdict"]] in ("exact", "right")
 
 
+def wilson(count, of):
+    """Wilson's interval for a rate, with a confidence of 95 % (Wilson 1927): (low, high)."""
+    if of == 0:
+        return 0.0, 1.0
+    z, rate = 1.959963984540054, count / of
+    middle, spread = rate + z * z / (2 * of), z * math.sqrt(rate * (1 - rate) / of + z * z / (4 * of * of))
+    whole = 1 + z * z / of
+    return (middle - spread) / whole if count else 0.0, (middle + spread) / whole if count < of else 1.0
+
+
 class Tally(Counter):
     """Runs by verdict."""
 
@@ -29,6 +39,7 @@ class Tally(Counter):
     right = property(lambda self: self.of("exact") + self.of("right"))
     failures = property(lambda self: sum(self.of(group) for group in FAILURES))
     failure_rate = property(lambda self: self.failures / self.judged if self.judged else 0.0)
+    failure_interval = property(lambda self: wilson(self.failures, self.judged))
 
 
 @dataclass

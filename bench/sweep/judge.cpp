@@ -289,7 +289,11 @@ void judge_rounded(const Comparison& c, const Problem& problem, const Model& res
   };
   const BoundarySurface expected{j.truth.shells, j.truth.genus}, as_set{j.facts->shells, j.facts->genus};
   const BoundarySurface own = own_surface(result).value_or(as_set);
-  if (!same(own, expected) && !same(as_set, expected)) return reject(j, "topology", topology_text(own, expected));
+  if (!same(own, expected) && !same(as_set, expected)) {
+    j.verdict = Verdict::within_rounding;
+    j.message = topology_text(own, expected);
+    return;
+  }
   const int loose = compare_loose(c, loose_of(c, c.found), loose_of(c, c.exact));
   if (loose > 0) return reject(j, "dangling", "faces, wires or points that bound no solid are too many");
   if (loose < 0) {

@@ -6,9 +6,10 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr std::array<const char*, kVerdicts> kNames = {
-    "same",    "same-regularized", "contact-duplicated", "contact-lost",  "dangling-lost", "wrong",
-    "refused", "crashed",          "timed-out",          "out-of-memory", "unjudged"};
+constexpr std::array<const char*, kVerdicts> kNames = {"same",         "same-regularized", "contact-duplicated",
+                                                       "contact-lost", "dangling-lost",    "within-rounding",
+                                                       "wrong",        "refused",          "crashed",
+                                                       "timed-out",    "out-of-memory",    "unjudged"};
 
 nlohmann::ordered_json object_of(const Facts& f) {
   return {{"volume", f.volume},
@@ -92,6 +93,7 @@ bool is_failure(Verdict verdict) {
     case Verdict::contact_duplicated:
     case Verdict::contact_lost:
     case Verdict::dangling_lost:
+    case Verdict::within_rounding:
     case Verdict::unjudged: return false;
     case Verdict::wrong:
     case Verdict::refused:

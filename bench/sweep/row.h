@@ -15,16 +15,17 @@ enum class Verdict : std::uint8_t {
   same,                ///< the exact point set (up to the system's stated rounding), each contact once
   same_regularized,    ///< the closure of the interior: what the operation makes of lower dimension is missing
   contact_duplicated,  ///< the point set, but edges or vertices at a non-manifold contact are there twice or more
-  contact_lost,   ///< parts that touch in the exact result do not, or the other way round (rounded coordinates)
-  dangling_lost,  ///< a surface, wire or point of an operand that the exact result has is missing
-  wrong,          ///< anything else: volume or surface too much or too little, or no solid at all
-  refused,        ///< the system says that it cannot
+  contact_lost,     ///< parts that touch in the exact result do not, or the other way round (rounded coordinates)
+  dangling_lost,    ///< a surface, wire or point of an operand that the exact result has is missing
+  within_rounding,  ///< as much volume up to the system's stated rounding, but with other shells or handles
+  wrong,            ///< anything else: volume or surface too much or too little, or no solid at all
+  refused,          ///< the system says that it cannot
   crashed,
   timed_out,
   out_of_memory,
   unjudged,  ///< there is a result, but the exact one could not be had within the limits
 };
-inline constexpr std::size_t kVerdicts = 11;
+inline constexpr std::size_t kVerdicts = 12;
 /// `same`, `same-regularized`, ... as in files.
 const char* to_string(Verdict verdict);
 std::optional<Verdict> parse_verdict(const std::string& text);

@@ -83,17 +83,20 @@ class Figures(unittest.TestCase):
 
     def test_what_is_drawn_are_the_data(self):
         axes, = canvas_of(FIGURES["failures"]).axes
-        drawn_rates = sorted(y for line in axes.lines for y in line.get_ydata() if y > 0)
-        self.assertEqual(drawn_rates, sorted(r[-1] for r in FIGURES["failures"].records if r[-1] > 0))
-        lanes = [line.get_ydata()[0] for line in axes.lines if len(line.get_ydata()) > 1]
-        self.assertEqual(len(set(lanes)), 7)  # those along 0 % beside each other
+        drawn_rates = sorted(y for line in axes.lines for y in line.get_ydata())
+        self.assertEqual(drawn_rates, sorted(r[7] for r in FIGURES["failures"].records))
+        self.assertEqual(axes.get_ylim()[0], 0)  # nothing is below 0 %
+        starts = [line.get_xdata()[0] for line in axes.lines if len(line.get_xdata()) > 1]
+        self.assertEqual(len(set(starts)), 7)  # systems stand beside each other
+        bars = sorted(tuple(bar[:, 1]) for bars in axes.collections for bar in bars.get_segments())
+        self.assertEqual(bars, sorted(r[8:] for r in FIGURES["failures"].records))
         families = FIGURES["failures-by-family"]
         panels = canvas_of(families).axes
         self.assertEqual([panel.get_title("left") for panel in panels],
                          list(dict.fromkeys(record[0] for record in families.records)))
         for panel in panels:
-            own = sorted(r[-1] for r in families.records if r[0] == panel.get_title("left") and r[-1] > 0)
-            self.assertEqual(sorted(y for line in panel.lines for y in line.get_ydata() if y > 0), own)
+            own = sorted(r[7] for r in families.records if r[0] == panel.get_title("left"))
+            self.assertEqual(sorted(y for line in panel.lines for y in line.get_ydata()), own)
         figure = FIGURES["time-boxes"]
         axes, = canvas_of(figure).axes
         self.assertEqual([(x, y) for line in axes.lines for x, y in zip(*line.get_data())],

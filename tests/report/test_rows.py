@@ -78,7 +78,7 @@ class Rows(unittest.TestCase):
 
     def test_verdicts_and_failures(self):
         self.assertEqual(set(VERDICTS), {"same", "same-regularized", "contact-duplicated", "contact-lost",
-                                         "dangling-lost", "wrong", "refused", "crashed", "timed-out",
+                                         "dangling-lost", "within-rounding", "wrong", "refused", "crashed", "timed-out",
                                          "out-of-memory", "unjudged"})
         self.assertEqual({verdict for verdict in VERDICTS if CLASS_OF[verdict] in FAILURES},
                          {"wrong", "refused", "crashed", "timed-out", "out-of-memory"})

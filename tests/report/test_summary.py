@@ -6,7 +6,7 @@ import words
 from facts import main_facts
 from plausible import at_distance, right_row
 from rows import make_experiment
-from summary import Summary, power_law, spread_of
+from summary import Summary, power_law, spread_of, wilson
 
 
 def experiment_of(rows):
@@ -209,13 +209,25 @@ class Facts(unittest.TestCase):
         self.assertEqual(begin.sentence,
                          "13 failures of ours in 40 runs at all distances. None of the others begins to fail.")
 
-    def test_wrong_results_in_thin_parts_are_told_apart(self):
+    def test_results_right_within_their_rounding_are_told_apart(self):
         rows = rows_at_distances("edge")
         for row in rows:
-            if row["verdict"] == "wrong":
-                row["stage"] = "topology" if row["distance"] is None else "volume"
-        self.assertIn("7 results of 1 other system are wrong without saying so, 5 of them in parts thinner than their "
-                      "rounding.", facts_of(rows)[0].sentence)
+            if row["verdict"] == "wrong" and row["distance"] is None:
+                row["verdict"] = "within-rounding"
+        exact, begin, _ = facts_of(rows)
+        self.assertIn("2 results of 1 other system are wrong without saying so.", exact.sentence)
+        self.assertEqual(exact.lines[1][1], ["27", "32", "2"])
+
+    def test_the_interval_of_a_rate_is_that_of_wilson(self):
+        for count, of in (0, 1), (0, 10), (1, 10), (5, 10), (10, 10), (3, 1000):
+            low, high = wilson(count, of)
+            rate = count / of
+            self.assertTrue(0 <= low <= rate <= high <= 1)
+            for bound in low, high:  # the rates at which the count is 1.96 standard deviations away
+                if 0 < bound < 1:
+                    self.assertAlmostEqual(abs(rate - bound), 1.959963984540054 * (bound * (1 - bound) / of) ** 0.5)
+            self.assertEqual((low == 0, high == 1), (count == 0, count == of))
+        self.assertEqual(wilson(0, 0), (0, 1))
 
     def test_too_few_data_for_a_fact_are_said(self):
         self.assertEqual([fact.headline for fact in facts_of([right_row("a", "f")])], ["–"] * 3)

@@ -116,8 +116,8 @@ TEST_CASE("verdicts have names, and some are failures") {
     if (is_failure(verdict)) failures.insert(to_string(verdict));
   }
   CHECK(names == std::set<std::string>{"same", "same-regularized", "contact-duplicated", "contact-lost",
-                                       "dangling-lost", "wrong", "refused", "crashed", "timed-out",
-                                       "out-of-memory", "unjudged"});
+                                       "dangling-lost", "within-rounding", "wrong", "refused", "crashed",
+                                       "timed-out", "out-of-memory", "unjudged"});
   CHECK(failures == std::set<std::string>{"wrong", "refused", "crashed", "timed-out", "out-of-memory"});
   CHECK_FALSE(parse_verdict("Same"));
 }
