@@ -8,14 +8,15 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/mesh/surface_triangles.h"
 #include "csg/mesh/tetrahedra.h"
+#include "csg/tree/tree.h"
 
 namespace cnrg::app {
 
-// What all commands have that read a tree: `finer`, every curved leaf is that many times finer than the tree says;
-// `inside`, the folder that the tree may read files from (empty: any).
+// What all commands have that read a tree: how it is read, and `finer`, every curved leaf is that many times finer
+// than the tree says.
 
 struct EvalArguments {
-  std::string tree, inside;
+  std::string tree;
   std::vector<std::string> nodes;
   std::vector<std::string> files;
   std::string select;    ///< criteria of `select`: files show what is picked; empty: all
@@ -30,46 +31,51 @@ struct EvalArguments {
   std::string join;         ///< features nearer than this number are joined; empty: none are
   Refining refining = Refining::chosen;
   int threads = 0, finer = 1;
+  ReadOptions reading;
 };
 /// `cnrg eval`: a row per node, a file per `-o`.
 int run_eval(const EvalArguments& arguments);
 
 struct CheckArguments {
-  std::string tree, inside, node;
+  std::string tree, node;
   std::string features;  ///< a number: all below it; `true`: the smallest; empty: none are listed
   int threads = 0, finer = 1;
+  ReadOptions reading;
 };
 /// `cnrg check`: reads and validates only; with `features`, evaluates and lists what is small.
 int run_check(const CheckArguments& arguments);
 
 struct LocateArguments {
-  std::string tree, inside, node;
+  std::string tree, node;
   bool parameters = false, material = false;
   int threads = 0, finer = 1;
+  ReadOptions reading;
 };
 /// `cnrg locate`: the cell that holds each point of standard input; with `parameters` also its place on patches
 /// and curves of leaves, with `material` what it is made of.
 int run_locate(const LocateArguments& arguments);
 
 struct ExplainArguments {
-  std::string tree, inside, node, cell, point;  ///< one of cell and point is empty
+  std::string tree, node, cell, point;  ///< one of cell and point is empty
   int threads = 0, finer = 1;
+  ReadOptions reading;
 };
 /// `cnrg explain`: the way of a cell, or of what holds a point, through the tree.
 int run_explain(const ExplainArguments& arguments);
 
 struct ViewArguments {
-  std::string tree, inside, file;
+  std::string tree, file;
   std::vector<std::string> nodes;
   bool open = false, watch = false, quiet = false;
   bool certify = false;  ///< as of `eval`
   int threads = 0, finer = 1;
+  ReadOptions reading;
 };
 /// `cnrg view`: a page of all nodes for a browser. With `watch` it ends when somebody ends it.
 int run_view(const ViewArguments& arguments);
 
 struct MeshArguments {
-  std::string tree, inside, node;
+  std::string tree, node;
   std::vector<std::string> files;
   TetrahedraOptions options;
   bool snap = false, no_snap = false, quiet = false;     ///< as of `eval`
@@ -80,15 +86,17 @@ struct MeshArguments {
   std::size_t max_points = SurfaceOptions{}.max_points;  ///< of `surface`
   std::string join;                                      ///< as of `eval`
   int threads = 0, finer = 1;
+  ReadOptions reading;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.
 int run_mesh(const MeshArguments& arguments);
 
 struct CompareArguments {
-  std::string a, b, inside, node_a, node_b;
+  std::string a, b, node_a, node_b;
   std::vector<std::string> ignored;  ///< components, materials, names, attributes, features
   bool quiet = false;
   int threads = 0, finer = 1;
+  ReadOptions reading;
 };
 /// `cnrg compare`: what two trees differ in; kDone if they mean the same, else kDifferent.
 int run_compare(const CompareArguments& arguments);

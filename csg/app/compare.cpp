@@ -20,16 +20,16 @@ struct Input {
 
 Input read_input(const std::string& path, const std::string& node, const char* option,
                  const CompareArguments& arguments) {
-  Input input{tree_of_any(path, arguments.inside, arguments.finer), {}};
+  Input input{tree_of_any(path, arguments.reading, arguments.finer), {}};
   input.node = node_of(input.tree, node, option);
   return input;
 }
 
 }  // namespace
 
-Tree tree_of_any(const std::string& path, const std::string& inside, int finer) {
-  if (path == kStandardInputWord) return tree_of(path, inside, finer);
-  Tree tree = tree_of_file(path, {.inside = inside});
+Tree tree_of_any(const std::string& path, const ReadOptions& reading, int finer) {
+  if (path == kStandardInputWord) return tree_of(path, reading, finer);
+  Tree tree = tree_of_file(path, reading);
   make_finer(tree, finer);
   return tree;
 }

@@ -42,9 +42,8 @@ void limit_threads(int threads) {
   }
 }
 
-Tree tree_of(const std::string& path, const std::string& inside, int finer) {
-  const ReadOptions options{.inside = inside};
-  Tree tree = path == kStandardInputWord ? read_tree_from_input(options) : read_tree(path, options);
+Tree tree_of(const std::string& path, const ReadOptions& reading, int finer) {
+  Tree tree = path == kStandardInputWord ? read_tree_from_input(reading) : read_tree(path, reading);
   make_finer(tree, finer);
   return tree;
 }

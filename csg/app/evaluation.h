@@ -12,15 +12,15 @@
 namespace cnrg::app {
 
 /// Reads a tree file, or for `-` standard input, and makes its curved leaves as fine as asked for.
-Tree tree_of(const std::string& path, const std::string& inside, int finer);
+Tree tree_of(const std::string& path, const ReadOptions& reading, int finer);
 
 /// The same; another file (an exact result, a mesh, a CAD model) is a tree of one leaf.
-Tree tree_of_any(const std::string& path, const std::string& inside, int finer);
+Tree tree_of_any(const std::string& path, const ReadOptions& reading, int finer);
 
 /// The tree of a command.
 template <class Arguments>
 Tree tree_of(const Arguments& arguments) {
-  return tree_of(arguments.tree, arguments.inside, arguments.finer);
+  return tree_of(arguments.tree, arguments.reading, arguments.finer);
 }
 
 /// The node that an option names; the result where it is not given.

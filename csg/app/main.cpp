@@ -19,6 +19,7 @@
 #include "csg/result/rounding.h"
 #include "csg/text/file.h"
 #include "csg/text/number.h"
+#include "csg/tree/expression.h"
 #include "csg/tree/suggest.h"
 #include "kernel/base/error.h"
 
@@ -50,7 +51,21 @@ void add_fineness(CLI::App* sub, Arguments& arguments) {
                   "Curved leaves are K times finer than the tree says: segments times K, chord by K squared")
       ->type_name("K")
       ->check(whole_check(1, 1000));
-  sub->add_option("--inside", arguments.inside,
+  sub->add_option_function<std::vector<std::string>>(
+         "-D",
+         [&arguments](const std::vector<std::string>& all) {
+           for (const std::string& one : all) {
+             const std::size_t sign = one.find('=');
+             if (sign == std::string::npos || sign + 1 == one.size() || !is_parameter_name(one.substr(0, sign)))
+               throw CLI::ValidationError("-D", "`" + one + "` is no NAME=NUMBER, such as R=5/2");
+             if (!arguments.reading.parameters.emplace(one.substr(0, sign), one.substr(sign + 1)).second)
+               throw CLI::ValidationError("-D", "`" + one.substr(0, sign) + "` is given twice");
+           }
+         },
+         "A parameter of the tree is this number, or expression; may be repeated")
+      ->type_name("NAME=NUMBER")
+      ->allow_extra_args(false);
+  sub->add_option("--inside", arguments.reading.inside,
                   "For a tree that is not trusted: refuse every file that it names outside of this folder")
       ->type_name("FOLDER")
       ->check(name_fault);

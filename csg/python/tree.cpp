@@ -12,6 +12,7 @@
 #include <map>
 
 #include "bind.h"
+#include "csg/tree/expression.h"
 #include "numbers.h"
 
 namespace cnrg::python {
@@ -93,15 +94,16 @@ void put_meshes(Tree& tree, const std::map<std::string, std::shared_ptr<const Me
   }
 }
 
-py::object yaml_data(const YAML::Node& node) {
+py::object yaml_data(const YAML::Node& node, const ParameterValues& parameters) {
   if (node.IsSequence()) {
     py::list list;
-    for (const YAML::Node& item : node) list.append(yaml_data(item));
+    for (const YAML::Node& item : node) list.append(yaml_data(item, parameters));
     return list;
   }
   if (node.IsMap()) {
     py::dict map;
-    for (const auto& entry : node) map[py::str(entry.first.Scalar())] = yaml_data(entry.second);
+    for (const auto& entry : node)
+      map[py::str(with_values(entry.first.Scalar(), parameters))] = yaml_data(entry.second, parameters);
     return map;
   }
   if (node.IsNull()) return py::none();
@@ -110,7 +112,7 @@ py::object yaml_data(const YAML::Node& node) {
     if (text == "true" || text == "True" || text == "TRUE") return py::bool_(true);
     if (text == "false" || text == "False" || text == "FALSE") return py::bool_(false);
   }
-  return py::str(text);
+  return py::str(with_values(text, parameters));
 }
 
 /// A text as it is, and a number as the only item of a tuple.
@@ -181,7 +183,7 @@ class Records {
       if (node.is_inline) places_[{node.at.line, node.at.column}] = id;
     }
     const YAML::Node nodes = YAML::Load(text)["nodes"];
-    for (const auto& entry : nodes) add(tree.names.at(entry.first.Scalar()), entry.second);
+    for (const auto& entry : nodes) add(tree.names.at(scalar(entry.first)), entry.second);
     while (!open_.empty()) {
       const YAML::Node node = open_.back();
       open_.pop_back();
@@ -195,6 +197,8 @@ class Records {
   std::vector<NodeRecord> records_;
   std::map<std::pair<int, int>, NodeId> places_;
   std::vector<YAML::Node> open_;
+
+  std::string scalar(const YAML::Node& node) const { return with_values(node.Scalar(), tree_.parameters); }
 
   void find_inline(const YAML::Node& value) {
     if (value.IsSequence()) {
@@ -223,19 +227,21 @@ class Records {
     if (node.selector) r.picked = picked_by(*node.selector);
     for (const NodeId operand : tree_.operands(id)) r.operands.push_back(operand.index());
     for (const auto& entry : map) {
-      const std::string key = entry.first.Scalar();
+      const std::string key = scalar(entry.first);
       const bool is_operand = key == "within";
       if (key == "attributes") r.attributes.emplace_back(key, properties_of(node));
-      else if (key != node.operator_name && !is_operand) r.attributes.emplace_back(key, yaml_data(entry.second));
-      else if (r.is_leaf) r.value = yaml_data(entry.second);
+      else if (key != node.operator_name && !is_operand)
+        r.attributes.emplace_back(key, yaml_data(entry.second, tree_.parameters));
+      else if (r.is_leaf) r.value = yaml_data(entry.second, tree_.parameters);
       else open_.push_back(entry.second);
     }
   }
 };
 
 TreeObject parse(const std::string& text, const std::string& file,
-                 const std::map<std::string, std::shared_ptr<const MeshData>>& meshes, const std::string& inside) {
-  Tree tree = parse_tree(text, file, {.inside = inside});
+                 const std::map<std::string, std::shared_ptr<const MeshData>>& meshes, const std::string& inside,
+                 const std::map<std::string, std::string>& parameters) {
+  Tree tree = parse_tree(text, file, {inside, parameters});
   put_meshes(tree, meshes);
   return {std::make_shared<const Tree>(std::move(tree)), text};
 }
@@ -281,14 +287,16 @@ void bind_tree(py::module_& module) {
   py::class_<TreeObject>(module, "Tree")
       .def_static(
           "read",
-          [](const std::string& path, const std::string& inside) {
-            const Tree tree = read_tree(path, {.inside = inside});
+          [](const std::string& path, const std::string& inside,
+             const std::map<std::string, std::string>& parameters) {
+            const Tree tree = read_tree(path, {inside, parameters});
             std::ifstream file(path, std::ios::binary);
             std::string text{std::istreambuf_iterator<char>(file), {}};
             return TreeObject{std::make_shared<const Tree>(tree), std::move(text)};
           },
-          py::arg("path"), py::arg("inside"))
-      .def_static("parse", &parse, py::arg("text"), py::arg("file"), py::arg("meshes"), py::arg("inside"))
+          py::arg("path"), py::arg("inside"), py::arg("parameters"))
+      .def_static("parse", &parse, py::arg("text"), py::arg("file"), py::arg("meshes"), py::arg("inside"),
+                  py::arg("parameters"))
       .def_property_readonly("file", [](const TreeObject& t) { return t.tree->file; })
       .def_property_readonly("result", [](const TreeObject& t) { return t.tree->result.index(); })
       .def_property_readonly("text", [](const TreeObject& t) { return t.text; })
@@ -304,7 +312,8 @@ void bind_tree(py::module_& module) {
              const YAML::Node materials = YAML::Load(t.text)["materials"];
              if (!materials || !materials.IsMap()) return list;
              for (const auto& entry : materials)
-               list.append(py::make_tuple(entry.first.Scalar(), yaml_data(entry.second)));
+               list.append(py::make_tuple(with_values(entry.first.Scalar(), t.tree->parameters),
+                                          yaml_data(entry.second, t.tree->parameters)));
              return list;
            })
       .def("check", [](const TreeObject& t) {

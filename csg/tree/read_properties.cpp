@@ -24,7 +24,7 @@ Properties read_properties(const Value& value) {
 Property read_property(const Value& value, const std::string& what) {
   if (!value.is_text()) value.fail_type(what, "a number or a text");
   const std::string text = value.text(what);
-  if (is_quoted(value)) return text;
+  if (value.is_quoted()) return text;
   if (NumberText number = read_number(text); number.value) return std::move(*number.value);
   const std::size_t sign = text.front() == '-' || text.front() == '+' ? 1 : 0;
   const std::size_t first = sign + (text.size() > sign && text[sign] == '.' ? 1 : 0);
@@ -33,8 +33,6 @@ Property read_property(const Value& value, const std::string& what) {
   }
   return text;
 }
-
-bool is_quoted(const Value& value) { return value.node().Tag() == "!"; }
 
 Rational read_size(const Value& value) {
   Rational size = value.number("`size`");

@@ -15,7 +15,4 @@ Property read_property(const Value& value, const std::string& what);
 /// `size` of a node, a length as meshers take it: above 0 as a double, too.
 Rational read_size(const Value& value);
 
-/// A text with quotes around it in the file.
-bool is_quoted(const Value& value);
-
 }  // namespace cnrg

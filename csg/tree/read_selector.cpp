@@ -31,7 +31,7 @@ std::array<SideName, 2> read_sides(const Value& value, const std::string& what) 
 void read_region(const Value& value, const std::string& what, Criteria& criteria) {
   if (!value.is_text()) value.fail_type(what, "a name or a number, from 1");
   const std::string text = value.text(what);
-  if (is_quoted(value) || !read_number(text).value) {
+  if (value.is_quoted() || !read_number(text).value) {
     criteria.regions.push_back(text);
   } else {
     criteria.region_numbers.push_back(static_cast<Component>(value.integer(what, 1, kMostNumber)));

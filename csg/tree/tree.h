@@ -101,10 +101,11 @@ struct Tree {
   std::shared_ptr<const Dag> dag;       ///< who uses whom, over the same ids; no cycles
   std::map<std::string, NodeId> names;  ///< of the nodes that are not inline
   NodeId result;
-  Position nodes_at;                ///< of the key `nodes`, for what concerns all of them
-  std::vector<Material> materials;  ///< in the order of the file
-  std::optional<Rational> weld{};   ///< what is that near is made to coincide; above 0
-  Position weld_at{};               ///< of its value
+  Position nodes_at;                             ///< of the key `nodes`, for what concerns all of them
+  std::vector<Material> materials;               ///< in the order of the file
+  std::map<std::string, Rational> parameters{};  ///< that expressions name (expression.h)
+  std::optional<Rational> weld{};                ///< what is that near is made to coincide; above 0
+  Position weld_at{};                            ///< of its value
 
   /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws InputError, without a
   /// place in the file, with the nearest name or some of all names when there is none.
@@ -142,6 +143,8 @@ struct ReadOptions {
   /// A folder. If it is given, every file that the tree names must lie in it after links are resolved, or the leaf
   /// is an error (of `check` and `evaluate`): for trees that are not trusted.
   std::string inside{};
+  /// Expressions (expression.h) in place of those of the file's `parameters`, by name.
+  std::map<std::string, std::string> parameters{};
 };
 
 /// Reads a tree file (YAML 1.2 or JSON). Throws TreeError for the first fault, FileError when the file cannot be

@@ -105,6 +105,12 @@ Value::Value(Document& document, const YAML::Node& node, Position key_at)
         "write one node and use it by name instead");
   }
   --document.values_left;
+  if (!is_text() || node.Scalar().find("${") == std::string::npos) return;
+  try {
+    computed_ = std::make_shared<const std::string>(with_values(node.Scalar(), document.parameters));
+  } catch (const InputError& e) {
+    fail(e.what());
+  }
 }
 
 void Value::fail_type(const std::string& what, const std::string& wanted) const {
@@ -112,7 +118,7 @@ void Value::fail_type(const std::string& what, const std::string& wanted) const 
 }
 
 std::optional<bool> Value::as_bool() const {
-  if (!is_text() || node_.Tag() == "!") return std::nullopt;
+  if (!is_text() || is_quoted()) return std::nullopt;
   const std::string& s = raw();
   if (s == "true" || s == "True" || s == "TRUE") return true;
   if (s == "false" || s == "False" || s == "FALSE") return false;
@@ -197,7 +203,9 @@ std::vector<Value::Entry> Value::entries(const std::string& what) const {
     const Position key_at = position_of(item.first.Mark(), at_);
     if (!item.first.IsScalar())
       document_->fail(key_at, "a key of " + what + " must be a text, not " + words_of(item.first));
-    const std::string& key = item.first.Scalar();
+    const std::string key = item.first.Scalar().find("${") == std::string::npos
+                                ? item.first.Scalar()
+                                : Value(*document_, item.first, at_).raw();
     if (!seen.insert(key).second) {
       document_->fail(key_at, "the key " + quoted(key) + " is there twice in " + what + "; remove or rename one");
     }

@@ -9,12 +9,14 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "csg/tree/expression.h"
 #include "csg/tree/position.h"
 #include "kernel/exact/rational.h"
 
@@ -22,8 +24,9 @@ namespace cnrg {
 
 /// What all values of one document share.
 struct Document {
-  std::string file;             ///< for messages
-  std::size_t values_left = 0;  ///< values that may still be read
+  std::string file;              ///< for messages
+  std::size_t values_left = 0;   ///< values that may still be read
+  ParameterValues parameters{};  ///< that expressions name
   [[noreturn]] void fail(Position at, const std::string& message) const { throw TreeError(file, at, message); }
 };
 
@@ -41,8 +44,10 @@ class Value {
   bool is_text() const { return node_.IsScalar(); }
   bool is_list() const { return node_.IsSequence(); }
   bool is_map() const { return node_.IsMap(); }
-  /// The text of a scalar, as it is written.
-  const std::string& raw() const { return node_.Scalar(); }
+  /// The text of a scalar, as it is written, but with values for expressions.
+  const std::string& raw() const { return computed_ ? *computed_ : node_.Scalar(); }
+  /// True for a scalar in quotes; one that is an expression stands in quotes for YAML.
+  bool is_quoted() const { return node_.Tag() == "!" && !computed_; }
   /// The text of a scalar without quotes around it that says true or false.
   std::optional<bool> as_bool() const;
 
@@ -72,6 +77,7 @@ class Value {
   Document* document_;
   YAML::Node node_;
   Position at_;
+  std::shared_ptr<const std::string> computed_{};
 };
 
 struct Value::Entry {

@@ -382,6 +382,21 @@ class Files(Folder):
             good += self.both_ways(path, f"random tree {number}")
         self.assertGreater(good, count // 4)
 
+    def test_parameters_of_a_file_are_numbers_of_the_nodes(self):
+        text = ("cnrg: 1\nparameters: {R: 2, h: \"${R / 4}\"}\nnodes:\n"
+                "  \"ball ${R}\": {sphere: {center: [0, 0, \"${h}\"], radius: \"${R}\"}}\nresult: ball ${R}\n")
+        self.assertEqual(list(cnrg.parse(text)), ["ball 2"])
+        tree = cnrg.parse(text, parameters={"R": Fraction(1, 2)})
+        self.assertEqual(list(tree), ["ball 1/2"])
+        again = cnrg.Tree.of(tree.result)  # written and read without parameters
+        self.assertEqual(again.evaluate().rows[0].volume, tree.evaluate().rows[0].volume)
+        with self.assertRaisesRegex(cnrg.InputError, "no such one; did you mean `R`"):
+            cnrg.parse(text, parameters={"r": 1})
+
+    def test_texts_of_a_script_are_no_expressions(self):
+        named = cnrg.box((0, 0, 0), (1, 1, 1)).named("costs ${R}, $${R}")
+        self.assertEqual(cnrg.Tree.of(named).evaluate().rows[0].name, "costs ${R}, $${R}")
+
     def test_inside_keeps_files_in_a_folder(self):
         (self.folder / "in").mkdir()
         (self.folder / "x.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")

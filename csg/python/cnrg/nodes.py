@@ -57,7 +57,7 @@ def quoted(text: str) -> str:
     if not isinstance(text, Text) and _PLAIN.match(text) and text.lower() not in _WORDS:
         return text
     escaped = []
-    for c in text:
+    for c in text.replace("${", "$${"):  # no expression
         if c in '"\\':
             escaped.append("\\" + c)
         elif c.isprintable() or c == " ":

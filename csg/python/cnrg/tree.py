@@ -157,7 +157,7 @@ def check_material(m: Material) -> None:
 
 def _checked_text(text: str, site: Site) -> None:
     try:
-        _cnrg.Tree.parse(text, _EXPRESSION, {}, "")
+        _cnrg.Tree.parse(text, _EXPRESSION, {}, "", {})
     except InputError as e:
         message = e.message.replace("the node `node`", "this node")
         raise InputError(message, *site) from None
@@ -361,7 +361,7 @@ class Tree:
         words = text.write(result, os.path.abspath, False)
         tree = Tree({text.keys[id(n)]: n for n in text.nodes if id(n) in text.keys}, result, text, None, text.materials)
         with tree.placed():
-            tree._tree = _cnrg.Tree.parse(words, _EXPRESSION, text.meshes, inside)
+            tree._tree = _cnrg.Tree.parse(words, _EXPRESSION, text.meshes, inside, {})
         return tree
 
     @property
@@ -480,18 +480,34 @@ class _Placed:
             raise type(error)(self._tree.translated(error.message), *place) from None
 
 
-def read(path: str | os.PathLike[str], *, inside: str | os.PathLike[str] | None = None) -> Tree:
+def read(
+    path: str | os.PathLike[str],
+    *,
+    inside: str | os.PathLike[str] | None = None,
+    parameters: Mapping[str, Number] | None = None,
+) -> Tree:
     """Reads a tree file (YAML or JSON). inside: a folder that every file named in the tree must lie in, for trees that
-    are not trusted. InputError with line and column for a fault, FileError for a file that cannot be read. Leaves and
+    are not trusted. parameters: numbers in place of those that the tree gives its parameters. InputError with line and column for a fault, FileError for a file that cannot be read. Leaves and
     their files are looked at by `.check()` and `.evaluate()`."""
     name = os.fspath(path)
-    tree = _cnrg.Tree.read(name, "" if inside is None else os.fspath(inside))
+    tree = _cnrg.Tree.read(name, "" if inside is None else os.fspath(inside), _given(parameters))
     return _as_expressions(tree, name)
 
 
-def parse(text: str, file: str = "tree.yaml", *, inside: str | os.PathLike[str] | None = None) -> Tree:
+def _given(parameters: Mapping[str, Number] | None) -> dict[str, str]:
+    return {name: exact(value) for name, value in (parameters or {}).items()}
+
+
+def parse(
+    text: str,
+    file: str = "tree.yaml",
+    *,
+    inside: str | os.PathLike[str] | None = None,
+    parameters: Mapping[str, Number] | None = None,
+) -> Tree:
     """The same for a text; `file` is its name in messages, and paths in it are relative to the folder of that."""
-    tree = _cnrg.Tree.parse(text, os.fspath(file), {}, "" if inside is None else os.fspath(inside))
+    folder = "" if inside is None else os.fspath(inside)
+    tree = _cnrg.Tree.parse(text, os.fspath(file), {}, folder, _given(parameters))
     return _as_expressions(tree, os.fspath(file))
 
 
