@@ -41,7 +41,7 @@ class PieceMaker {
     }
     add_unbounded(instances, reach);
     choose_cells();
-    for (Place& one : places_) add(one);
+    for (Place* const one : by_place()) add(*one);
     for (const auto& [plane, sheet] : planes_) out_.planes_[sheet] = plane;
     for (const auto& [key, sheet] : sheets_) {
       if (key[0] != 0) continue;
@@ -64,6 +64,18 @@ class PieceMaker {
     /// Pieces, and side of the piece; kNone for cells that are none.
     std::map<Edge, std::vector<std::pair<std::uint32_t, std::uint8_t>>> sides{};
   };
+
+  /// Leaves by where their points are: what is asked first must not depend on their order in the tree.
+  std::vector<Place*> by_place() {
+    std::vector<Place*> all;
+    for (Place& one : places_) all.push_back(&one);
+    std::stable_sort(all.begin(), all.end(), [](const Place* a, const Place* b) {
+      return std::ranges::lexicographical_compare(
+          a->points, b->points,
+          [](const Interval3& p, const Interval3& q) { return middle_of(p) < middle_of(q); });
+    });
+    return all;
+  }
 
   std::uint32_t sheet_of(LeafId leaf, std::uint32_t patch) {
     const std::vector<std::uint32_t>* known = leaves_.surfaces.empty() ? nullptr : &leaves_.surfaces[leaf.index()];

@@ -23,12 +23,11 @@ namespace {
 using Json = nlohmann::json;
 using Outputs = std::map<std::string, std::string>;
 
-// Known not to hold yet; whoever makes one of these hold deletes its line.
+// What is not the same, and is not meant to be.
 const std::vector<KnownDisagreement>& known() {
   const std::vector<std::string> round{"sphere", "cylinder", "cone:", "torus", "revolve", "extrude"};
   static const std::vector<KnownDisagreement> list{
-      {"json /regions/*/origin", {}, {Setting::apart, Setting::mixed}},  // csg/README.md#refined-apart
-      // Lines that surfaces have in common where they touch: rounded to doubles where the leaves stand, and not
+      // Lines that surfaces have in common where they touch: rounded to doubles where a moved node stands, and not
       // there in operands that were written each by itself.
       {"row volume", round, {Setting::copies, Setting::mixed}},
       {"operands row ", round, {Setting::read_back}},

@@ -83,7 +83,7 @@ std::map<std::size_t, Disagreements> disagreements(const ContextCase& drawn);
 /// is refused.
 std::string context_failure(const ContextCase& drawn);
 
-/// What is known not to hold yet: an aspect that begins so, of subtrees with one of the words, in one of the
+/// What is not meant to be the same: an aspect that begins so, of subtrees with one of the words, in one of the
 /// settings.
 struct KnownDisagreement {
   const char* aspect;
