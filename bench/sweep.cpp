@@ -95,8 +95,26 @@ void list_all(const Setup& setup) {
 /// One unit: its record goes to the folder of the sweep, or is shown.
 int run_one(const Options& options, Setup& setup) {
   const std::string &problem = options.one[0], &system = options.one[1];
-  for (const std::string& name : options.choice.names)  // other names choose problems, and here one is chosen
-    if (std::filesystem::is_directory(name)) setup.folder = std::filesystem::canonical(name).string();
+  const Choice& choice = options.choice;
+  const std::pair<bool, const char*> chosen[] = {{!choice.sizes.empty(), "--sizes"},
+                                                 {!choice.distances.empty(), "--distances"},
+                                                 {!choice.operations.empty(), "--operations"},
+                                                 {choice.seeds.has_value(), "--seeds"},
+                                                 {choice.first_seed.has_value(), "--first-seed"},
+                                                 {choice.limit > 0, "--limit"},
+                                                 {!options.systems.empty(), "--systems"},
+                                                 {options.units, "--units"},
+                                                 {options.describe, "--describe"}};
+  for (const auto& [given, option] : chosen)  // a workflow repeats the options of its sweep, which has a folder
+    if (given && options.out.empty())
+      throw std::runtime_error(std::string(option) + " means nothing with --one: leave it out");
+  for (const std::string& name : choice.names) {
+    const bool folder = std::filesystem::is_directory(name);
+    if (folder) setup.folder = std::filesystem::canonical(name).string();
+    if (options.out.empty() && (choice.names.size() > 1 || !folder))
+      throw std::runtime_error("'" + name +
+                               "' means nothing with --one, which takes one folder of meshes at most");
+  }
   std::optional<Store> store;
   if (!options.out.empty()) {
     store.emplace(options.out);

@@ -120,6 +120,7 @@ Plan plan_of(const Choice& choice) {
         add_family(each, choice, plan.problems);
       }
     } else if (is_problem(name)) {
+      make_problem(ProblemId::parse(name));  // throws for an operation, size or distance that there is not
       plan.problems.push_back(name);
     } else if (fs::is_directory(name)) {
       if (choice.names.size() > 1) throw std::runtime_error("a folder makes a sweep by itself; name it alone");
@@ -134,11 +135,11 @@ Plan plan_of(const Choice& choice) {
     }
   }
   require_meaning(choice, chosen, !plan.folder.empty());
-  thin_out(plan.problems, choice.limit);
   std::vector<std::string> sorted = plan.problems;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    throw std::runtime_error("a family or a problem is named twice");
+    throw std::runtime_error("a family, a problem, a size or a distance is named twice");
+  thin_out(plan.problems, choice.limit);
   return plan;
 }
 

@@ -18,9 +18,12 @@ struct Input {
   NodeId node;
 };
 
+/// `unknown`: parameters that it has not.
 Input read_input(const std::string& path, const std::string& node, const char* option,
-                 const CompareArguments& arguments) {
-  Input input{tree_of_any(path, arguments.reading, arguments.finer), {}};
+                 const CompareArguments& arguments, std::set<std::string>& unknown) {
+  ReadOptions reading = arguments.reading;
+  reading.unknown = &unknown;
+  Input input{tree_of_any(path, reading, arguments.finer), {}};
   input.node = node_of(input.tree, node, option);
   return input;
 }
@@ -39,8 +42,12 @@ int run_compare(const CompareArguments& arguments) {
     throw InputError(
         "cnrg: error: only one of A and B can be read from standard input; give a file for the other");
   }
-  const Input a = read_input(arguments.a, arguments.node_a, "--node-a", arguments);
-  const Input b = read_input(arguments.b, arguments.node_b, "--node-b", arguments);
+  std::set<std::string> not_in_a, not_in_b;
+  const Input a = read_input(arguments.a, arguments.node_a, "--node-a", arguments, not_in_a);
+  const Input b = read_input(arguments.b, arguments.node_b, "--node-b", arguments, not_in_b);
+  for (const std::string& name : not_in_a) {
+    if (not_in_b.contains(name)) throw InputError("the parameter `" + name + "`: neither A nor B has it");
+  }
   limit_threads(arguments.threads);
   CompareOptions options;
   options.threads = arguments.threads;

@@ -157,7 +157,10 @@ Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, co
 Tree tree_of_file(const std::string& path, const ReadOptions& options) {
   auto found = shape_of(path);
   if (!found) return read_tree(path, options);
-  if (!options.parameters.empty())
+  for (const auto& [name, text] : options.parameters) {
+    if (options.unknown != nullptr) options.unknown->insert(name);
+  }
+  if (!options.parameters.empty() && options.unknown == nullptr)
     throw InputError("the parameter `" + options.parameters.begin()->first + "`: " + path +
                      " is no tree and has none");
   return tree_of_leaf(path, std::filesystem::path(path).stem().string(), found->second, std::move(found->first));

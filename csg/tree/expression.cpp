@@ -22,6 +22,11 @@ constexpr std::size_t kMostLetters = 1000;  // which bounds how deep brackets ne
 constexpr int kMostPower = 10'000;
 constexpr std::size_t kMostValueBits = 400'000;  // of a value, about what 100,000 digits are
 
+constexpr std::string_view kFunctions[] = {"abs", "ceil", "cos", "floor", "max", "min", "sin", "sqrt", "tan"};
+bool is_function(const std::string& name) {
+  return std::find(std::begin(kFunctions), std::end(kFunctions), name) != std::end(kFunctions);
+}
+
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -39,12 +44,12 @@ class Expression {
   Rational run() {
     Rational value = sum();
     skip_blanks();
-    if (at_ < text_.size()) fail("nothing is expected at `" + text_.substr(at_) + "`");
+    if (at_ < text_.size()) fail("nothing is expected at `" + excerpt(text_.substr(at_)) + "`");
     return value;
   }
 
  private:
-  [[noreturn]] void fail(const std::string& why) const { throw InputError("`${" + text_ + "}`: " + why); }
+  [[noreturn]] void fail(const std::string& why) const { throw InputError("`${" + excerpt(text_) + "}`: " + why); }
   void skip_blanks() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
   }
@@ -57,7 +62,7 @@ class Expression {
   void need(char c) {
     if (!take(c))
       fail(std::string("`") + c + "` is missing" +
-           (at_ < text_.size() ? " before `" + text_.substr(at_) + "`" : " at its end"));
+           (at_ < text_.size() ? " before `" + excerpt(text_.substr(at_)) + "`" : " at its end"));
   }
   Rational bounded(Rational x) const {
     if (mpz_sizeinbase(x.get_num_mpz_t(), 2) + mpz_sizeinbase(x.get_den_mpz_t(), 2) > kMostValueBits)
@@ -135,7 +140,7 @@ class Expression {
         for (at_ = end; at_ < text_.size() && is_digit(text_[at_]);) ++at_;
       }
     }
-    if (at_ == begin) fail("a number or a name is missing before `" + text_.substr(at_) + "`");
+    if (at_ == begin) fail("a number or a name is missing before `" + excerpt(text_.substr(at_)) + "`");
     NumberText number = read_number(text_.substr(begin, at_ - begin));
     if (!number.value) fail("`" + text_.substr(begin, at_ - begin) + "`" + number.fault);
     return *number.value;
@@ -146,6 +151,7 @@ class Expression {
     if (it != parameters_.end()) return it->second;
     std::vector<std::string_view> names;
     for (const auto& [known, value] : parameters_) names.push_back(known);
+    if (is_function(name)) fail("`" + name + "` is a function: `" + name + "(...)`");
     const std::string hint = did_you_mean(name, names);
     fail("there is no parameter `" + name + "`" +
          (hint.empty() ? "; add it to `parameters`, before what names it" : hint));
@@ -156,10 +162,8 @@ class Expression {
     while (take(',')) of.push_back(sum());
     need(')');
     const bool two = name == "min" || name == "max";
-    static constexpr std::string_view kNames[] = {"abs", "ceil", "cos",  "floor", "max",
-                                                  "min", "sin",  "sqrt", "tan"};
-    if (std::find(std::begin(kNames), std::end(kNames), name) == std::end(kNames)) {
-      const std::string hint = did_you_mean(name, kNames);
+    if (!is_function(name)) {
+      const std::string hint = did_you_mean(name, kFunctions);
       fail("there is no function `" + name + "`" +
            (hint.empty() ? "; there are abs, ceil, cos, floor, max, min, sin, sqrt, tan" : hint));
     }
@@ -198,6 +202,8 @@ Rational evaluate_expression(const std::string& expression, const ParameterValue
 std::string with_values(const std::string& text, const ParameterValues& parameters) {
   std::string out;
   for (std::size_t at = 0;;) {
+    if (out.size() > std::max(kMostDigits, text.size()))
+      throw InputError("`" + excerpt(text) + "`: with the values of its expressions this text is too long");
     const std::size_t begin = text.find("${", at);
     out += text.substr(at, begin - at);
     if (begin == std::string::npos) return out;

@@ -89,7 +89,7 @@ bool has_sides(Operator op) { return is_boolean(op) || op == Operator::sum || op
 class TreeReader {
  public:
   TreeReader(Document& document, Tree& tree, const ReadOptions& options)
-      : document_(document), tree_(tree), given_(options.parameters) {
+      : document_(document), tree_(tree), given_(options.parameters), unknown_(options.unknown) {
     if (!options.inside.empty()) context_.inside = folder_of_inputs(options.inside);
     context_.folder = std::filesystem::path(document.file).parent_path().string();
     context_.check_material = [this](const Value& value) { check_material(value); };
@@ -156,9 +156,11 @@ class TreeReader {
 
   /// In the order of the file: an expression names those before it.
   void read_parameters(const YAML::Node& root) {
-    const YAML::Node parameters = root.IsMap() ? root["parameters"] : YAML::Node(YAML::NodeType::Undefined);
-    if (parameters.IsDefined()) {
-      const Value map(document_, parameters, {});
+    if (!root.IsMap()) return;
+    for (const auto& entry : root) {
+      if (!entry.first.IsScalar() || entry.first.Scalar() != "parameters") continue;
+      const YAML::Node parameters = entry.second;
+      const Value map(document_, parameters, Value(document_, entry.first, {}).at());
       if (!map.is_map()) map.fail_type("`parameters`", "a map {NAME: NUMBER, ...}");
       for (const auto& item : parameters) {
         const Value key(document_, item.first, map.at());
@@ -174,6 +176,10 @@ class TreeReader {
     }
     for (const auto& [name, text] : given_) {
       if (document_.parameters.contains(name)) continue;
+      if (unknown_ != nullptr) {
+        unknown_->insert(name);
+        continue;
+      }
       std::vector<std::string_view> names;
       for (const auto& [known, value] : document_.parameters) names.push_back(known);
       const std::string hint = did_you_mean(name, names);
@@ -183,7 +189,8 @@ class TreeReader {
   }
   Rational given_number(const std::pair<const std::string, std::string>& given) const {
     try {
-      return evaluate_expression(given.second, document_.parameters);
+      const NumberText number = read_number(given.second);
+      return number.value ? *number.value : evaluate_expression(given.second, document_.parameters);
     } catch (const InputError& e) {
       throw InputError("the parameter `" + given.first + "`: " + e.what());
     }
@@ -614,6 +621,7 @@ class TreeReader {
   Document& document_;
   Tree& tree_;
   std::map<std::string, std::string> given_;  ///< parameters
+  std::set<std::string>* unknown_;
   Dag dag_;
   LeafContext context_;
   std::string top_;  ///< of `nodes`, what is being read, inline nodes in it included
@@ -661,7 +669,7 @@ YAML::Node load_criteria(const Document& document, const std::string& criteria) 
 }  // namespace
 
 NodeId add_selection(Tree& tree, NodeId of, const std::string& criteria, const std::string& file) {
-  Document document{file, criteria.size() + 1'000'000};
+  Document document{file, criteria.size() + 1'000'000, tree.parameters};
   const std::size_t before = tree.nodes.size();
   try {
     return TreeReader(document, tree, {}).add_selection(of, load_criteria(document, criteria));

@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -145,6 +146,8 @@ struct ReadOptions {
   std::string inside{};
   /// Expressions (expression.h) in place of those of the file's `parameters`, by name.
   std::map<std::string, std::string> parameters{};
+  /// Gets the names among them that the file has not, if it is given; else these are an error.
+  std::set<std::string>* unknown = nullptr;
 };
 
 /// Reads a tree file (YAML 1.2 or JSON). Throws TreeError for the first fault, FileError when the file cannot be

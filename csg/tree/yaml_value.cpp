@@ -111,6 +111,9 @@ Value::Value(Document& document, const YAML::Node& node, Position key_at)
   } catch (const InputError& e) {
     fail(e.what());
   }
+  if (computed_->size() > document.values_left)
+    fail("the values of expressions in this file are too long: they have far more letters than the file");
+  document.values_left -= computed_->size();
 }
 
 void Value::fail_type(const std::string& what, const std::string& wanted) const {

@@ -46,8 +46,11 @@ class Value {
   bool is_map() const { return node_.IsMap(); }
   /// The text of a scalar, as it is written, but with values for expressions.
   const std::string& raw() const { return computed_ ? *computed_ : node_.Scalar(); }
-  /// True for a scalar in quotes; one that is an expression stands in quotes for YAML.
-  bool is_quoted() const { return node_.Tag() == "!" && !computed_; }
+  /// True for a scalar in quotes; one that is an expression and nothing else stands in quotes for YAML.
+  bool is_quoted() const {
+    return node_.Tag() == "!" &&
+           !(computed_ && raw_text().starts_with("${") && raw_text().find('}') + 1 == raw_text().size());
+  }
   /// The text of a scalar without quotes around it that says true or false.
   std::optional<bool> as_bool() const;
 
@@ -78,6 +81,7 @@ class Value {
   YAML::Node node_;
   Position at_;
   std::shared_ptr<const std::string> computed_{};
+  const std::string& raw_text() const { return node_.Scalar(); }
 };
 
 struct Value::Entry {

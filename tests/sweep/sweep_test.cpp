@@ -58,6 +58,11 @@ TEST_CASE("bad input has one clear line", "[sweep]") {
   fails("edge-union-s4-k7-r3 --operations union", "--operations means nothing");
   for (const char* option : {"--sizes 2", "--distances 3", "--seeds 2", "--first-seed 2"})
     fails("meshes " + std::string(option), "means nothing for a folder of meshes: leave it out");
+  fails("turned --one turned-union-s1-k9-r2 ours", "means nothing with --one");
+  for (const char* option : {"--sizes 2", "--limit 3", "--systems nef", "--units", "--seeds 2"})
+    fails("--one turned-union-s1-k9-r2 ours " + std::string(option), "means nothing with --one: leave it out");
+  fails("turned-fold-s1-k9-r2 --units", "family 'turned' has no operation 'fold'");
+  fails("all turned --units --limit 1", "named twice");
   fails("meshes --operations fold", "there are difference, intersection, union");
   fails("turned --jobs 0", "--jobs");
   fails("turned turned", "twice");

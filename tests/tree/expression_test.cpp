@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "csg/tree/selector.h"
 #include "csg/tree/tree.h"
 #include "tests/catch.h"
 #include "tests/scenes/seeds.h"
@@ -134,6 +135,24 @@ TEST_CASE("parameters stand in texts, names and numbers of a tree", "[tree]") {
   CHECK(radius_of(tree_with(head, "${half}", {.parameters = {{"R", "7"}}})) == Rational(7, 2));
   CHECK(radius_of(tree_with(head, "${half}", {.parameters = {{"half", "R * n"}}})) == 12);
   CHECK(radius_of(tree_with(head, "1${n}")) == 13);
+  // What a node picks on the command line, numbers of any length, texts that begin like numbers.
+  Tree tree = tree_with(head, "${half}");
+  CHECK(tree.nodes[add_selection(tree, tree.result, "{dimension: \"${n}\"}", "--select")]
+            .selector->criteria.dimensions == std::vector<int>{3});
+  CHECK(radius_of(tree_with(head, "${R}", {.parameters = {{"R", std::string(2000, '7')}}})) ==
+        Rational(std::string(2000, '7')));
+  const auto property = [](const std::string& text) {
+    const Tree made =
+        parse_tree("cnrg: 1\nparameters: {n: 3}\nnodes: {a: {points: [[0, 0, 0]], attributes: {k: \"" + text +
+                       "\"}}}\nresult: a\n",
+                   "t.yaml");
+    return made.nodes[made.result].properties.at("k");
+  };
+  CHECK(property("${n}") == Property(Rational(3)));
+  CHECK(property("0${n}") == Property(std::string("03")));
+  std::set<std::string> unknown;
+  tree_with(head, "1", {.parameters = {{"r", "1"}, {"R", "1"}}, .unknown = &unknown});
+  CHECK(unknown == std::set<std::string>{"r"});
   CHECK(with_values("a $${n} ${n}${n} $", {{"n", 3}}) == "a ${n} 33 $");
   const auto fault = [&](const std::string& start, const std::string& radius, const ReadOptions& options = {}) {
     try {
@@ -152,6 +171,13 @@ TEST_CASE("parameters stand in texts, names and numbers of a tree", "[tree]") {
   CHECK_THAT(fault("parameters: {n: [3]}\n", "1"),
              Contains("t.yaml:2:17: error: the parameter `n` must be a number"));
   CHECK_THAT(fault("parameters: 3\n", "1"), Contains("t.yaml:2:13: error: `parameters` must be a map"));
+  CHECK_THAT(fault("parameters:\n", "1"), Contains("t.yaml:2:1: error: `parameters` must be a map"));
+  const std::string huge = "parameters: {n: 3, z: \"${10^9999}\"}\n";
+  std::string much;
+  for (int i = 0; i < 20; ++i) much += "${z}";
+  CHECK_THAT(fault(huge, much), Contains("too long"));
+  CHECK_THAT(fault_of_expression("sin"), Contains("`sin` is a function: `sin(...)`"));
+  CHECK(fault_of_expression(std::string(5000, 'a')).size() < 200);
   CHECK_THAT(fault("", "1"),
              Contains("t.yaml:5:9: error: `${n}`: there is no parameter `n`; add it to `parameters`"));
   CHECK_THAT(fault(head, "1", {.parameters = {{"r", "1"}}}),
