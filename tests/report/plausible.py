@@ -19,8 +19,8 @@ def system_info(name, title, guarantee="", version="", rounding=0.0, regularized
 SYSTEMS = [
     system_info("ours", "cnrg", "any cells of dimension 0 to 3, exact, each contact once", "0.1.0", 0.0, False),
     system_info("mantyla-double", "Mäntylä, double", "closed 2-manifold solids; one epsilon for all comparisons",
-                "as published", 1e-10),
-    system_info("mantyla-exact", "Mäntylä, exact", "closed 2-manifold solids; rationals", "as published"),
+                "1986", 1e-10),
+    system_info("mantyla-exact", "Mäntylä, exact", "closed 2-manifold solids; rationals", "1986"),
     system_info("nef", "CGAL Nef", "any cells, exact", "CGAL 5.5.1", 0.0, False),
     system_info("corefinement", "CGAL corefinement", "closed 2-manifold surfaces; refuses a result that is none",
                 "CGAL 5.5.1", 1e-15),
