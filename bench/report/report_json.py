@@ -17,7 +17,8 @@ def json_text(value):
 
 def _tally(tally):
     return {"runs": tally.runs, "judged": tally.judged, "failures": tally.failures,
-            "failure_rate": tally.failure_rate, "failure_interval": tally.failure_interval, "verdicts": {verdict: tally[verdict] for verdict in VERDICTS}}
+            "failure_rate": tally.failure_rate, "failure_interval": tally.failure_interval,
+            "verdicts": {verdict: tally[verdict] for verdict in VERDICTS}}
 
 
 def _tallies(tallies):

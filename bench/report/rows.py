@@ -19,8 +19,8 @@ from pathlib import Path
 OURS = "ours"  # the system that others are compared with
 # Verdicts in the order of the tables, and what a reader counts them as.
 CLASS_OF = {"same": "exact", "same-regularized": "right", "contact-duplicated": "right", "contact-lost": "right",
-            "dangling-lost": "right", "within-rounding": "right", "wrong": "wrong", "refused": "refused", "crashed": "no result",
-            "timed-out": "no result", "out-of-memory": "no result", "unjudged": "unjudged"}
+            "dangling-lost": "right", "within-rounding": "right", "wrong": "wrong", "refused": "refused",
+            "crashed": "no result", "timed-out": "no result", "out-of-memory": "no result", "unjudged": "unjudged"}
 VERDICTS = tuple(CLASS_OF)
 FAILURES = ("wrong", "refused", "no result")
 CONFIRMED = ("Nef", "volume", "none", "DISAGREES")

@@ -19,6 +19,7 @@
 #include "csg/tree/read_from_input.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
+#include "csg/tree/read_parameters.h"
 #include "csg/tree/read_properties.h"
 #include "csg/tree/read_selector.h"
 #include "csg/tree/read_transform.h"
@@ -89,7 +90,7 @@ bool has_sides(Operator op) { return is_boolean(op) || op == Operator::sum || op
 class TreeReader {
  public:
   TreeReader(Document& document, Tree& tree, const ReadOptions& options)
-      : document_(document), tree_(tree), given_(options.parameters), unknown_(options.unknown) {
+      : document_(document), tree_(tree), options_(options) {
     if (!options.inside.empty()) context_.inside = folder_of_inputs(options.inside);
     context_.folder = std::filesystem::path(document.file).parent_path().string();
     context_.check_material = [this](const Value& value) { check_material(value); };
@@ -98,7 +99,7 @@ class TreeReader {
   void read(const YAML::Node& root) {
     const Value top(document_, root, {});
     check_no_result(top);
-    read_parameters(root);
+    read_parameters(document_, root, options_);
     tree_.parameters = document_.parameters;
     const Fields fields(top, "a tree file", {"cnrg", "parameters", "materials", "nodes", "result", "weld"});
     const Value& version = fields.at("cnrg", "1");
@@ -152,48 +153,6 @@ class TreeReader {
     const std::string name = named ? std::filesystem::path(document_.file).filename().string() : "FILE.json";
     top.fail("this is a result, not a tree; to read it back, write a tree with the leaf `part: {cnrg: " + name +
              "}`");
-  }
-
-  /// In the order of the file: an expression names those before it.
-  void read_parameters(const YAML::Node& root) {
-    if (!root.IsMap()) return;
-    for (const auto& entry : root) {
-      if (!entry.first.IsScalar() || entry.first.Scalar() != "parameters") continue;
-      const YAML::Node parameters = entry.second;
-      const Value map(document_, parameters, Value(document_, entry.first, {}).at());
-      if (!map.is_map()) map.fail_type("`parameters`", "a map {NAME: NUMBER, ...}");
-      for (const auto& item : parameters) {
-        const Value key(document_, item.first, map.at());
-        const std::string name = key.text("a name in `parameters`"), what = "the parameter `" + name + "`";
-        if (!is_parameter_name(name))
-          key.fail(what + ": a name is letters, digits and `_`, and begins with no digit");
-        const Value written(document_, item.second, key.at());
-        const auto given = given_.find(name);
-        const Rational value = given == given_.end() ? written.number(what) : given_number(*given);
-        if (!document_.parameters.emplace(name, value).second)
-          key.fail(what + " is there twice; remove or rename one");
-      }
-    }
-    for (const auto& [name, text] : given_) {
-      if (document_.parameters.contains(name)) continue;
-      if (unknown_ != nullptr) {
-        unknown_->insert(name);
-        continue;
-      }
-      std::vector<std::string_view> names;
-      for (const auto& [known, value] : document_.parameters) names.push_back(known);
-      const std::string hint = did_you_mean(name, names);
-      throw InputError("the parameter `" + name + "`: " + document_.file + " has no such one" +
-                       (hint.empty() ? "; `parameters` of the file lists those that it has" : hint));
-    }
-  }
-  Rational given_number(const std::pair<const std::string, std::string>& given) const {
-    try {
-      const NumberText number = read_number(given.second);
-      return number.value ? *number.value : evaluate_expression(given.second, document_.parameters);
-    } catch (const InputError& e) {
-      throw InputError("the parameter `" + given.first + "`: " + e.what());
-    }
   }
 
   void check_material(const Value& value) {
@@ -620,8 +579,7 @@ class TreeReader {
 
   Document& document_;
   Tree& tree_;
-  std::map<std::string, std::string> given_;  ///< parameters
-  std::set<std::string>* unknown_;
+  const ReadOptions& options_;
   Dag dag_;
   LeafContext context_;
   std::string top_;  ///< of `nodes`, what is being read, inline nodes in it included
