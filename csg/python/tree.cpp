@@ -13,6 +13,7 @@
 
 #include "bind.h"
 #include "csg/tree/expression.h"
+#include "csg/tree/yaml_value.h"
 #include "numbers.h"
 
 namespace cnrg::python {
@@ -180,44 +181,53 @@ class Records {
   Records(const std::string& text, const Tree& tree) : tree_(tree), records_(tree.nodes.size()) {
     for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
       const Node& node = tree.nodes[id];
-      if (node.is_inline) places_[{node.at.line, node.at.column}] = id;
+      if (node.is_inline) places_[{node.at.line, node.at.column}].push_back(id);
     }
     const YAML::Node nodes = YAML::Load(text)["nodes"];
-    for (const auto& entry : nodes) add(tree.names.at(scalar(entry.first)), entry.second);
+    const Scope everywhere{NodeId(0), NodeId(tree.nodes.size()), tree.parameters};
+    for (const auto& entry : nodes)
+      add(tree.names.at(with_values(entry.first.Scalar(), tree.parameters)), entry.second, everywhere);
     while (!open_.empty()) {
-      const YAML::Node node = open_.back();
+      const auto [node, scope] = open_.back();
       open_.pop_back();
-      find_inline(node);
+      find_inline(node, scope);
     }
   }
   std::vector<NodeRecord> take() { return std::move(records_); }
 
  private:
+  /// The file, or a copy of `repeat`, whose inline nodes are one after the other.
+  struct Scope {
+    NodeId begin, end;
+    ParameterValues parameters;
+  };
+
   const Tree& tree_;
   std::vector<NodeRecord> records_;
-  std::map<std::pair<int, int>, NodeId> places_;
-  std::vector<YAML::Node> open_;
+  std::map<std::pair<int, int>, std::vector<NodeId>> places_;  // inline nodes; those of copies at one place
+  std::vector<std::pair<YAML::Node, Scope>> open_;
 
-  std::string scalar(const YAML::Node& node) const { return with_values(node.Scalar(), tree_.parameters); }
-
-  void find_inline(const YAML::Node& value) {
+  void find_inline(const YAML::Node& value, const Scope& scope) {
     if (value.IsSequence()) {
-      for (const YAML::Node& item : value) find_inline(item);
+      for (const YAML::Node& item : value) find_inline(item, scope);
     } else if (value.IsMap()) {
       const auto place = places_.find({value.Mark().line + 1, value.Mark().column + 1});
       if (place == places_.end()) {
-        for (const auto& entry : value) find_inline(entry.second);
-      } else if (records_[place->second.index()].name.empty()) {
-        add(place->second, value);
+        for (const auto& entry : value) find_inline(entry.second, scope);
+        return;
       }
+      const std::vector<NodeId>& ids = place->second;
+      const auto id = std::lower_bound(ids.begin(), ids.end(), scope.begin);
+      if (id != ids.end() && *id < scope.end && records_[id->index()].name.empty()) add(*id, value, scope);
     }
   }
 
-  void add(NodeId id, const YAML::Node& map) {
+  void add(NodeId id, const YAML::Node& map, const Scope& scope) {
     const Node& node = tree_.nodes[id];
     NodeRecord& r = records_[id.index()];
+    const bool repeats = node.operator_name == "repeat";
     r.name = node.name;
-    r.operator_name = node.operator_name;
+    r.operator_name = !repeats ? node.operator_name : tree_.operands(id).size() == 1 ? "simplify" : "union";
     r.is_inline = node.is_inline;
     r.is_leaf = node.op == Operator::leaf;
     r.forgets_features = node.op == Operator::simplify && node.forget_features;
@@ -225,15 +235,28 @@ class Records {
     r.line = node.at.line;
     r.column = node.at.column;
     if (node.selector) r.picked = picked_by(*node.selector);
-    for (const NodeId operand : tree_.operands(id)) r.operands.push_back(operand.index());
+    const std::vector<NodeId> operands = tree_.operands(id);
+    for (const NodeId operand : operands) r.operands.push_back(operand.index());
     for (const auto& entry : map) {
-      const std::string key = scalar(entry.first);
+      const std::string key = with_values(entry.first.Scalar(), scope.parameters);
       const bool is_operand = key == "within";
       if (key == "attributes") r.attributes.emplace_back(key, properties_of(node));
+      else if (is_of_others(key)) continue;
       else if (key != node.operator_name && !is_operand)
-        r.attributes.emplace_back(key, yaml_data(entry.second, tree_.parameters));
-      else if (r.is_leaf) r.value = yaml_data(entry.second, tree_.parameters);
-      else open_.push_back(entry.second);
+        r.attributes.emplace_back(key, yaml_data(entry.second, scope.parameters));
+      else if (r.is_leaf) r.value = yaml_data(entry.second, scope.parameters);
+      else if (repeats) add_copies(operands, entry.second, scope);
+      else open_.emplace_back(entry.second, scope);
+    }
+  }
+
+  void add_copies(const std::vector<NodeId>& copies, const YAML::Node& repeat, const Scope& scope) {
+    const YAML::Node of = repeat["of"];
+    const std::string index = with_values(repeat["index"].Scalar(), scope.parameters);
+    for (std::size_t i = 0; i < copies.size(); ++i) {
+      Scope within{copies[i], i + 1 < copies.size() ? copies[i + 1] : scope.end, scope.parameters};
+      within.parameters[index] = Rational(static_cast<std::int64_t>(i));
+      add(copies[i], of, within);
     }
   }
 };

@@ -22,7 +22,7 @@ constexpr std::size_t kMostLetters = 1000;  // which bounds how deep brackets ne
 constexpr int kMostPower = 10'000;
 constexpr std::size_t kMostValueBits = 400'000;  // of a value, about what 100,000 digits are
 
-constexpr std::string_view kFunctions[] = {"abs", "ceil", "cos", "floor", "max", "min", "sin", "sqrt", "tan"};
+constexpr std::string_view kFunctions[] = {"abs", "ceil", "cos", "floor", "max", "min", "random", "sin", "sqrt", "tan"};
 bool is_function(const std::string& name) {
   return std::find(std::begin(kFunctions), std::end(kFunctions), name) != std::end(kFunctions);
 }
@@ -33,6 +33,22 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 Rational nearest_root(const Rational& square) {
   if (const auto exact = rational_root(square)) return *exact;
   return round_cosine(0, square, exponent_of_root(square) - 52);
+}
+
+/// The finalizer of MurmurHash3 (Appleby 2011), over the letters of the numbers.
+Rational random_number(const std::vector<Rational>& of) {
+  std::uint64_t mix = 0;
+  const auto add = [&](std::uint64_t letter) {
+    mix = (mix ^ letter) + 0x9e3779b97f4a7c15;
+    mix = (mix ^ (mix >> 33)) * 0xff51afd7ed558ccd;
+    mix = (mix ^ (mix >> 33)) * 0xc4ceb9fe1a85ec53;
+    mix ^= mix >> 33;
+  };
+  for (const Rational& x : of) {
+    for (const char c : to_string(x)) add(static_cast<unsigned char>(c));
+    add(0);
+  }
+  return Rational(static_cast<std::int64_t>(mix >> 44)) / (1 << 20);
 }
 
 class Expression {
@@ -165,8 +181,9 @@ class Expression {
     if (!is_function(name)) {
       const std::string hint = did_you_mean(name, kFunctions);
       fail("there is no function `" + name + "`" +
-           (hint.empty() ? "; there are abs, ceil, cos, floor, max, min, sin, sqrt, tan" : hint));
+           (hint.empty() ? "; there are abs, ceil, cos, floor, max, min, random, sin, sqrt, tan" : hint));
     }
+    if (name == "random") return random_number(of);
     if (of.size() != (two ? 2u : 1u)) fail("`" + name + "` is of " + (two ? "two numbers" : "one number"));
     const Rational& x = of[0];
     if (name == "abs") return abs(x);

@@ -2,7 +2,8 @@
 //
 // An expression has numbers, names of parameters, + - * / ^, brackets, and functions: abs, min and max of two,
 // floor, ceil; sqrt, exact where the root is rational, else the nearest double; sin, cos and tan of degrees, the
-// nearest doubles (tan: their quotient). All else is exact.
+// nearest doubles (tan: their quotient); random of one number or more, from 0 to below 1, the same for the same
+// numbers, a multiple of 2^-20. All else is exact.
 #pragma once
 
 #include <map>

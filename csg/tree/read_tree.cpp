@@ -35,8 +35,9 @@ struct OperatorName {
   std::string_view name;
   Operator op;
 };
-constexpr std::array<OperatorName, 17> kOperators{{
+constexpr std::array<OperatorName, 18> kOperators{{
     {"union", Operator::unite},
+    {"repeat", Operator::unite},
     {"intersection", Operator::intersect},
     {"difference", Operator::subtract},
     {"aggregate", Operator::aggregate},
@@ -207,6 +208,26 @@ class TreeReader {
                (hint.empty() ? "; add it to `nodes` or use another name" : hint));
   }
 
+  /// `{of: {...}, count: N, index: NAME}`: the node is read anew for each copy and may name the number of that.
+  void read_repeat(NodeId id, const Value& value) {
+    const Fields f(value, "repeat", {"of", "count", "index"});
+    const Value &of = f.at("of", "{OPERATOR: ..., translate: [\"${i}\", 0, 0]}"), &index = f.at("index", "i");
+    if (!of.is_map()) of.fail_type(f.name("of"), "a node {...}, such as {simplify: NODE, translate: [\"${i}\", 0, 0]}");
+    const std::string name = index.text(f.name("index"));
+    if (!is_parameter_name(name) || document_.parameters.contains(name))
+      index.fail_type(f.name("index"), "a name of letters, digits and `_` that no parameter has");
+    const std::int64_t copies = f.at("count", "30").integer(f.name("count"), 1, 1'000'000);
+    for (std::int64_t copy = 0; copy < copies; ++copy) {
+      const NodeId copied = add_node(tree_.nodes[id].name + "/" + std::to_string(copy + 1), true, of.at());
+      dag_.add_operand(id, copied, of.at());
+      document_.parameters[name] = Rational(copy);
+      places_.emplace_back();  // what is inline in another copy is another node
+      read_node(copied, Value(document_, of.node(), of.at()));
+      places_.pop_back();
+    }
+    document_.parameters.erase(name);
+  }
+
   /// The operand of which the result is a part, or another form: written inline, it has no name but that of its
   /// user.
   static bool is_subject(Operator op, std::size_t number) {
@@ -243,18 +264,22 @@ class TreeReader {
 
   // Nodes by the identity of their YAML node: equal nodes stand at one place.
   static std::size_t place_of(const Value& value) { return static_cast<std::size_t>(value.node().Mark().pos); }
-  void remember(const Value& value, NodeId id) { by_place_.emplace(place_of(value), std::pair(value.node(), id)); }
+  void remember(const Value& value, NodeId id) {
+    places_.back().emplace(place_of(value), std::pair(value.node(), id));
+  }
   NodeId recall(const Value& value) const {
-    const auto [first, last] = by_place_.equal_range(place_of(value));
-    for (auto it = first; it != last; ++it) {
-      if (it->second.first.is(value.node())) return it->second.second;
+    for (const auto& places : places_) {
+      const auto [first, last] = places.equal_range(place_of(value));
+      for (auto it = first; it != last; ++it) {
+        if (it->second.first.is(value.node())) return it->second.second;
+      }
     }
     return {};
   }
 
   /// True for `regularize: true` and for `simplify: points` beside another operator.
   static bool is_attribute(const Value::Entry& e, bool has_operator) {
-    if (e.key == "within") return true;
+    if (e.key == "within" || is_of_others(e.key)) return true;
     if (e.key == "regularize") return e.value.as_bool().has_value();
     if (e.key == "simplify")
       return has_operator && e.value.is_text() && (e.value.raw() == "points" || e.value.raw() == "features");
@@ -358,6 +383,7 @@ class TreeReader {
       return;
     }
     tree_.nodes[id].op = known->op;
+    if (known->name == "repeat") return read_repeat(id, e.value);
     if (takes_a_list(known->op)) {
       const std::vector<Value> operands = e.value.list("`" + e.key + "`", "a list of two or more nodes [a, b]");
       const std::size_t least = known->op == Operator::aggregate ? 1 : 2;
@@ -454,6 +480,7 @@ class TreeReader {
   }
 
   void read_attribute(Node& node, const Value::Entry& e) {
+    if (is_of_others(e.key)) return;
     if (e.key == "material") {
       node.material = e.value.text("`material`");
       check_material(e.value);
@@ -583,7 +610,8 @@ class TreeReader {
   Dag dag_;
   LeafContext context_;
   std::string top_;  ///< of `nodes`, what is being read, inline nodes in it included
-  std::unordered_multimap<std::size_t, std::pair<YAML::Node, NodeId>> by_place_;
+  /// Of the file, and of each copy of `repeat` that is being read.
+  std::vector<std::unordered_multimap<std::size_t, std::pair<YAML::Node, NodeId>>> places_{1};
 };
 
 }  // namespace

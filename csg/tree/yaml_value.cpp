@@ -220,7 +220,8 @@ std::vector<Value::Entry> Value::entries(const std::string& what) const {
 Fields::Fields(const Value& map, std::string what, std::span<const std::string_view> allowed)
     : map_(map), what_(std::move(what)), entries_(map.entries(what_)) {
   for (const Value::Entry& e : entries_) {
-    if (std::find(allowed.begin(), allowed.end(), std::string_view(e.key)) != allowed.end()) continue;
+    if (is_of_others(e.key) || std::find(allowed.begin(), allowed.end(), std::string_view(e.key)) != allowed.end())
+      continue;
     std::string known;
     for (const std::string_view key : allowed) known += (known.empty() ? "" : ", ") + std::string(key);
     const std::string hint = did_you_mean(e.key, allowed);

@@ -90,6 +90,9 @@ struct Value::Entry {
   Value value;
 };
 
+/// Of maps with known keys: those that other programs read, such as `x-experiment`.
+inline bool is_of_others(std::string_view key) { return key.starts_with("x-"); }
+
 /// A map with known keys.
 class Fields {
  public:

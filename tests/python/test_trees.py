@@ -382,6 +382,16 @@ class Files(Folder):
             good += self.both_ways(path, f"random tree {number}")
         self.assertGreater(good, count // 4)
 
+    def test_copies_are_nodes(self):
+        text = ("cnrg: 1\nparameters: {n: 3}\nnodes:\n  peg: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
+                "  pegs: {repeat: {of: {union: [{simplify: peg, translate: [\"${2 * i}\", 0, 0]}, {box: {min: "
+                "[\"${2 * i}\", 0, 1], max: [\"${2 * i + 1}\", 1, 2]}}]}, count: \"${n}\", index: i}, x-a: b}\n"
+                "result: pegs\n")
+        for n in (1, 3):
+            tree = cnrg.parse(text, parameters={"n": n})
+            again = cnrg.Tree.of(tree.result)
+            self.assertEqual([t.evaluate().rows[-1].volume for t in (tree, again)], [2 * n] * 2)
+
     def test_parameters_of_a_file_are_numbers_of_the_nodes(self):
         text = ("cnrg: 1\nparameters: {R: 2, h: \"${R / 4}\"}\nnodes:\n"
                 "  \"ball ${R}\": {sphere: {center: [0, 0, \"${h}\"], radius: \"${R}\"}}\nresult: ball ${R}\n")

@@ -1,9 +1,12 @@
 // Expressions of tree files: random ones whose values are known as they are made, faults, parameters in trees.
 #include "csg/tree/expression.h"
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <sstream>
 
+#include "csg/evaluate/evaluate.h"
 #include "csg/tree/selector.h"
 #include "csg/tree/tree.h"
 #include "tests/catch.h"
@@ -103,6 +106,73 @@ TEST_CASE("signs, powers and functions are those of paper", "[tree]") {
     INFO(n);
     CHECK(evaluate_expression("sqrt(" + std::to_string(n) + ")", {}) == from_double(std::sqrt(double(n))));
   }
+}
+
+TEST_CASE("random numbers are those of their arguments, and even", "[tree]") {
+  const auto drawn = [](const std::string& of) { return evaluate_expression("random(" + of + ")", {{"seed", 7}}); };
+  CHECK(drawn("seed, 1") == drawn("7, 2/2"));
+  CHECK(drawn("1, 23") != drawn("12, 3"));
+  CHECK(drawn("0") == evaluate_expression("random(0)", {}));  // of this machine and every other one
+  CHECK(to_string(drawn("1, 2")) == "1044315/1048576");
+  constexpr int kCount = 4000, kParts = 16;
+  std::array<int, kParts> parts{};
+  for (int i = 0; i < kCount; ++i) {
+    const Rational x = drawn("seed, " + std::to_string(i));
+    REQUIRE((x >= 0 && x < 1));
+    ++parts[static_cast<std::size_t>(to_double(x) * kParts)];
+  }
+  double chi = 0;  // 15 degrees of freedom: above 45 once in 10,000
+  for (const int n : parts) chi += (n - kCount / kParts) * double(n - kCount / kParts) / (kCount / kParts);
+  CHECK(chi < 45);
+}
+
+TEST_CASE("repeat is the union of its copies, written out", "[tree]") {
+  const auto tree_of = [](const std::string& nodes) {
+    return parse_tree("cnrg: 1\nparameters: {n: 3}\nnodes:\n  peg: {box: {min: [0, 0, 0], max: [1, 1, 2]}}\n" + nodes +
+                          "result: all\n",
+                      "t.yaml");
+  };
+  const std::string outer = "  all: {difference: [{box: {min: [-1, -1, -1], max: [20, 2, 1]}}, pegs]}\n";
+  const Tree repeated = tree_of(
+      "  pegs: {repeat: {of: {union: [{simplify: peg, translate: [\"${3 * i}\", 0, 0]}, {repeat: {of: {box: {min: "
+      "[\"${3 * i}\", \"${j}\", 0], max: [\"${3 * i + 1/2}\", \"${j + 1/2}\", 3]}}, count: 2, index: j}}]}, "
+      "count: \"${n}\", index: i}, rotate: {axis: [0, 0, 1], degrees: 90}}\n" +
+      outer);
+  std::string copies;
+  for (int i = 0; i < 3; ++i) {
+    const std::string x = std::to_string(3 * i);
+    copies += (i == 0 ? "" : ", ") + ("{union: [{simplify: peg, translate: [" + x + ", 0, 0]}, {union: [");
+    for (int j = 0; j < 2; ++j)
+      copies += (j == 0 ? "{box: {min: [" : ", {box: {min: [") + x + ", " + std::to_string(j) + ", 0], max: [" + x +
+                ".5, " + std::to_string(j) + ".5, 3]}}";
+    copies += "]}]}";
+  }
+  const Tree written =
+      tree_of("  pegs: {union: [" + copies + "], rotate: {axis: [0, 0, 1], degrees: 90}}\n" + outer);
+  REQUIRE(repeated.nodes.size() == written.nodes.size());
+  const auto text = [](const Tree& tree) {
+    std::ostringstream out;
+    for (const NodeRow& row : evaluate(tree).rows)
+      out << row.name << ' ' << row.cells[0] << ' ' << row.cells[2] << ' ' << row.regions << ' '
+          << to_string(row.volume().value()) << '\n';
+    return out.str();
+  };
+  CHECK(text(repeated) == text(written));
+  const auto fault = [&](const std::string& nodes) {
+    try {
+      tree_of("  all: " + nodes + "\n");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK_THAT(fault("{repeat: {of: peg, count: 2, index: i}}"), Contains("t.yaml:5:22: error: `of` of repeat must be a node"));
+  CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 2, index: n}}"), Contains("that no parameter has"));
+  CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 0, index: i}}"), Contains("`count` of repeat must be"));
+  CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 1000000, index: i}}"), Contains("repeat too much"));
+  CHECK_THAT(fault("{repeat: &r {of: {union: [peg, {repeat: *r}]}, count: 2, index: i}}"), Contains("that no parameter"));
+  CHECK_THAT(fault("&r {repeat: {of: {union: [peg, *r]}, count: 2, index: i}}"), Contains("in a cycle"));
+  CHECK(fault("{repeat: {of: {simplify: peg, x-a: \"${n}\"}, count: 1, index: i}}\nx-b: {c: 1}") == "");
 }
 
 TEST_CASE("what is no expression is told", "[tree]") {
