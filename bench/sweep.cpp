@@ -12,7 +12,7 @@
 
 #include "bench/command.h"
 #include "bench/peers/program.h"
-#include "bench/sweep/plan.h"
+#include "bench/sweep/keep.h"
 #include "bench/sweep/schedule.h"
 #include "bench/sweep/store.h"
 #include "csg/app/progress_bar.h"
@@ -23,12 +23,12 @@ namespace cnrg::bench {
 namespace {
 
 struct Options {
-  Choice choice;
-  std::vector<std::string> systems, programs, one;
-  std::string out, commit, command;
-  double seconds = 60, gigabytes = 4;
+  std::vector<std::string> names, given, systems, programs, one;
+  std::size_t limit = 0;
+  std::string out, keep, commit, command;
+  std::optional<double> seconds, gigabytes;
   int jobs = 1;
-  bool list = false, units = false, describe = false, quiet = false;
+  bool list = false, dry_run = false, describe = false, quiet = false;
 };
 
 /// A message on one line, whatever is in the names of files and in the words of other programs.
@@ -37,53 +37,98 @@ void say(const std::string& message) { std::fprintf(stderr, "bench/run: %s\n", s
 /// NAME=PROGRAM or NAME=PROGRAM:ROUNDING.
 System program_of(const std::string& text) {
   const NamedProgram program = named_program(text);
-  if (program.name == kTruth)
-    throw std::runtime_error("'truth' is no name of a system: it says who confirms the exact result");
-  return external_system(program.name, program.path, program.rounding);
+  System system = external_system(program.name, {program.path}, program.rounding);
+  system.executable = program.path;
+  return system;
 }
 
+void add_system(Setup& setup, System system) {
+  if (system.name == kTruth)
+    throw std::runtime_error("'truth' is no name of a system: it says who confirms the exact result");
+  for (const System& other : setup.systems)
+    if (other.name == system.name) throw std::runtime_error("there is a system '" + other.name + "' already");
+  setup.systems.push_back(std::move(system));
+}
+
+/// Systems, experiments, and their problems: all, or those whose names are given.
 Setup setup_of(const Options& options) {
   Setup setup;
   setup.commit = options.commit;
-  setup.limits = {options.seconds, static_cast<std::size_t>(options.gigabytes * (1 << 30))};
+  setup.seconds = options.seconds;
+  setup.gigabytes = options.gigabytes;
   setup.systems = systems();
-  for (const std::string& text : options.programs) {
-    const System system = program_of(text);
-    for (const System& other : setup.systems)
-      if (other.name == system.name) throw std::runtime_error("there is a system '" + other.name + "' already");
-    setup.systems.push_back(system);
+  for (const std::string& text : options.programs) add_system(setup, program_of(text));
+  std::vector<GivenValues> given;
+  for (const std::string& text : options.given) given.push_back(given_values(text));
+  std::set<std::string> used;
+  std::vector<std::string> names;
+  for (const std::string& name : options.names) {
+    if (name != "all") {
+      names.push_back(name);
+      continue;
+    }
+    const std::vector<std::string> all = experiment_names();
+    names.insert(names.end(), all.begin(), all.end());
   }
+  for (const std::string& name : names) {
+    Experiment experiment = read_experiment(name, given, used);
+    for (const Experiment& other : setup.experiments)
+      if (other.name == experiment.name) throw std::runtime_error("the experiment " + other.name + " is there twice");
+    for (const ProgramSystem& program : experiment.programs) {
+      System system = external_system(program.name, program.words, program.rounding);
+      add_system(setup, program.rescale ? rescaled(std::move(system), *program.rescale, program.rounding) : system);
+    }
+    for (const std::string& system : experiment.systems) setup.system(system);
+    std::vector<Experiment::Named> problems = experiment.problems();
+    if (problems.empty()) throw std::runtime_error(name + ": holds no OFF, OBJ, STL or PLY file");
+    for (Experiment::Named& problem : problems)
+      setup.problems.push_back({setup.experiments.size(), std::move(problem)});
+    setup.experiments.push_back(std::move(experiment));
+  }
+  for (const GivenValues& values : given)
+    if (!used.contains(values.name))
+      throw std::runtime_error("-D " + values.name + ": no experiment here has this parameter");
   return setup;
 }
 
-/// Those asked for and the programs of the user, or all that can run here.
-std::vector<std::string> chosen_systems(const Setup& setup, const Options& options) {
+/// Those asked for, or of the experiment, and the programs of the command line; otherwise all that can run here.
+std::vector<std::string> chosen_systems(const Setup& setup, const Options& options, const Experiment& experiment) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
-  for (const std::string& name : options.systems) {
+  const std::vector<std::string>& asked = options.systems.empty() ? experiment.systems : options.systems;
+  for (const std::string& name : asked) {
     const System& system = setup.system(name);
     if (!system.absent.empty()) throw std::runtime_error(name + ": " + system.absent);
     add(name);
   }
-  for (const System& system : setup.systems) {
-    if (!options.systems.empty() && system.executable.empty()) continue;
-    if (system.absent.empty()) add(system.name);
-    else say("notice: " + system.name + " is left out: " + system.absent);
-  }
+  const auto of_a_file = [&](const std::string& name) {
+    for (const Experiment& e : setup.experiments)
+      for (const ProgramSystem& program : e.programs)
+        if (program.name == name) return true;
+    return false;
+  };
+  for (const System& system : setup.systems)
+    if (system.absent.empty() && (!system.executable.empty() || (asked.empty() && !of_a_file(system.name))))
+      add(system.name);
   return names;
 }
 
 void list_all(const Setup& setup) {
-  std::printf("Families:\n");
-  for (const Family& f : families()) {
-    std::string sizes, operations;
-    for (const long size : f.sizes) sizes += " " + std::to_string(size);
-    for (const std::string& operation : f.operations) operations += " " + operation;
-    std::printf("  %-14s %s\n  %-14s %s:%s;%s%s; seeds 1 to %d\n", f.name.c_str(), f.title.c_str(), "",
-                f.size_means.c_str(), sizes.c_str(), operations.c_str(),
-                f.has_distance ? "; distance exact or 10^-k" : "", f.seeds);
+  std::printf("Experiments:\n");
+  std::set<std::string> used;
+  for (const std::string& name : experiment_names()) {
+    const Experiment e = read_experiment(name, {}, used);
+    std::printf("  %-14s %s\n", name.c_str(), e.title.c_str());
+    for (const Parameter& p : e.parameters) {
+      std::string values;
+      for (std::size_t i = 0; i < p.values.size(); ++i)
+        values += (i == 0 ? "" : i > 7 && i + 1 < p.values.size() ? "" : ", ") +
+                  (i > 7 && i + 1 < p.values.size() ? (i == 8 ? ", ..." : "") : p.values[i]);
+      std::printf("  %-14s %s: %s%s\n", "", p.name.c_str(), values.c_str(),
+                  p.means.empty() ? "" : (" (" + p.means + ")").c_str());
+    }
   }
   std::printf("Systems:\n");
   for (const System& s : setup.systems)
@@ -92,42 +137,45 @@ void list_all(const Setup& setup) {
                 s.absent.empty() ? s.guarantee.c_str() : shown(s.absent).c_str());
 }
 
+/// The experiment of this source that has the problem, by the longest name.
+std::string own_experiment(const std::string& problem) {
+  std::string found;
+  for (const std::string& name : experiment_names())
+    if (problem.starts_with(name + "-") && name.size() > found.size()) found = name;
+  if (found.empty())
+    throw std::runtime_error("'" + problem + "' is no problem of an experiment of this source; name its file before --one");
+  return found;
+}
+
 /// One unit: its record goes to the folder of the sweep, or is shown.
-int run_one(const Options& options, Setup& setup) {
+int run_one(Options& options) {
   const std::string &problem = options.one[0], &system = options.one[1];
-  const Choice& choice = options.choice;
-  const std::pair<bool, const char*> chosen[] = {{!choice.sizes.empty(), "--sizes"},
-                                                 {!choice.distances.empty(), "--distances"},
-                                                 {!choice.operations.empty(), "--operations"},
-                                                 {choice.seeds.has_value(), "--seeds"},
-                                                 {choice.first_seed.has_value(), "--first-seed"},
-                                                 {choice.limit > 0, "--limit"},
+  const std::pair<bool, const char*> chosen[] = {{options.limit > 0, "--limit"},
                                                  {!options.systems.empty(), "--systems"},
-                                                 {options.units, "--units"},
+                                                 {options.dry_run, "--dry-run"},
                                                  {options.describe, "--describe"}};
   for (const auto& [given, option] : chosen)  // a workflow repeats the options of its sweep, which has a folder
     if (given && options.out.empty())
       throw std::runtime_error(std::string(option) + " means nothing with --one: leave it out");
-  for (const std::string& name : choice.names) {
-    const bool folder = std::filesystem::is_directory(name);
-    if (folder) setup.folder = std::filesystem::canonical(name).string();
-    if (options.out.empty() && (choice.names.size() > 1 || !folder))
-      throw std::runtime_error("'" + name +
-                               "' means nothing with --one, which takes one folder of meshes at most");
-  }
+  if (options.names.empty()) options.names = {own_experiment(problem)};
+  const Setup setup = setup_of(options);
+  setup.planned(problem);
   std::optional<Store> store;
   if (!options.out.empty()) {
     store.emplace(options.out);
     store->settle(setup);
   }
   if (system == kTruth) {
+    if (!options.keep.empty()) throw std::runtime_error("--keep means nothing for the truth: name a system");
     const Truth truth = establish_truth(setup, problem);
     if (store) store->write_truth(problem, truth);
     else std::cout << shown_json(to_json(truth)) << '\n';
     return 0;
   }
   const std::optional<Truth> known = store ? store->truth(problem) : std::nullopt;
-  const SweepRow row = run_unit(setup, problem, system, known ? *known : establish_truth(setup, problem));
+  std::optional<Model> result;
+  const SweepRow row = run_unit(setup, problem, system, known ? *known : establish_truth(setup, problem), &result);
+  if (!options.keep.empty()) keep_tree(options.keep, setup.make(problem), result, row);
   if (store) store->write_row(row);
   else std::cout << shown_json(to_json(row)) << '\n';
   return 0;
@@ -140,31 +188,41 @@ std::string duration(double seconds) {
   return text;
 }
 
-std::vector<Unit> missing_units(const Store& store, const Plan& plan, const std::vector<std::string>& systems) {
+/// Problems with the systems that get them.
+std::vector<Unit> planned_units(const Setup& setup, const Options& options) {
+  std::vector<std::vector<std::string>> systems;
+  for (const Experiment& experiment : setup.experiments) systems.push_back(chosen_systems(setup, options, experiment));
   std::vector<Unit> units;
-  for (const std::string& problem : plan.problems) {
-    if (!store.truth(problem)) units.push_back({problem, kTruth});
-    for (const std::string& system : systems)
-      if (!store.has_row(problem, system)) units.push_back({problem, system});
+  for (const Setup::Planned& planned : setup.problems)
+    for (const std::string& system : systems[planned.experiment]) units.push_back({planned.problem.name, system});
+  return units;
+}
+
+std::vector<Unit> missing_units(const Store& store, const std::vector<Unit>& planned) {
+  std::vector<Unit> units;
+  for (const Unit& unit : planned) {
+    if ((units.empty() || units.back().problem != unit.problem) && !store.truth(unit.problem))
+      units.push_back({unit.problem, kTruth});
+    if (!store.has_row(unit.problem, unit.system)) units.push_back(unit);
   }
   return units;
 }
 
 /// Words of the command that runs a unit, up to its problem.
-std::vector<std::string> unit_command(const Options& options, const Setup& setup) {
-  char seconds[40], gigabytes[40];
-  std::snprintf(seconds, sizeof seconds, "%.17g", options.seconds);
-  std::snprintf(gigabytes, sizeof gigabytes, "%.17g", options.gigabytes);
-  std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(),
-                                 "--out",
-                                 options.out,
-                                 "--seconds",
-                                 seconds,
-                                 "--gigabytes",
-                                 gigabytes};
+std::vector<std::string> unit_command(const Options& options) {
+  std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(), "--out", options.out};
+  const auto add_number = [&](const char* option, const std::optional<double>& value) {
+    char text[40];
+    if (!value) return;
+    std::snprintf(text, sizeof text, "%.17g", *value);
+    words.insert(words.end(), {option, text});
+  };
+  add_number("--seconds", options.seconds);
+  add_number("--gigabytes", options.gigabytes);
   if (!options.commit.empty()) words.insert(words.end(), {"--commit", options.commit});
-  if (!setup.folder.empty()) words.push_back(setup.folder);
+  for (const std::string& given : options.given) words.insert(words.end(), {"-D", given});
   for (const std::string& program : options.programs) words.insert(words.end(), {"--system", program});
+  words.insert(words.end(), options.names.begin(), options.names.end());
   words.push_back("--one");
   return words;
 }
@@ -181,57 +239,65 @@ bool say_failed(const std::vector<FailedUnit>& failed) {
   return broken != 0;
 }
 
-/// Takes problems of files that cannot be read out of the plan, and says so. Their process is not this one.
-Store::LeftOut check_problems(const Setup& setup, Plan& plan) {
+/// At most `limit`, spread evenly, so that the first and all kinds stay; 0: all.
+void thin_out(std::vector<Setup::Planned>& problems, std::size_t limit) {
+  if (limit == 0 || problems.size() <= limit) return;
+  std::vector<Setup::Planned> some;
+  for (std::size_t i = 0; i < limit; ++i) some.push_back(problems[i * problems.size() / limit]);
+  problems = std::move(some);
+}
+
+/// Takes problems that cannot be made out of the plan, and says so. Their process is not this one.
+Store::LeftOut check_problems(Setup& setup) {
   Store::LeftOut left_out;
-  if (setup.folder.empty()) return left_out;
   const ChildResult child = run_child([&] {
     nlohmann::json faults = nlohmann::json::array();
-    for (const std::string& problem : plan.problems) {
+    for (const auto& [experiment, problem] : setup.problems) {
       try {
-        setup.make(problem);
+        setup.experiments[experiment].check(problem);
       } catch (const std::runtime_error& error) {
-        faults.push_back({problem, error.what()});
+        faults.push_back({problem.name, error.what()});
       }
     }
     return faults.dump();
   });
   if (child.end != ChildResult::End::done || child.text.empty())
-    throw std::runtime_error(setup.folder + ": reading its files ended without a result");
+    throw std::runtime_error("checking the problems ended without a result");
   left_out = nlohmann::json::parse(child.text).get<Store::LeftOut>();
+  if (left_out.size() == setup.problems.size()) throw std::runtime_error(left_out[0].second);
   for (const auto& [problem, reason] : left_out) {
     say("left out: " + problem + ": " + reason);
-    plan.problems.erase(std::find(plan.problems.begin(), plan.problems.end(), problem));
+    std::erase_if(setup.problems, [&, &name = problem](const auto& planned) { return planned.problem.name == name; });
   }
-  if (plan.problems.empty()) throw std::runtime_error(setup.folder + ": has no file that makes a problem");
   return left_out;
 }
 
-int sweep(const Options& options, Setup& setup) {
-  Plan plan = plan_of(options.choice);
-  setup.folder = plan.folder;
-  const std::vector<std::string> names = chosen_systems(setup, options);
-  const Store::LeftOut left_out = check_problems(setup, plan);
-  if (options.units) {
-    for (const std::string& problem : plan.problems)
-      for (const std::string& system : names)
-        std::printf("%s\t%s\n", shown(problem).c_str(), shown(system).c_str());
+int sweep(const Options& options) {
+  if (options.names.empty())
+    throw std::runtime_error("name experiments, files or a folder of meshes; `--list` lists experiments");
+  if (!options.keep.empty()) throw std::runtime_error("--keep keeps what one run has: it needs --one");
+  Setup setup = setup_of(options);
+  thin_out(setup.problems, options.limit);
+  const Store::LeftOut left_out = check_problems(setup);
+  const std::vector<Unit> planned = planned_units(setup, options);
+  if (options.dry_run) {
+    for (const Unit& unit : planned) std::printf("%s\t%s\n", shown(unit.problem).c_str(), shown(unit.system).c_str());
     return 0;
   }
+  for (const System& system : setup.systems)
+    if (!system.absent.empty()) say("notice: " + system.name + " is left out: " + system.absent);
   Store store(options.out);
   if (!options.describe) store.lock();
   store.settle(setup);
   store.describe(setup, options.command, left_out);
   if (options.describe) return 0;
-  const std::vector<Unit> units = missing_units(store, plan, names);
-  std::printf("%zu problems, %zu systems: %zu of %zu rows are there\n", plan.problems.size(), names.size(),
-              plan.problems.size() * names.size() -
-                  static_cast<std::size_t>(
-                      std::count_if(units.begin(), units.end(), [](const Unit& u) { return u.system != kTruth; })),
-              plan.problems.size() * names.size());
+  const std::vector<Unit> units = missing_units(store, planned);
+  const auto missing = std::count_if(units.begin(), units.end(), [](const Unit& u) { return u.system != kTruth; });
+  std::printf("%zu problems: %zu of %zu rows are there\n", setup.problems.size(),
+              planned.size() - static_cast<std::size_t>(missing), planned.size());
   std::fflush(stdout);
   app::ProgressBar bar(options.quiet);
-  const std::vector<std::string> command = unit_command(options, setup);
+  const std::vector<std::string> command = unit_command(options);
   const std::vector<FailedUnit> failed = run_units(
       units, options.jobs,
       [&](const Unit& unit) {
@@ -269,16 +335,16 @@ void stop(int) {
 }
 
 int run(Options& options) {
-  Setup setup = setup_of(options);
   if (options.list) {
-    list_all(setup);
+    options.names.clear();
+    list_all(setup_of(options));
     return 0;
   }
-  if (!options.one.empty()) return run_one(options, setup);
+  if (!options.one.empty()) return run_one(options);
   if (options.out.empty()) options.out = "out/sweep";
   options.out = std::filesystem::absolute(options.out).string();
   std::signal(SIGINT, stop);
-  return sweep(options, setup);
+  return sweep(options);
 }
 
 }  // namespace
@@ -287,50 +353,39 @@ int run(Options& options) {
 int main(int argc, char** argv) try {
   using namespace cnrg::bench;
   Options options;
-  Choice& choice = options.choice;
   CLI::App program{
-      "Systems over families of problems or a folder of meshes: what becomes of each. A sweep that was "
-      "stopped goes on with the same command.\nExample: bench/run turned edge --seeds 3 --jobs 2",
+      "Experiments: systems on problems, and what becomes of each. One that was stopped goes on with the same "
+      "command.\nExample: bench/run turned edge -D seed=1..3 --jobs 2",
       "bench/run"};
   program.footer(
-      "A folder of meshes makes a problem of each two files that belong together by their names (x_left and "
-      "x_right,\n"
-      "src-x and cut-x, xA and xB), and of each other file with its copy turned about its middle. An open mesh is "
-      "a\n"
-      "surface. A report shows all rows of its folder: give each experiment its own --out.\n"
+      "An experiment is one of this source, a file (bench/README.md, Experiments), or a folder of meshes, which "
+      "makes a\n"
+      "problem of each two files that belong together by their names (x_left and x_right, src-x and cut-x, xA and "
+      "xB),\n"
+      "and of each other file with its copy turned about its middle. An open mesh is a surface. A report shows all\n"
+      "rows of its folder: give each experiment its own --out.\n"
       "A program of your own is called as PROGRAM OPERATION A.off B.off OUT.off, with `union`, `intersection` or\n"
       "`difference`, and ends with status 0 when OUT.off is written. ROUNDING (1e-12) is how far its points may "
       "be\n"
       "off, as a part of the largest coordinate.");
-  program.add_option("NAMES", choice.names, "Families, problems, `all`, or one folder of meshes");
-  program.add_flag("--list", options.list, "List families and systems");
-  program.add_option("--systems", options.systems, "Systems, all that can run otherwise")
+  program.add_option("NAMES", options.names, "Experiments, files, a folder of meshes, or `all` of this source");
+  program.add_flag("--list", options.list, "List experiments and systems");
+  program
+      .add_option("-D", options.given, "Values of a parameter in place of those of the experiment: k=exact,0..4")
+      ->type_name("NAME=VALUES")
+      ->allow_extra_args(false);
+  program.add_option("--systems", options.systems, "Systems in place of those of the experiment, or of all")
       ->delimiter(',')
       ->allow_extra_args(false);
   program.add_option("--system", options.programs, "A program as a system of its own; see bench/peers/system.h")
       ->type_name("NAME=PROGRAM[:ROUNDING]")
       ->allow_extra_args(false);
-  program.add_option("--sizes", choice.sizes, "Sizes instead of the usual ones")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::PositiveNumber);
-  program.add_option("--distances", choice.distances, "`exact` and k from 0 to 16, instead of all")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  program
-      .add_option("--operations", choice.operations,
-                  "Of union, difference, intersection, fold; of a folder union by default")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  program.add_option("--seeds", choice.seeds, "Seeds of each, instead of the usual number")
-      ->check(CLI::Range(1, 1000000));
-  program.add_option("--first-seed", choice.first_seed, "The first seed (1)")->check(CLI::Range(1, 1000000000));
-  program.add_option("--limit", choice.limit, "At most so many problems, spread evenly")
+  program.add_option("--limit", options.limit, "At most so many problems, spread evenly")
       ->check(CLI::Range(1, 1000000000));
   program.add_option("--out", options.out, "Folder of the rows (out/sweep)")->type_name("FOLDER");
   program.add_option("--jobs", options.jobs, "Runs at a time (1)")->check(CLI::Range(1, 1024));
-  program.add_option("--seconds", options.seconds, "Time limit of a run (60)")->check(number_between(0.01, 1e5));
-  program.add_option("--gigabytes", options.gigabytes, "Memory limit of a run (4)")
+  program.add_option("--seconds", options.seconds, "Time limit of a run, in place of the experiment's (60)")->check(number_between(0.01, 1e5));
+  program.add_option("--gigabytes", options.gigabytes, "Memory limit of a run, in place of the experiment's (4)")
       ->check(number_between(0.01, 1e4));
   program.add_option("--commit", options.commit, "Of the sources, for the report");
   for (int i = 1; i < argc; ++i)  // bench/run gives the commit, people do not
@@ -338,13 +393,18 @@ int main(int argc, char** argv) try {
     else options.command += " " + quoted(argv[i]);
   options.command = "bench/run" + options.command;
   program.add_flag("--quiet", options.quiet, "No progress bar");
-  program.add_flag("--units", options.units, "Print problem and system of each row, and run nothing");
+  program.add_flag("--dry-run", options.dry_run, "Print problem and system of each row, and run nothing");
   program.add_flag("--describe", options.describe,
-                   "Write what the report says of systems, families and this machine, and run nothing");
+                   "Write what the report says of systems, experiments and this machine, and run nothing");
   program
       .add_option("--one", options.one, "Run one row, and print it, or with --out write it; SYSTEM may be `truth`")
       ->expected(2)
       ->type_name("PROBLEM SYSTEM");
+  program
+      .add_option("--keep", options.keep,
+                  "With --one: a folder for a tree of the operands, the exact result, that of the system, and what "
+                  "differs")
+      ->type_name("FOLDER");
   return command(program, argc, argv, [&] { return run(options); });
 } catch (const std::bad_alloc&) {  // for the options
   std::fputs("bench/run: error: memory ran out\n", stderr);

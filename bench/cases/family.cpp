@@ -1,7 +1,6 @@
 #include "bench/cases/family.h"
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 
 #include "bench/cases/family_makers.h"
@@ -31,48 +30,27 @@ std::string list(const std::vector<std::string>& words) {
 const FamilyMaker& maker_of(const std::string& name) {
   std::vector<std::string> known;
   for (const FamilyMaker& maker : makers()) {
-    if (maker.family.name == name) return maker;
-    known.push_back(maker.family.name);
+    if (maker.name == name) return maker;
+    known.push_back(maker.name);
   }
   throw std::runtime_error("no family of problems is called '" + name + "'; there are " + list(known));
 }
 
 void check(const FamilyMaker& maker, const ProblemId& id) {
-  const Family& family = maker.family;
-  const auto& operations = family.operations;
+  const std::string& family = maker.name;
+  const auto& operations = maker.operations;
   if (std::find(operations.begin(), operations.end(), id.operation) == operations.end())
-    throw std::runtime_error("family '" + family.name + "' has no operation '" + id.operation + "'; it has " +
+    throw std::runtime_error("family '" + family + "' has no operation '" + id.operation + "'; it has " +
                              list(operations));
   if (id.size < maker.smallest || id.size > maker.largest)
-    throw std::runtime_error("family '" + family.name + "' has no size " + std::to_string(id.size) + " (" +
-                             family.size_means + "); sizes are " + std::to_string(maker.smallest) + " to " +
+    throw std::runtime_error("family '" + family + "' has no size " + std::to_string(id.size) + "; sizes are " + std::to_string(maker.smallest) + " to " +
                              std::to_string(maker.largest));
   if (!id.distance) return;
-  if (!family.has_distance)
-    throw std::runtime_error("family '" + family.name + "' has no distance to degeneracy; leave it out");
+  if (!maker.has_distance)
+    throw std::runtime_error("family '" + family + "' has no distance to degeneracy; leave it out");
   if (*id.distance < 0 || *id.distance > kLargestExponent)
     throw std::runtime_error("distance 10^-" + std::to_string(*id.distance) + " is none: k is from 0 to " +
                              std::to_string(kLargestExponent));
-}
-
-/// Takes `-<letter><text>` off the end of `rest`; nothing when it does not end so.
-std::optional<std::string> take_last(std::string& rest, char letter) {
-  const std::size_t dash = rest.rfind('-');
-  if (dash == std::string::npos || dash + 1 >= rest.size() || rest[dash + 1] != letter) return {};
-  std::string text = rest.substr(dash + 2);
-  rest.erase(dash);
-  return text;
-}
-
-/// The number that the text is, all of it.
-template <class Number>
-std::optional<Number> number(const std::optional<std::string>& text) {
-  Number value{};
-  if (!text) return {};
-  const char* end = text->data() + text->size();
-  const auto [stop, error] = std::from_chars(text->data(), end, value);
-  if (error != std::errc() || stop != end || text->empty()) return {};
-  return value;
 }
 
 }  // namespace
@@ -92,45 +70,17 @@ std::string ProblemId::name() const {
          (distance ? std::to_string(*distance) : "exact") + "-r" + std::to_string(seed);
 }
 
-ProblemId ProblemId::parse(const std::string& name) {
-  ProblemId id;
-  std::string rest = name;
-  const auto seed = number<unsigned>(take_last(rest, 'r'));
-  const auto distance = take_last(rest, 'k');
-  const auto exponent = number<int>(distance);
-  const auto size = number<long>(take_last(rest, 's'));
-  const std::size_t dash = rest.rfind('-');
-  if (seed && size && (exponent || distance == "exact") && dash != std::string::npos) {
-    id = {rest.substr(0, dash), rest.substr(dash + 1), *size, exponent, *seed};
-    const bool operation = id.operation == "fold" ||
-                           std::find(kOperations.begin(), kOperations.end(), id.operation) != kOperations.end();
-    if (operation && !id.family.empty() && id.name() == name) return id;
-  }
-  throw std::runtime_error("'" + name +
-                           "' names no problem; names are FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED "
-                           "as in edge-union-s4-k7-r3, or kexact in place of a distance");
-}
-
-const std::vector<Family>& families() {
-  static const std::vector<Family> all = [] {
-    std::vector<Family> families;
-    for (const FamilyMaker& maker : makers()) families.push_back(maker.family);
-    return families;
-  }();
-  return all;
-}
-
 Problem make_problem(const ProblemId& id) {
-  const FamilyMaker& maker = maker_of(id.family);
-  check(maker, id);
-  Problem problem = maker.make(id);
+  check_problem(id);
+  Problem problem = maker_of(id.family).make(id);
   problem.name = id.name();
   return problem;
 }
 
+void check_problem(const ProblemId& id) { check(maker_of(id.family), id); }
+
 Operation operation_of(const ProblemId& id) {
-  for (const Operation operation : {Operation::unite, Operation::subtract, Operation::intersect})
-    if (id.operation == to_string(operation)) return operation;
+  if (const auto operation = parse_operation(id.operation)) return *operation;
   throw std::logic_error("operation " + id.operation + " is none");
 }
 

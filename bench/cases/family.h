@@ -1,7 +1,7 @@
 // Families of problems for experiments on robustness: each by a size, a seed and a distance to degeneracy.
 //
-// A problem is a fold: ((m0 op1 m1) op2 m2) ... . Its name says how it was made, so that any process makes it
-// again.
+// A problem is a fold: ((m0 op1 m1) op2 m2) ... . The families of this source are made by `ProblemId`; which ones a
+// sweep has is said in bench/experiments.
 #pragma once
 
 #include <optional>
@@ -31,35 +31,19 @@ struct ProblemId {
   std::optional<int> distance;
   unsigned seed = 1;
   std::string name() const;
-  /// Throws std::runtime_error for a name that is none.
-  static ProblemId parse(const std::string& name);
 };
-
-struct Family {
-  std::string name;
-  std::string title;                    ///< one line: what touches what, and how
-  std::string size_means;               ///< such as `boxes`
-  std::vector<std::string> operations;  ///< as `ProblemId::operation`
-  std::vector<long> sizes;              ///< of a usual sweep, ascending
-  bool has_distance = false;            ///< otherwise ids have no distance
-  int seeds = 1;                        ///< of a usual sweep: seeds 1 to this
-};
-
-/// All families, in the order of a report.
-const std::vector<Family>& families();
 
 /// Makes a problem of a family. Throws std::runtime_error with what is known for an unknown family, an operation
-/// or a size that the family does not have, and a distance out of 0 to 16.
+/// or a size that the family does not have, and a distance out of 0 to 16; `check_problem` does that alone.
 Problem make_problem(const ProblemId& id);
+void check_problem(const ProblemId& id);
 
 /// Problems of a folder of mesh files (OFF, OBJ, STL, PLY; searched through), by name: of files that belong
 /// together by their names (`x_left` and `x_right`, `src-x` and `cut-x`, `xA` and `xB`), and of each other file
 /// and its copy turned about its middle. An open mesh is a surface, and so is one without volume. Names are as
-/// `files-union-a+x_left.off-x_right.off`, paths below the folder with `+` for `/`. `operations`: of
-/// `folder_operations()`; none: union.
-std::vector<std::string> folder_problems(const std::string& folder,
-                                         const std::vector<std::string>& operations = {});
-const std::vector<std::string>& folder_operations();
+/// `files-union-a+x_left.off-x_right.off`, paths below the folder with `+` for `/`. Throws
+/// std::runtime_error for another operation than those of operation.h.
+std::vector<std::string> folder_problems(const std::string& folder, const std::string& operation = "union");
 /// Throws std::runtime_error, or as the reader of mesh leaves does.
 Problem make_folder_problem(const std::string& folder, const std::string& name);
 

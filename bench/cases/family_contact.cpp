@@ -86,29 +86,15 @@ Problem wall(const ProblemId& id) {
   return problem_of(id, placed_pair(id, std::move(first), std::move(second)));
 }
 
-Family family(const std::string& name, const std::string& title) {
-  return {name, title, "corners of each section", kOperations, {4, 16}, true, 4};
-}
-
 }  // namespace
 
 std::vector<FamilyMaker> contact_families() {
   constexpr long kLargest = 1000;
-  return {
-      {family("face", "two solids that touch in a whole face of both"), 4, kLargest, face},
-      {family("part-of-face",
-              "two solids that touch in a part of a face: inside of it, across its border, or "
-              "up to it"),
-       4, kLargest, part_of_face},
-      {family("edge", "two solids that touch in an edge: whole edges, parts of them, or an edge in a face"), 4,
-       kLargest, edge},
-      {family("vertex",
-              "two solids that touch in a point: of two vertices, an edge and a vertex, a face and a "
-              "vertex, or two edges"),
-       4, kLargest, vertex},
-      {family("wall", "a solid within another one shares a wall: inside of it, up to its border, or all of it"), 4,
-       kLargest, wall},
-  };
+  return {{"face", kOperations, 4, kLargest, true, face},
+          {"part-of-face", kOperations, 4, kLargest, true, part_of_face},
+          {"edge", kOperations, 4, kLargest, true, edge},
+          {"vertex", kOperations, 4, kLargest, true, vertex},
+          {"wall", kOperations, 4, kLargest, true, wall}};
 }
 
 }  // namespace cnrg::bench

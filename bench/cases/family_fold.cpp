@@ -93,48 +93,10 @@ Problem iterated(const ProblemId& id) {
 }  // namespace
 
 std::vector<FamilyMaker> fold_families() {
-  return {
-      {{"menger",
-        "Menger sponge: a cube without the prisms of its holes",
-        "level",
-        {"difference"},
-        {1, 2, 3},
-        false,
-        1},
-       1,
-       4,
-       sponge},
-      {{"boxes",
-        "random boxes on an integer grid: many faces in a plane",
-        "boxes",
-        {"union"},
-        {10, 30, 100, 200},
-        false,
-        3},
-       2,
-       10000,
-       boxes},
-      {{"spheres",
-        "bumpy spheres on a lattice, each overlaps the next ones",
-        "spheres along a side",
-        {"union"},
-        {2, 3, 4},
-        false,
-        2},
-       2,
-       20,
-       spheres},
-      {{"iterated",
-        "one Boolean after the other with small solids of integer coordinates",
-        "Booleans",
-        {"fold"},
-        {1, 3, 10, 30, 100, 300, 1000},
-        false,
-        3},
-       1,
-       100000,
-       iterated},
-  };
+  return {{"menger", {"difference"}, 1, 4, false, sponge},
+          {"boxes", {"union"}, 2, 10000, false, boxes},
+          {"spheres", {"union"}, 2, 20, false, spheres},
+          {"iterated", {"fold"}, 1, 100000, false, iterated}};
 }
 
 }  // namespace cnrg::bench

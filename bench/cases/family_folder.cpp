@@ -121,21 +121,6 @@ bool closed(const Model& model) {
   return std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.second == 0; });
 }
 
-/// The sign of the volume that a closed model encloses.
-int orientation(const Model& model) {
-  std::vector<Rational> parts;
-  for (const Model::Face& face : model.faces) {
-    const Loop& loop = face.loops[0];
-    const auto& [ax, ay, az] = model.points[loop[0]];
-    for (std::size_t k = 2; k < loop.size(); ++k) {
-      const auto& [bx, by, bz] = model.points[loop[k - 1]];
-      const auto& [cx, cy, cz] = model.points[loop[k]];
-      parts.emplace_back(ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx));
-    }
-  }
-  return sgn(sum(std::move(parts)));
-}
-
 /// A closed mesh is a solid, its faces turned over when they look inside; one without volume, such as a plate
 /// that is there from both sides, is a surface as an open one is.
 Model model_of_mesh(const MeshData& mesh) {
@@ -151,7 +136,7 @@ Model model_of_mesh(const MeshData& mesh) {
     while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
     add_polygon(model, points, loop);
   }
-  const int side = closed(model) ? orientation(model) : 0;
+  const int side = closed(model) ? sgn(signed_volume(model)) : 0;
   for (Model::Face& face : model.faces) {
     face.solid = side != 0;
     if (side < 0) std::reverse(face.loops[0].begin(), face.loops[0].end());
@@ -206,16 +191,11 @@ MeshData turned_copy(MeshData mesh) {
 
 }  // namespace
 
-const std::vector<std::string>& folder_operations() {
-  static const std::vector<std::string> all{"union", "difference", "intersection"};
-  return all;
-}
-
-std::vector<std::string> folder_problems(const std::string& folder, const std::vector<std::string>& operations) {
+std::vector<std::string> folder_problems(const std::string& folder, const std::string& operation) {
+  if (!parse_operation(operation))
+    throw std::runtime_error("'" + operation + "' is no operation; there are union, difference, intersection");
   std::vector<std::string> names;
-  const std::map<std::string, Files> files = problem_files(folder);
-  for (const std::string& operation : operations.empty() ? std::vector<std::string>{"union"} : operations)
-    for (const auto& [name, of] : files) names.push_back(std::string(kPrefix) + operation + "-" + name);
+  for (const auto& [name, files] : problem_files(folder)) names.push_back(std::string(kPrefix) + operation + "-" + name);
   return names;
 }
 
@@ -224,11 +204,14 @@ Problem make_folder_problem(const std::string& folder, const std::string& name) 
   auto found = problems.end();
   Problem problem;
   problem.name = name;
-  for (const Operation operation : {Operation::unite, Operation::subtract, Operation::intersect}) {
-    const std::string before = std::string(kPrefix) + to_string(operation) + "-";
-    if (!name.starts_with(before)) continue;
-    found = problems.find(name.substr(before.size()));
-    problem.steps = {operation};
+  if (name.starts_with(kPrefix)) {
+    const std::string rest = name.substr(kPrefix.size());
+    const std::size_t dash = rest.find('-');
+    const auto operation = parse_operation(rest.substr(0, dash));
+    if (operation && dash != std::string::npos) {
+      problem.steps = {*operation};
+      found = problems.find(rest.substr(dash + 1));
+    }
   }
   if (found == problems.end())
     throw std::runtime_error("folder '" + folder + "' has no problem '" + name + "'; it has " +

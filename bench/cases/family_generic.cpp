@@ -35,17 +35,6 @@ Problem generic(const ProblemId& id) {
 
 }  // namespace
 
-std::vector<FamilyMaker> generic_families() {
-  return {{{"generic",
-            "two random polyhedra in general position: convex, bumpy, stars, rings",
-            "faces of each, about",
-            kOperations,
-            {12, 50, 200, 1000},
-            false,
-            5},
-           8,
-           20000,
-           generic}};
-}
+std::vector<FamilyMaker> generic_families() { return {{"generic", kOperations, 8, 20000, false, generic}}; }
 
 }  // namespace cnrg::bench

@@ -154,28 +154,8 @@ Problem fractures(const ProblemId& id) {
 }  // namespace
 
 std::vector<FamilyMaker> ground_families() {
-  return {
-      {{"ground",
-        "layers of ground, united; faults taken out as slits, tunnels from wall to wall and beyond",
-        "layers",
-        {"fold"},
-        {2, 4, 8},
-        false,
-        3},
-       1,
-       1000,
-       ground},
-      {{"fractures",
-        "fractures and wells, cut off at the box around them; or the box without them",
-        "fractures",
-        {"fold", "difference"},
-        {10, 30, 100},
-        false,
-        3},
-       1,
-       10000,
-       fractures},
-  };
+  return {{"ground", {"fold"}, 1, 1000, false, ground},
+          {"fractures", {"fold", "difference"}, 1, 10000, false, fractures}};
 }
 
 }  // namespace cnrg::bench

@@ -8,8 +8,10 @@
 namespace cnrg::bench {
 
 struct FamilyMaker {
-  Family family;
-  long smallest = 1, largest = 1;  ///< sizes that can be made
+  std::string name;
+  std::vector<std::string> operations;  ///< as `ProblemId::operation`
+  long smallest = 1, largest = 1;       ///< sizes that can be made
+  bool has_distance = false;
   Problem (*make)(const ProblemId& id);
 };
 

@@ -86,28 +86,7 @@ Problem bolt(const ProblemId& id) {
 
 std::vector<FamilyMaker> mixed_families() {
   constexpr long kLargest = 1000;
-  return {
-      {{"sheet",
-        "a solid and a rectangle: on its face, standing on it, or through it along an edge",
-        "corners of the solid's section",
-        kOperations,
-        {4, 16},
-        true,
-        3},
-       4,
-       kLargest,
-       sheet},
-      {{"bolt",
-        "a solid and a wire: along its face, along an edge, or through a vertex",
-        "corners of the solid's section",
-        kOperations,
-        {4, 16},
-        true,
-        3},
-       4,
-       kLargest,
-       bolt},
-  };
+  return {{"sheet", kOperations, 4, kLargest, true, sheet}, {"bolt", kOperations, 4, kLargest, true, bolt}};
 }
 
 }  // namespace cnrg::bench

@@ -48,26 +48,7 @@ Problem turned_mesh(const ProblemId& id) {
 }  // namespace
 
 std::vector<FamilyMaker> turned_families() {
-  return {{{"turned",
-            "a cube and the same cube turned by 10^-k radians about an axis through its middle, exactly",
-            "cubes of side 1",
-            kOperations,
-            {1},
-            true,
-            4},
-           1,
-           1,
-           turned_cube},
-          {{"turned-mesh",
-            "the same, rounded to doubles and cut into triangles: one input for all systems",
-            "cubes of side 1",
-            kOperations,
-            {1},
-            true,
-            4},
-           1,
-           1,
-           turned_mesh}};
+  return {{"turned", kOperations, 1, 1, true, turned_cube}, {"turned-mesh", kOperations, 1, 1, true, turned_mesh}};
 }
 
 }  // namespace cnrg::bench

@@ -35,6 +35,20 @@ Model model_of(const TriangleMesh& mesh, bool solid) {
   return model;
 }
 
+Rational signed_volume(const Model& model) {
+  std::vector<Rational> six_times;
+  for (const Model::Face& face : model.faces) {
+    if (!face.solid) continue;
+    for (const auto& loop : face.loops)
+      for (std::size_t k = 2; k < loop.size(); ++k) {
+        const RationalPoint &a = model.points[loop[0]], &b = model.points[loop[k - 1]], &c = model.points[loop[k]];
+        six_times.push_back(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                            a[2] * (b[0] * c[1] - b[1] * c[0]));
+      }
+  }
+  return sum(std::move(six_times)) / 6;
+}
+
 TriangleMesh rounded_mesh(const Model& model) {
   if (!model.solid()) throw std::invalid_argument("a surface, wire or point by itself is no part of a mesh");
   TriangleMesh mesh;

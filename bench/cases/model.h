@@ -38,6 +38,9 @@ struct Model {
 /// Each polygon a face, or each triangle when the mesh has no polygons. `solid`: see `Model::Face`.
 Model model_of(const TriangleMesh& mesh, bool solid = true);
 
+/// The volume that the faces of the solid enclose, each point counted as often as they wind around it.
+Rational signed_volume(const Model& model);
+
 /// Coordinates rounded to the nearest doubles; faces, which must have one loop, become polygons, and triangles as
 /// fans of their first corner (right for convex faces). Throws std::invalid_argument for holes, surfaces, wires
 /// and points by themselves.

@@ -10,7 +10,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include "bench/peers/cgal_mesh.h"
-#include "bench/peers/face_loops.h"
+#include "bench/cases/face_loops.h"
 #include "bench/peers/system.h"
 
 namespace cnrg::bench {

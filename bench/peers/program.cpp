@@ -50,11 +50,11 @@ void open_as(int descriptor, const char* path, int flags) {
   if (opened != descriptor) close(opened);
 }
 
-[[noreturn]] void become(char* const* arguments, const char* errors, pid_t parent) {
+[[noreturn]] void become(char* const* arguments, const char* output, const char* errors, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(126);  // it ended before that
   open_as(0, "/dev/null", O_RDONLY);
-  open_as(1, "/dev/null", O_WRONLY);
+  open_as(1, output, O_WRONLY | O_CREAT | O_TRUNC);
   open_as(2, errors, O_WRONLY | O_CREAT | O_TRUNC);
   close_range(3, ~0u, 0);
   // OpenSCAD writes its cells in the order of their addresses: the same every time where these are.
@@ -108,7 +108,6 @@ std::string ProgramRun::reason() const {
 }
 
 NamedProgram named_program(const std::string& text) {
-  constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
   const std::size_t equals = text.find('='), colon = text.rfind(':');
   if (equals == std::string::npos || equals == 0)
     throw std::runtime_error("'" + text + "' is no NAME=PROGRAM or NAME=PROGRAM:ROUNDING");
@@ -125,12 +124,18 @@ NamedProgram named_program(const std::string& text) {
       throw std::runtime_error("'" + text.substr(colon + 1) + "' is no rounding; it is such as 1e-12");
     program = text.substr(equals + 1, colon - equals - 1);
   }
-  if (result.name.find_first_not_of(kLetters) != std::string::npos)
-    throw std::runtime_error("'" + result.name + "' is no name of a system; it has letters, digits, - and _ only");
-  std::error_code error;
-  result.path = fs::canonical(program, error).string();
-  if (error) throw std::runtime_error(program + ": there is no such program");
+  result.path = program_path(result.name, program);
   return result;
+}
+
+std::string program_path(const std::string& name, const std::string& program) {
+  constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  if (name.find_first_not_of(kLetters) != std::string::npos)
+    throw std::runtime_error("'" + name + "' is no name of a system; it has letters, digits, - and _ only");
+  std::error_code error;
+  const std::string path = fs::canonical(program, error).string();
+  if (error) throw std::runtime_error(program + ": there is no such program");
+  return path;
 }
 
 bool on_path(const std::string& program) {
@@ -141,14 +146,14 @@ bool on_path(const std::string& program) {
   return false;
 }
 
-ProgramRun run_program(const std::vector<std::string>& arguments, const TemporaryFolder& folder) {
+ProgramRun run_program(const std::vector<std::string>& arguments, const TemporaryFolder& folder, const char* output) {
   std::vector<char*> words;
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);
   const std::string errors = folder.file("standard-error");
   const pid_t parent = getpid(), pid = fork();
   if (pid < 0) throw std::runtime_error("no process");
-  if (pid == 0) become(words.data(), errors.c_str(), parent);
+  if (pid == 0) become(words.data(), output, errors.c_str(), parent);
   int status = 0;
   rusage usage{};
   while (wait4(pid, &status, 0, &usage) < 0 && errno == EINTR) {

@@ -45,12 +45,16 @@ struct NamedProgram {
 /// that names of files do not have, and if there is no such program.
 NamedProgram named_program(const std::string& text);
 
+/// The absolute path of the program of a system. Throws std::runtime_error as `named_program` does.
+std::string program_path(const std::string& name, const std::string& program);
+
 /// Whether PATH has a program of this name.
 bool on_path(const std::string& program);
 
-/// Runs `arguments[0]`, searched on PATH, without a shell; standard output is thrown away. It inherits the limits
+/// Runs `arguments[0]`, searched on PATH, without a shell; standard output goes to a file. It inherits the limits
 /// of this process and is killed when this process ends. `folder` takes the text of standard error. Throws
 /// std::bad_alloc if the program failed with that, std::runtime_error if no process can be started.
-ProgramRun run_program(const std::vector<std::string>& arguments, const TemporaryFolder& folder);
+ProgramRun run_program(const std::vector<std::string>& arguments, const TemporaryFolder& folder,
+                       const char* output = "/dev/null");
 
 }  // namespace cnrg::bench

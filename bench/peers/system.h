@@ -48,16 +48,19 @@ struct System {
   std::string absent;       ///< why it cannot run here and what to install; empty: it can
   /// Throws Refusal and Crash; whatever else it throws counts as a failure of the system at stage `unknown`.
   std::function<Answer(const Problem&)> evaluate;
-  std::string executable{};  ///< of an external system
+  std::string executable{};  ///< of one that the command line names
 };
 
 /// Those built in, ours first: ours, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad. They do
 /// nothing to operands, but for occt-rescaled and openscad-rescaled, whose `guarantee` says what.
 std::vector<System> systems();
 
-/// Any program: `EXECUTABLE OPERATION A.off B.off OUT.off` for each step, status 0 when OUT.off is written;
-/// another status is a refusal with the last line that it wrote to standard error, a signal a crash. `rounding` as
-/// above.
-System external_system(const std::string& name, const std::string& executable, double rounding);
+/// The system with operands multiplied by a power of two that makes their largest coordinate 2^exponent or more; its
+/// results are divided by it, and its time is that of the system alone. Its title says so.
+System rescaled(System system, int exponent, double rounding);
+
+/// Any program: `PROGRAM... OPERATION A.off B.off OUT.off` for each step, status 0 when OUT.off is written; another
+/// status is a refusal with the last line that it wrote to standard error, a signal a crash. `rounding` as above.
+System external_system(const std::string& name, const std::vector<std::string>& program, double rounding);
 
 }  // namespace cnrg::bench

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "bench/peers/face_loops.h"
+#include "bench/cases/face_loops.h"
 #include "bench/peers/program.h"
 #include "bench/peers/system.h"
 #include "bench/peers/triangles.h"
@@ -37,7 +37,7 @@ Model read_result(const std::string& path) {
   return model;
 }
 
-Answer answer_of_external(const std::string& executable, const Problem& problem) {
+Answer answer_of_external(const std::vector<std::string>& program, const Problem& problem) {
   std::vector<TriangleMesh> operands;
   for (const Model& operand : problem.operands) operands.push_back(rounded_triangles(operand));
   const TemporaryFolder folder;
@@ -53,7 +53,9 @@ Answer answer_of_external(const std::string& executable, const Problem& problem)
   for (std::size_t i = 0; i < problem.steps.size(); ++i) {
     const std::string out = folder.file("result" + std::to_string(i + 1) + ".off");
     const std::string step = "step " + std::to_string(i + 1) + ": ";
-    const ProgramRun run = run_program({executable, to_string(problem.steps[i]), left, files[i + 1], out}, folder);
+    std::vector<std::string> words = program;
+    words.insert(words.end(), {to_string(problem.steps[i]), left, files[i + 1], out});
+    const ProgramRun run = run_program(words, folder);
     if (run.status == 127) throw std::runtime_error(run.reason());
     if (!run.succeeded()) throw Refusal("program", step + run.reason());
     if (!std::filesystem::exists(out)) throw Refusal("program", step + "status 0, but no result is written");
@@ -77,7 +79,7 @@ Answer answer_of_external(const std::string& executable, const Problem& problem)
 
 }  // namespace
 
-System external_system(const std::string& name, const std::string& executable, double rounding) {
+System external_system(const std::string& name, const std::vector<std::string>& program, double rounding) {
   return {.name = name,
           .title = name,
           .guarantee = "a program that takes and writes OFF files; doubles; its process is in time and memory",
@@ -85,8 +87,7 @@ System external_system(const std::string& name, const std::string& executable, d
           .rounding = rounding,
           .regularized = true,
           .absent = "",
-          .evaluate = [executable](const Problem& problem) { return answer_of_external(executable, problem); },
-          .executable = executable};
+          .evaluate = [program](const Problem& problem) { return answer_of_external(program, problem); }};
 }
 
 }  // namespace cnrg::bench

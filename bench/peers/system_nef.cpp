@@ -14,7 +14,7 @@
 
 #include "bench/peers/built_in.h"
 #include "bench/peers/cgal_mesh.h"
-#include "bench/peers/face_loops.h"
+#include "bench/cases/face_loops.h"
 #include "bench/peers/nef_file.h"
 #include "bench/peers/nef_parts.h"
 

@@ -24,9 +24,9 @@ void multiply(Model& model, const Rational& scale) {
     for (Rational& x : p) x *= scale;
 }
 
-/// The system with operands of a size that suits it; its time is that of the system alone.
+}  // namespace
+
 System rescaled(System system, int exponent, double rounding) {
-  system.name += "-rescaled";
   system.title += " (scaled)";
   system.guarantee += "; operands are multiplied by a power of two, so that their largest coordinate is 2^" +
                       std::to_string(exponent) + " or more, and its results are divided by it";
@@ -42,6 +42,13 @@ System rescaled(System system, int exponent, double rounding) {
   return system;
 }
 
+namespace {
+
+System with_suffix(System system) {
+  system.name += "-rescaled";
+  return system;
+}
+
 }  // namespace
 
 std::vector<System> systems() {
@@ -51,9 +58,9 @@ std::vector<System> systems() {
           nef_system(),
           corefinement_system(),
           occt_system(),
-          rescaled(occt_system(), 9, 1e-9),  // a part in millimetres
+          with_suffix(rescaled(occt_system(), 9, 1e-9)),  // a part in millimetres
           openscad_system(),
-          rescaled(openscad_system(), 32, 0x1p-50)};  // then 52 bits are above its grid
+          with_suffix(rescaled(openscad_system(), 32, 0x1p-50))};  // then 52 bits are above its grid
 }
 
 }  // namespace cnrg::bench

@@ -27,7 +27,6 @@ VARIABLES = {"page": GROUND, "ink": INK, "muted": MUTED, "rule": RULE}
 VARIABLES |= {f"s{i}": colours for i, colours in enumerate(SERIES)}
 MARKERS = "osv^D"  # filled, then empty
 DASHES = ("-", "--", "-.")
-EXACT_PLACE = 20  # on the axis of k, beyond the nearest distance
 SHORT_TITLE = 20  # characters that fit a column's head and a legend
 LONGEST_NAME = 30
 
@@ -134,29 +133,35 @@ def _rate_records(study):
              p.tally.failure_rate, *p.tally.failure_interval) for curve in study.curves for p in curve.points]
 
 
-def _draw_rates(axes, experiment, ours, records, ticks, size=1.0):
+def _draw_rates(axes, experiment, ours, records, most_ticks, size=1.0):
     """Systems stand beside each other at each distance, so that all are seen, each with the interval of its rate. Ours
     comes first, below the others: its line is the widest. `exact` stands apart from the line."""
     lines, systems = {}, list(dict.fromkeys(record[1] for record in records))
+    last = max((record[3] for record in records if record[3] != "exact"), default=0)
+    exact_place = last + 1 + math.ceil(last / 5)
+    ticks = range(0, last + 1, math.ceil((last + 1) / most_ticks))
     for place, system in enumerate(systems):
         look = _painted(experiment, system, system == ours, size)
         aside = 0.7 * ((place + 0.5) / len(systems) - 0.5)
         own = [record for record in records if record[1] == system]
-        points = [(aside + (EXACT_PLACE if record[3] == "exact" else record[3]), record[7]) for record in own]
+        points = [(aside + (exact_place if record[3] == "exact" else record[3]), record[7]) for record in own]
         joined = [point for point, record in zip(points, own) if record[3] != "exact"]
         lines[system] = axes.plot([x for x, _ in joined], [y for _, y in joined], **look)[0]
         if len(joined) < len(points):
             axes.plot(*points[-1], **look | {"linestyle": "none"})
         axes.vlines([x for x, _ in points], [record[8] for record in own], [record[9] for record in own],
                     colors=look["color"], linewidth=0.8 * size, alpha=0.6)
-    axes.set_xlim(-0.6, EXACT_PLACE + 0.8)
+    exact = [exact_place] if any(record[3] == "exact" for record in records) else []
+    axes.set_xlim(-0.6, (exact_place if exact else last) + 0.8)
     axes.set_ylim(0, 1.02)
-    axes.set_xticks([*ticks, EXACT_PLACE], [*(power_of_ten(-k) for k in ticks), "exact"])
+    axes.set_xticks([*ticks, *exact], [*(power_of_ten(-k) for k in ticks), *("exact" for _ in exact)])
     axes.set_yticks([0, 0.25, 0.5, 0.75, 1], [percent(part) for part in (0, 0.25, 0.5, 0.75, 1)])
     return lines
 
 
-DISTANCE = "distance to the degenerate position, as a part of the operands' size"
+def _distance_means(experiment, families):
+    said = {experiment.family[family]["distance_means"] or "distance" for family in families}
+    return said.pop() if len(said) == 1 else "10⁻ᵏ of each experiment"
 
 
 def _all_rates(experiment, ours, study):
@@ -167,8 +172,8 @@ def _all_rates(experiment, ours, study):
         width, height, side = 8.0, 3.4, 0.5 + _inches(names)
         figure.set_size_inches(width, height)
         axes = figure.add_axes([0.72 / width, 0.5 / height, 1 - (0.85 + side) / width, 1 - 0.6 / height])
-        lines = _draw_rates(axes, experiment, ours, records, range(0, 17, 2))
-        axes.set_xlabel(DISTANCE)
+        lines = _draw_rates(axes, experiment, ours, records, 9)
+        axes.set_xlabel(_distance_means(experiment, {row["family"] for row in experiment.rows if row["has_distance"]}))
         axes.set_ylabel("part of the runs that fail")
         _legend(figure, lines.values(), names, 1 - side / width, 1 - 0.1 / height)
 
@@ -197,11 +202,12 @@ def _family_rates(experiment, ours, studies):
             axes = figure.add_axes([(0.55 + column * 2.5) / width, 1 - (head + (row + 1) * cell - 0.35) / height,
                                     2.25 / width, (cell - 0.7) / height])
             own = [record for record in records if record[0] == study.family]
-            handles |= _draw_rates(axes, experiment, ours, own, range(0, 16, 5), 0.75)
+            handles |= _draw_rates(axes, experiment, ours, own, 4, 0.75)
             axes.set_title(_shown(study.family))
             axes.tick_params(axis="y", labelleft=column == 0)
         _legend(figure, [handles[system] for system in systems], names, 0.5 / width, 1 - 0.05 / height, columns)
-        figure.text(0.5, 0.05 / height, DISTANCE, ha="center", va="bottom", color=MUTED[0], size=8.5)
+        figure.text(0.5, 0.05 / height, _distance_means(experiment, [study.family for study in studies]), ha="center",
+                    va="bottom", color=MUTED[0], size=8.5)
 
     return Figure("failures-by-family", "Failures near degeneracy by family",
                   "Failure rate against distance to degeneracy in " + ", ".join(study.family for study in studies)
@@ -215,18 +221,21 @@ def growth_figure(experiment, ours, study, what, cost, unit, unit_name):
     for curve in study.curves:
         law = getattr(curve, what)
         for point in curve.points:
-            if point.triangles > 0 and getattr(point, cost) > 0:
+            if point.place > 0 and getattr(point, cost) > 0:
                 value = getattr(point, cost) / unit
-                records.append((study.family, curve.system, point.size, point.triangles, value, point.runs,
+                quartiles = [y / unit for y in getattr(point, cost + "_quartiles")]
+                records.append((study.family, curve.system, point.size, point.triangles, value, *quartiles, point.runs,
                                 point.right, *((law.exponent, law.error) if law else ("", ""))))
-                lines.setdefault(curve.system, []).append((point.triangles, value))
+                lines.setdefault(curve.system, []).append((point.place, value))
     if not records:
         return None
     laws = {curve.system: getattr(curve, what) for curve in study.curves}
+    info = experiment.family[study.family]
+    against = info["size_means"] if info["growth"] == "size" else "triangles of all operands"
 
     def draw(figure):
         systems = sorted(lines, key=lambda system: -lines[system][-1][1])  # as the ends of the lines
-        names = [_shown(label(experiment, s)) + (f" {exponent_text(laws[s].exponent)}" if laws[s] else "")
+        names = [_shown(label(experiment, s)) + (f" {exponent_text(laws[s].exponent)} ± {exponent_text(laws[s].error)}" if laws[s] else "")
                  for s in systems]
         side = 0.5 + _inches(names)
         width, height = 3.2 + side, 2.7
@@ -234,17 +243,22 @@ def growth_figure(experiment, ours, study, what, cost, unit, unit_name):
         axes = figure.add_axes([0.68 / width, 0.5 / height, 1 - (0.8 + side) / width, 1 - 0.8 / height])
         handles = {system: axes.plot(*zip(*lines[system]), **_painted(experiment, system, system == ours))[0]
                    for system in lines}
-        _logarithmic(axes, "x", [record[3] for record in records])
-        _logarithmic(axes, "y", [record[4] for record in records])
+        for system in lines:
+            own = [record for record in records if record[1] == system]
+            axes.vlines([x for x, _ in lines[system]], [r[5] for r in own], [r[6] for r in own], linewidth=0.8, alpha=0.6,
+                        colors=_painted(experiment, system, False)["color"])
+        _logarithmic(axes, "x", [x for line in lines.values() for x, _ in line])
+        _logarithmic(axes, "y", [y for record in records for y in record[4:7] if y > 0])
         axes.set_title(_shown(study.family))
-        axes.set_xlabel("triangles of all operands")
+        axes.set_xlabel(_shown(against))
         axes.set_ylabel(f"{what}, {unit_name}")
         _legend(figure, [handles[system] for system in systems], names, 1 - side / width, 1 - 0.3 / height)
 
     return Figure(f"{what}-{study.family}", f"{what} against size: {study.family}",
-                  f"Medians of {what} ({unit_name}) of {study.family} against triangles of all operands, a line per "
-                  "system; numbers beside the names are fitted exponents",
-                  ("family", "system", "size", "triangles", unit_name.replace("MB", "megabytes"), "runs", "right",
+                  f"Medians of {what} ({unit_name}) of {study.family} against {against}, with quartiles, a "
+                  "line per system; numbers beside the names are fitted exponents with their standard errors",
+                  ("family", "system", "size", "triangles", unit_name.replace("MB", "megabytes"), "lower_quartile",
+                   "upper_quartile", "runs", "right",
                    "exponent", "standard_error"), records, draw)
 
 

@@ -29,8 +29,10 @@ MEANINGS = {
 COUNTS_AS = {"exact": "same", "right": "right by another contract", "wrong": "failed: wrong, unsaid",
              "refused": "failed: says so", "no result": "failed: no result", "unjudged": "nothing"}
 CONFIRMS = {"Nef": "Nef polyhedra give the same point set, exactly.",
+            "node": "Another node, which the experiment claims to be the same, gives the same point set.",
+            "formula": "The volume is that of the experiment's formula, exactly.",
             "volume": "The volume agrees with corefinement to 10⁻⁹.",
-            "none": "Neither was possible.", "DISAGREES": "One of them has another result."}
+            "none": "None was possible.", "DISAGREES": "One of them has another result."}
 
 
 def spoken(tally):

@@ -23,8 +23,8 @@ CLASS_OF = {"same": "exact", "same-regularized": "right", "contact-duplicated": 
             "crashed": "no result", "timed-out": "no result", "out-of-memory": "no result", "unjudged": "unjudged"}
 VERDICTS = tuple(CLASS_OF)
 FAILURES = ("wrong", "refused", "no result")
-CONFIRMED = ("Nef", "volume", "none", "DISAGREES")
-LAST_DISTANCE = 16
+CONFIRMED = ("Nef", "node", "formula", "volume", "none", "DISAGREES")
+LAST_DISTANCE = 300
 
 
 class Unread(Exception):
@@ -116,6 +116,18 @@ def _objects(name, schema):
     return lambda value: [check(one) for one in _list(value)]
 
 
+def _numbers(value):
+    if not isinstance(value, list):
+        raise _NotA("a list of numbers from 0")
+    return [_not_negative(one) for one in value]
+
+
+def _texts_by_name(value):
+    if not isinstance(value, dict) or not all(isinstance(text, str) for text in value.values()):
+        raise _NotA("an object of texts")
+    return {_text(name): _text(text) for name, text in value.items()}
+
+
 def _pairs(value):
     for one in _list(value):
         if not (isinstance(one, list) and len(one) == 2 and all(isinstance(text, str) for text in one)):
@@ -129,20 +141,22 @@ _FACTS = {"volume": _text, "vertices": _count, "edges": _count, "faces": _count,
           "dangling_faces": _count, "dangling_edges": _count, "dangling_vertices": _count}
 _TRUTH = {"facts": _object("the truth's facts", _FACTS),
           "confirmed": _one_of(CONFIRMED, "one of " + ", ".join(CONFIRMED)), "reason": _text}
-_ROW = {"problem": _text, "family": _text, "operation": _text, "size": _long,
+_ROW = {"problem": _text, "family": _text, "values": _texts_by_name, "operation": _text, "size": _long,
         "distance": _or_null(_whole(-2**31, 2**31 - 1)), "has_distance": _flag, "seed": _unsigned,
         "operands": _count, "triangles": _count, "system": _text,
         "verdict": _one_of(CLASS_OF, "a known verdict"), "stage": _text, "message": _text,
         "stages": _objects("a stage", {"name": _text, "seconds": _not_negative}),
-        "seconds": _not_negative, "peak_bytes": _count, "own_bytes": _count, "exact_share": _number, "note": _text,
+        "warm": _numbers, "seconds": _not_negative, "peak_bytes": _count, "own_bytes": _count,
+        "exact_share": _number, "note": _text,
         "facts": _or_null(_object("the facts", _FACTS)), "excess": _or_null(_number),
         "missing": _or_null(_number), "duplicates": _count, "truth": _object("the truth", _TRUTH),
         "limit_seconds": _not_negative, "limit_bytes": _count, "command": _text}
 _SYSTEM = {"name": _text, "title": _text, "guarantee": _text, "version": _text, "rounding": _not_negative,
            "regularized": _flag, "absent": _text}
-_FAMILY = {"name": _text, "title": _text, "size_means": _text}
+_FAMILY = {"name": _text, "title": _text, "size_means": _text, "distance_means": _text,
+           "growth": _one_of(("triangles", "size", ""), "triangles or size")}
 _MACHINE = {"cpu": _text, "cores": _unsigned, "memory_bytes": _count, "system": _text, "compiler": _text,
-            "commit": _text, "date": _text, "limit_seconds": _not_negative, "limit_bytes": _count, "command": _text,
+            "commit": _text, "date": _text, "command": _text,
             "left_out": _pairs}
 
 

@@ -18,6 +18,11 @@ def is_right(row):
     return CLASS_OF[row["verdict"]] in ("exact", "right")
 
 
+def times_of(row):
+    """Of the runs after the first one, in the same process, or of that one if there are none."""
+    return row["warm"] or [row["seconds"]]
+
+
 def wilson(count, of):
     """Wilson's interval for a rate, with a confidence of 95 % (Wilson 1927): (low, high)."""
     if of == 0:
@@ -150,13 +155,17 @@ class DistanceStudy:
 
 @dataclass
 class GrowthPoint:
-    """Medians over the right runs of one size."""
+    """Over the right runs of one size: medians, and quartiles of time and memory."""
     size: int
     runs: int
     right: int
     triangles: float
+    place: float             # on the axis: the size, or the triangles
     seconds: float
     own_bytes: float
+    cold_seconds: float      # of first runs alone
+    seconds_quartiles: tuple
+    own_bytes_quartiles: tuple
 
 
 @dataclass
@@ -169,7 +178,8 @@ class GrowthCurve:
 
 @dataclass
 class GrowthStudy:
-    """A family that was run in three sizes or more."""
+    """A family that was run in three sizes or more. What costs less than twice the least of a curve is overhead, which
+    its laws leave out."""
     family: str
     curves: list
 
@@ -211,6 +221,7 @@ class Summary:
     def __init__(self, experiment):
         rows = experiment.rows
         self._place = experiment.place
+        self._growth = {name: info["growth"] for name, info in experiment.family.items()}
         self.families = self._tally_families(rows)
         self.problems = sum(family.problems for family in self.families)
         self.totals = {name: Tally() for name in experiment.system}  # those without runs, too
@@ -289,15 +300,23 @@ class Summary:
             points = []
             for size, runs in sorted(sizes.items()):
                 right = [row for row in runs if is_right(row)]
-                medians = [spread_of([float(row[cost]) for row in right]).median
-                           for cost in ("triangles", "seconds", "own_bytes")]
+                cold = spread_of([row["seconds"] for row in right]).median
+                time = spread_of([seconds for row in right for seconds in times_of(row)])
+                memory = spread_of([float(row["own_bytes"]) for row in right])
+                triangles = spread_of([float(row["triangles"]) for row in right]).median
                 if right:
-                    points.append(GrowthPoint(size, len(runs), len(right), *medians))
+                    place = float(size) if self._growth.get(family) == "size" else triangles
+                    points.append(GrowthPoint(size, len(runs), len(right), triangles, place, time.median, memory.median, cold,
+                                              (time.lower, time.upper), (memory.lower, memory.upper)))
             if points:
-                laws = [power_law([(p.triangles, getattr(p, cost)) for p in points
-                                   if p.triangles > 0 and getattr(p, cost) > 0]) for cost in ("seconds", "own_bytes")]
-                curves.append(GrowthCurve(name, points, *laws))
+                curves.append(GrowthCurve(name, points, *(self._law(points, cost) for cost in ("seconds", "own_bytes"))))
         return GrowthStudy(family, curves)
+
+    @staticmethod
+    def _law(points, cost):
+        costs = [(p.place, getattr(p, cost)) for p in points if p.place > 0 and getattr(p, cost) > 0]
+        least = min((y for _, y in costs), default=0.0)
+        return power_law([(x, y) for x, y in costs if y >= 2 * least])
 
     def _ratios(self, rows):
         """Of all systems but ours that have right runs in common with ours."""
@@ -307,8 +326,9 @@ class Summary:
             ours = right.pop(OURS, None)
             for name, row in right.items() if ours else ():
                 times, memories = systems.setdefault(name, ([], []))
-                if row["seconds"] > 0 and ours["seconds"] > 0:
-                    times.append(row["seconds"] / ours["seconds"])
+                theirs, own = (spread_of(times_of(one)).median for one in (row, ours))
+                if theirs > 0 and own > 0:
+                    times.append(theirs / own)
                 if row["own_bytes"] and ours["own_bytes"]:
                     memories.append(row["own_bytes"] / ours["own_bytes"])
         return [Ratio(name, spread_of(times), spread_of(memories))

@@ -23,7 +23,9 @@ std::string to_json(const std::vector<SystemInfo>& systems) {
 std::string to_json(const std::vector<FamilyInfo>& families) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
   for (const FamilyInfo& f : families) {
-    out.push_back({{"name", f.name}, {"title", f.title}, {"size_means", f.size_means}});
+    out.push_back({{"name", f.name}, {"title", f.title}, {"size_means", f.size_means},
+                   {"distance_means", f.distance_means},
+                   {"growth", f.growth}});
   }
   return json_text(out, 1);
 }
@@ -36,18 +38,34 @@ std::string to_json(const MachineInfo& m) {
                                    {"compiler", m.compiler},
                                    {"commit", m.commit},
                                    {"date", m.date},
-                                   {"limit_seconds", m.limit_seconds},
-                                   {"limit_bytes", m.limit_bytes},
                                    {"command", m.command},
                                    {"left_out", m.left_out}};
   return json_text(out, 1);
 }
 
-std::vector<SystemInfo> systems_of_json(const std::string& text) {
-  const nlohmann::json list = parse_json(text);
+namespace {
+
+nlohmann::json list_of_json(const std::string& text) {
+  nlohmann::json list = parse_json(text);
   if (!list.is_array()) throw std::runtime_error("no JSON list");
+  return list;
+}
+
+}  // namespace
+
+std::vector<FamilyInfo> families_of_json(const std::string& text) {
+  std::vector<FamilyInfo> families;
+  for (const nlohmann::json& object : list_of_json(text)) {
+    const JsonFields in(object, "a family");
+    families.push_back({in.text("name"), in.text("title"), in.text("size_means"), in.text("distance_means"),
+                        in.text("growth")});
+  }
+  return families;
+}
+
+std::vector<SystemInfo> systems_of_json(const std::string& text) {
   std::vector<SystemInfo> systems;
-  for (const nlohmann::json& object : list) {
+  for (const nlohmann::json& object : list_of_json(text)) {
     const JsonFields in(object, "a system");
     systems.push_back({in.text("name"), in.text("title"), in.text("guarantee"), in.text("version"),
                        in.not_negative("rounding"), in.flag("regularized"), in.text("absent")});
@@ -66,8 +84,6 @@ MachineInfo machine_of_json(const std::string& text) {
   m.compiler = in.text("compiler");
   m.commit = in.text("commit");
   m.date = in.text("date");
-  m.limit_seconds = in.not_negative("limit_seconds");
-  m.limit_bytes = in.integer<std::size_t>("limit_bytes");
   m.command = in.text("command");
   for (const nlohmann::json& one : in.list("left_out")) {
     if (!one.is_array() || one.size() != 2 || !one[0].is_string() || !one[1].is_string())

@@ -20,9 +20,9 @@ struct SystemInfo {
   std::string absent;
 };
 
-/// What bench/cases/family.h says of a family.
+/// What an experiment says of itself (experiment.h).
 struct FamilyInfo {
-  std::string name, title, size_means;
+  std::string name, title, size_means, distance_means, growth;
 };
 
 struct MachineInfo {
@@ -31,8 +31,6 @@ struct MachineInfo {
   std::size_t memory_bytes = 0;  ///< main memory
   std::string system, compiler;  ///< operating system; compiler with its version and options
   std::string commit, date;      ///< of the sources; of the sweep, such as 2026-11-21
-  double limit_seconds = 0;      ///< of a run, wall time; 0: none
-  std::size_t limit_bytes = 0;   ///< of a run, address space; 0: none
   std::string command;           ///< that made the rows; several one after the other
   /// Problems that could not be made, such as those of a mesh file that is broken, and why.
   std::vector<std::pair<std::string, std::string>> left_out{};
@@ -47,6 +45,7 @@ inline constexpr const char* kMachineFile = "machine.json";
 std::string to_json(const std::vector<SystemInfo>& systems);
 std::string to_json(const std::vector<FamilyInfo>& families);
 std::string to_json(const MachineInfo& machine);
+std::vector<FamilyInfo> families_of_json(const std::string& text);
 std::vector<SystemInfo> systems_of_json(const std::string& text);
 MachineInfo machine_of_json(const std::string& text);
 

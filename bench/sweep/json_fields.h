@@ -65,6 +65,10 @@ class JsonFields {
     if (!at(key).is_array()) fail(key, "a list");
     return at(key);
   }
+  const nlohmann::json& object(const char* key) const {
+    if (!at(key).is_object()) fail(key, "an object");
+    return at(key);
+  }
   [[noreturn]] void fail(const char* key, const char* expected) const {
     throw std::runtime_error("member `" + std::string(key) + "` of " + name_ + " is not " + expected);
   }

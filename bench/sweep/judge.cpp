@@ -65,21 +65,6 @@ std::size_t duplicates_of(const Model& model) {
   return static_cast<std::size_t>(points.end() - end);
 }
 
-/// The volume that the faces of the solid enclose, each point counted as often as they wind around it.
-Rational signed_volume(const Model& model) {
-  std::vector<Rational> six_times;
-  for (const Model::Face& face : model.faces) {
-    if (!face.solid) continue;
-    for (const auto& loop : face.loops)
-      for (std::size_t k = 2; k < loop.size(); ++k) {
-        const RationalPoint &a = model.points[loop[0]], &b = model.points[loop[k - 1]], &c = model.points[loop[k]];
-        six_times.push_back(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                            a[2] * (b[0] * c[1] - b[1] * c[0]));
-      }
-  }
-  return sum(std::move(six_times)) / 6;
-}
-
 /// Shells and genus of the boundary as the system's own vertices and faces say it; nothing when these are no
 /// closed 2-manifold.
 std::optional<BoundarySurface> own_surface(const Model& model) {

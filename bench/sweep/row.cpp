@@ -54,10 +54,10 @@ Truth truth_of(const nlohmann::json& object) {
   truth.facts = facts_in(in.at("facts"), "the truth's facts");
   truth.confirmed = in.text("confirmed");
   truth.reason = in.text("reason");
-  for (const char* known : {"Nef", "volume", "none", "DISAGREES"}) {
+  for (const char* known : {"Nef", "node", "formula", "volume", "none", "DISAGREES"}) {
     if (truth.confirmed == known) return truth;
   }
-  in.fail("confirmed", "one of Nef, volume, none, DISAGREES");
+  in.fail("confirmed", "one of Nef, node, formula, volume, none, DISAGREES");
 }
 
 Verdict verdict_of(const JsonFields& in) {
@@ -107,6 +107,7 @@ bool is_failure(Verdict verdict) {
 std::string to_json(const SweepRow& row) {
   nlohmann::ordered_json out{{"problem", row.problem},
                              {"family", row.family},
+                             {"values", row.values},
                              {"operation", row.operation},
                              {"size", row.size},
                              {"distance", nullptr},
@@ -119,6 +120,7 @@ std::string to_json(const SweepRow& row) {
                              {"stage", row.stage},
                              {"message", row.message},
                              {"stages", nlohmann::ordered_json::array()},
+                             {"warm", row.warm},
                              {"seconds", row.seconds},
                              {"peak_bytes", row.peak_bytes},
                              {"own_bytes", row.own_bytes},
@@ -144,12 +146,16 @@ SweepRow row_of_json(const std::string& text) {
   SweepRow row;
   row.problem = in.text("problem");
   row.family = in.text("family");
+  for (const auto& [name, value] : in.object("values").items()) {
+    if (!value.is_string()) in.fail("values", "an object of texts");
+    row.values[name] = value.get<std::string>();
+  }
   row.operation = in.text("operation");
   row.size = in.integer<long>("size");
   if (!in.is_null("distance")) row.distance = in.integer<int>("distance");
   row.has_distance = in.flag("has_distance");
-  if (row.distance && (!row.has_distance || *row.distance < 0 || *row.distance > 16)) {
-    in.fail("distance", "null or, in a family that has distances, a whole number from 0 to 16");
+  if (row.distance && (!row.has_distance || *row.distance < 0 || *row.distance > 300)) {
+    in.fail("distance", "null or, in a family that has distances, a whole number from 0 to 300");
   }
   row.seed = in.integer<unsigned>("seed");
   row.operands = in.integer<std::size_t>("operands");
@@ -159,6 +165,10 @@ SweepRow row_of_json(const std::string& text) {
   row.stage = in.text("stage");
   row.message = in.text("message");
   row.stages = stages_of(in);
+  for (const nlohmann::json& seconds : in.list("warm")) {
+    if (!seconds.is_number() || !(seconds.get<double>() >= 0)) in.fail("warm", "a list of numbers from 0");
+    row.warm.push_back(seconds.get<double>());
+  }
   row.seconds = in.not_negative("seconds");
   row.peak_bytes = in.integer<std::size_t>("peak_bytes");
   row.own_bytes = in.integer<std::size_t>("own_bytes");

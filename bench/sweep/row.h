@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,14 +47,17 @@ struct Facts {
 struct Truth {
   Facts facts;
   /// `Nef`: the same point set by Nef polyhedra. `volume`: the volume agrees with corefinement to 1e-9.
+  /// `node`, `formula`: what the experiment claims.
   /// `none`: neither was possible; `reason` says why. `DISAGREES`: one of them has another result.
   std::string confirmed = "none", reason;
 };
 
 struct SweepRow {
-  std::string problem, family, operation;  ///< names of family.h
-  long size = 1;
-  std::optional<int> distance;  ///< k of 10^-k; none: exactly degenerate, or the family has none
+  std::string problem, family;  ///< `family`: the experiment's name
+  std::map<std::string, std::string> values;  ///< of its parameters, and its `node`
+  std::string operation;        ///< of the problem; `fold` where it mixes them
+  long size = 1;                ///< the parameter `size`, else the triangles
+  std::optional<int> distance;  ///< the parameter `k`, of 10^-k; none: `exact`, or there is none
   bool has_distance = false;
   unsigned seed = 1;
   std::size_t operands = 0, triangles = 0;  ///< of all operands
@@ -62,6 +66,7 @@ struct SweepRow {
   Verdict verdict = Verdict::wrong;
   std::string stage, message;  ///< of a refusal, failure or wrong result; a signal of a crash
   std::vector<std::pair<std::string, double>> stages;  ///< seconds, of runs that gave a result
+  std::vector<double> warm{};  ///< seconds of runs after that one, in the same process
   double seconds = 0;          ///< of those together; wall time of the process when there is no result
   std::size_t peak_bytes = 0;  ///< resident, the program and its input included
   std::size_t own_bytes = 0;   ///< of the run alone

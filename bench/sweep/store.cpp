@@ -43,10 +43,13 @@ nlohmann::json settings_of(const Setup& setup) {
   for (const System& system : setup.systems)
     if (!system.executable.empty())
       programs[system.name] = {{"program", system.executable}, {"rounding", system.rounding}};
+  nlohmann::json experiments = nlohmann::json::object();
+  for (const Experiment& e : setup.experiments) experiments[e.name] = e.is_folder() ? e.path : e.text;
+  const auto limit = [](const std::optional<double>& given) { return given ? nlohmann::json(*given) : nlohmann::json(); };
   return {{"commit", setup.commit},
-          {"seconds", setup.limits.seconds},
-          {"bytes", setup.limits.bytes},
-          {"folder", setup.folder},
+          {"seconds", limit(setup.seconds)},
+          {"gigabytes", limit(setup.gigabytes)},
+          {"experiments", experiments},
           {"programs", programs}};
 }
 
@@ -79,14 +82,14 @@ void Store::settle(const Setup& setup) {
       throw std::runtime_error(path + ": the sweep in this folder has " + what + " " + old.dump() +
                                ", this command " + now.dump() + "; give the same, or another folder by --out");
   };
-  for (const char* key : {"commit", "seconds", "bytes", "folder"})
+  for (const char* key : {"commit", "seconds", "gigabytes"})
     compare(key, there.value(key, nlohmann::json()), wanted[key]);
-  nlohmann::json programs = there.value("programs", nlohmann::json::object());
-  for (const auto& [name, program] : wanted["programs"].items())
-    compare("a program " + name, programs.emplace(name, program).first.value(), program);
-  if (programs == there["programs"]) return;
-  there["programs"] = programs;
-  write_whole(path, there.dump(1) + "\n");
+  const nlohmann::json before = there;
+  for (const char* key : {"experiments", "programs"})  // new ones may come
+    for (const auto& [name, one] : wanted[key].items())
+      compare(std::string("another ") + (key[0] == 'e' ? "experiment " : "program ") + name,
+              there[key].emplace(name, one).first.value(), one);
+  if (there != before) write_whole(path, there.dump(1) + "\n");
 }
 
 void Store::describe(const Setup& setup, const std::string& command, const LeftOut& left_out) const {
@@ -101,15 +104,22 @@ void Store::describe(const Setup& setup, const std::string& command, const LeftO
       if (std::none_of(systems.begin(), systems.end(), [&](const SystemInfo& s) { return s.name == old.name; }))
         systems.push_back(old);
   std::vector<FamilyInfo> all;
-  for (const Family& f : families()) all.push_back({f.name, f.title, f.size_means});
-  all.push_back({kFilesFamily,
-                 "meshes of a folder: two that belong together, or one and its copy turned about its middle",
-                 "triangles"});
+  for (const Experiment& e : setup.experiments) {
+    const auto means = [&](const char* name, const char* otherwise) {
+      const Parameter* const p = e.parameter(name);
+      return p == nullptr || p->means.empty() ? std::string(otherwise) : p->means;
+    };
+    all.push_back({e.name, e.title, means("size", e.parameter("size") == nullptr ? "triangles" : "size"),
+                   means("k", "distance to the degenerate position, as a part of the operands' size"),
+                   e.growth});
+  }
+  if (fs::exists(rows + kFamiliesFile))  // experiments of earlier commands
+    for (const FamilyInfo& old : families_of_json(read(rows + kFamiliesFile)))
+      if (std::none_of(all.begin(), all.end(), [&](const FamilyInfo& f) { return f.name == old.name; }))
+        all.push_back(old);
   MachineInfo machine = this_machine();
   if (fs::exists(rows + kMachineFile)) machine = machine_of_json(read(rows + kMachineFile));
   machine.commit = setup.commit;
-  machine.limit_seconds = setup.limits.seconds;
-  machine.limit_bytes = setup.limits.bytes;
   if (machine.command.find(command) == std::string::npos)
     machine.command += (machine.command.empty() ? "" : "; ") + command;
   machine.left_out = left_out;

@@ -1,5 +1,7 @@
 #include "bench/sweep/unit.h"
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <new>
@@ -43,12 +45,23 @@ std::string answer_text(const Setup& setup, const std::string& name, const Syste
     return Json{{"answered", false}, {"problem", error.what()}}.dump() + "\n";
   }
   try {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
     const Answer answer = system.evaluate(problem);
+    Json warm = Json::array();  // as many as there is time for
+    for (int i = 0; i < setup.experiment_of(name).warm_runs; ++i) {
+      if (const double used = elapsed(); used + 2 * used / (i + 1) > setup.limits(name).seconds) break;
+      double seconds = 0;
+      for (const auto& [stage, part] : system.evaluate(problem).measures.stages) seconds += part;
+      warm.push_back(seconds);
+    }
     Json stages = Json::array();
     for (const auto& [stage, seconds] : answer.measures.stages) stages.push_back({stage, seconds});
     std::ostringstream out;
     out << Json{{"answered", true},
                 {"stages", stages},
+                {"warm", warm},
                 {"own_bytes", answer.measures.own_bytes()},
                 {"exact_share", answer.exact_share},
                 {"note", answer.note}}
@@ -71,7 +84,7 @@ std::string answer_text(const Setup& setup, const std::string& name, const Syste
 
 Run run(const Setup& setup, const std::string& problem, const System& system) {
   Run result;
-  result.child = run_child([&] { return answer_text(setup, problem, system); }, setup.limits);
+  result.child = run_child([&] { return answer_text(setup, problem, system); }, setup.limits(problem));
   if (result.child.end == End::done) result.reply = reply_of(result.child.text);
   if (result.reply.head.contains("problem"))
     throw ProblemError(problem + " could not be made: " + result.reply.head["problem"].get<std::string>());
@@ -98,14 +111,14 @@ std::string why(const ChildResult& child, double limit) {
 
 using Judge = Judgement(const Problem&, const Model&, double);
 
-Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, const System& system,
+Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, double rounding,
                  const std::string& model) {
-  const Limits limits = judging_limits(setup.limits);
+  const Limits limits = judging_limits(setup.limits(name));
   const ChildResult child = run_child(
       [&] {
         try {
           std::istringstream in(model);
-          const Judgement j = judge(setup.make(name), read_model(in), system.rounding);
+          const Judgement j = judge(setup.make(name), read_model(in), rounding);
           Json out{{"verdict", to_string(j.verdict)}, {"stage", j.stage},   {"message", j.message},
                    {"truth", to_json(j.truth)},       {"excess", j.excess}, {"missing", j.missing},
                    {"duplicates", j.duplicates}};
@@ -133,10 +146,10 @@ Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, cons
   return {j, {}};
 }
 
-Judged judged(const Setup& setup, const std::string& name, const System& system, const std::string& model) {
-  const Judged compared = judged_by(judge, setup, name, system, model);
+Judged judged(const Setup& setup, const std::string& name, double rounding, const std::string& model) {
+  const Judged compared = judged_by(judge, setup, name, rounding, model);
   if (compared.judgement) return compared;
-  const Judged by_volume = judged_by(judge_by_volume, setup, name, system, model);
+  const Judged by_volume = judged_by(judge_by_volume, setup, name, rounding, model);
   return by_volume.judgement && by_volume.judgement->verdict == Verdict::wrong ? by_volume : compared;
 }
 
@@ -146,37 +159,36 @@ void describe(const Setup& setup, SweepRow& row) {
       [&] {
         try {
           const Problem problem = setup.make(row.problem);
+          const auto& steps = problem.steps;
+          const bool mixed = std::any_of(steps.begin(), steps.end(), [&](Operation o) { return o != steps[0]; });
           return Json{{"operands", problem.operands.size()},
                       {"triangles", problem.triangle_count()},
-                      {"operation", to_string(problem.steps.at(0))}}
+                      {"operation", mixed ? "fold" : to_string(steps.at(0))}}
                      .dump() +
                  "\n";
         } catch (const std::exception& error) {
           return Json{{"error", error.what()}}.dump() + "\n";
         }
       },
-      judging_limits(setup.limits));
+      judging_limits(setup.limits(row.problem)));
   const Json head = child.end == End::done ? reply_of(child.text).head : Json();
   if (head.is_null())
-    throw ProblemError(row.problem + " could not be made: " + why(child, judging_limits(setup.limits).seconds));
+    throw ProblemError(row.problem + " could not be made: " +
+                       why(child, judging_limits(setup.limits(row.problem)).seconds));
   if (head.contains("error"))
     throw ProblemError(row.problem + " could not be made: " + head["error"].get<std::string>());
+  const Setup::Planned& planned = setup.planned(row.problem);
+  const Experiment& experiment = setup.experiments[planned.experiment];
+  const ProblemId id = experiment.roles(planned.problem);
   head.at("operands").get_to(row.operands);
   head.at("triangles").get_to(row.triangles);
-  if (!setup.folder.empty()) {
-    row.family = kFilesFamily;
-    head.at("operation").get_to(row.operation);
-    row.size = static_cast<long>(row.triangles);
-    return;
-  }
-  const ProblemId id = ProblemId::parse(row.problem);
-  row.family = id.family;
-  row.operation = id.operation;
-  row.size = id.size;
+  row.family = experiment.name;
+  row.values = planned.problem.values;
+  row.operation = id.operation.empty() ? head.at("operation").get<std::string>() : id.operation;
+  row.size = id.size > 0 ? id.size : static_cast<long>(row.triangles);
   row.distance = id.distance;
   row.seed = id.seed;
-  for (const Family& family : families())
-    if (family.name == id.family) row.has_distance = family.has_distance;
+  row.has_distance = planned.problem.values.contains("k");
 }
 
 void no_answer(const Run& run, double limit, SweepRow& row) {
@@ -199,8 +211,22 @@ void no_answer(const Run& run, double limit, SweepRow& row) {
 
 }  // namespace
 
-Problem Setup::make(const std::string& problem) const {
-  return folder.empty() ? make_problem(ProblemId::parse(problem)) : make_folder_problem(folder, problem);
+const Setup::Planned& Setup::planned(const std::string& problem) const {
+  for (const Planned& planned : problems)
+    if (planned.problem.name == problem) return planned;
+  throw std::runtime_error("there is no problem '" + problem + "'; `--dry-run` lists those of an experiment");
+}
+
+const Experiment& Setup::experiment_of(const std::string& problem) const {
+  return experiments[planned(problem).experiment];
+}
+
+Problem Setup::make(const std::string& problem) const { return experiment_of(problem).make(planned(problem).problem); }
+
+Limits Setup::limits(const std::string& problem) const {
+  const Experiment& experiment = experiment_of(problem);
+  const double given = gigabytes.value_or(experiment.gigabytes.value_or(4));
+  return {seconds.value_or(experiment.seconds.value_or(60)), static_cast<std::size_t>(given * (1 << 30))};
 }
 
 const System& Setup::system(const std::string& name) const {
@@ -213,40 +239,86 @@ const System& Setup::system(const std::string& name) const {
                            ", and any program by `--system NAME=PROGRAM`");
 }
 
+namespace {
+
+/// The point set of the claimed node, compared.
+Judged judged_claim(const Setup& setup, const std::string& problem) {
+  const ChildResult child = run_child(
+      [&] {
+        std::ostringstream out;
+        try {
+          const std::optional<Model> model = setup.experiment_of(problem).claimed_result(setup.planned(problem).problem);
+          out << Json{{"claimed", model.has_value()}}.dump() << '\n';
+          if (model) write_model(out, *model);
+        } catch (const std::exception& error) {
+          return Json{{"error", error.what()}}.dump() + "\n";
+        }
+        return out.str();
+      },
+      judging_limits(setup.limits(problem)));
+  const Reply reply = child.end == End::done ? reply_of(child.text) : Reply();
+  if (reply.head.is_null()) return {{}, why(child, judging_limits(setup.limits(problem)).seconds)};
+  if (reply.head.contains("error")) return {{}, reply.head["error"].get<std::string>()};
+  if (!reply.head["claimed"].get<bool>()) return {};
+  return judged(setup, problem, 0, reply.rest);
+}
+
+/// The exact volume, where no other system has made it known.
+std::string exact_volume(const Setup& setup, const std::string& problem) {
+  const ChildResult child = run_child([&] { return to_json(exact_facts(setup.make(problem))); },
+                                      judging_limits(setup.limits(problem)));
+  return child.end == End::done && !child.text.empty() ? facts_of_json(child.text).volume : std::string();
+}
+
+}  // namespace
+
 Truth establish_truth(const Setup& setup, const std::string& problem) {
   Truth truth;
-  for (const char* const name : {"nef", "corefinement"}) {
-    const System& system = setup.system(name);
-    const auto add_reason = [&](const std::string& reason) {
-      truth.reason += (truth.reason.empty() ? "" : "; ") + std::string(name) + ": " + reason;
-    };
-    const Run r = run(setup, problem, system);
+  const auto add_reason = [&](const std::string& who, const std::string& reason) {
+    truth.reason += (truth.reason.empty() ? "" : "; ") + who + ": " + reason;
+  };
+  const auto is_same = [](Verdict v) { return v == Verdict::same || v == Verdict::contact_duplicated; };
+  const auto disagrees = [&](const std::string& who, const std::string& reason) {
+    truth.confirmed = "DISAGREES";
+    add_reason(who, reason);
+    return truth;
+  };
+  /// A judged answer of a system, or nothing.
+  const auto asked = [&](const char* name) -> std::optional<Judgement> {
+    const Run r = run(setup, problem, setup.system(name));
     if (!r.answered()) {
       SweepRow row;
-      no_answer(r, setup.limits.seconds, row);
-      add_reason(row.message);
-      continue;
+      no_answer(r, setup.limits(problem).seconds, row);
+      add_reason(name, row.message);
+      return {};
     }
-    const Judged j = judged(setup, problem, system, r.reply.rest);
-    if (!j.judgement) {
-      add_reason(j.reason);
-      continue;
-    }
-    truth.facts = j.judgement->truth;
-    if (system.rounding == 0) {
-      const Verdict v = j.judgement->verdict;
-      const bool agrees = v == Verdict::same || v == Verdict::contact_duplicated;
-      truth.confirmed = agrees ? "Nef" : "DISAGREES";
-      if (!agrees) add_reason(j.judgement->message);
-      return truth;
-    }
-    if (is_failure(j.judgement->verdict)) {
-      add_reason(j.judgement->message);
-      continue;
-    }
-    truth.confirmed = "volume";
-    return truth;
+    const Judged j = judged(setup, problem, setup.system(name).rounding, r.reply.rest);
+    if (!j.judgement) add_reason(name, j.reason);
+    else truth.facts = j.judgement->truth;
+    return j.judgement;
+  };
+  if (const std::optional<Judgement> nef = asked("nef")) {
+    if (!is_same(nef->verdict)) return disagrees("nef", nef->message);
+    truth.confirmed = "Nef";
   }
+  if (const Judged claim = judged_claim(setup, problem); claim.judgement) {
+    if (!is_same(claim.judgement->verdict)) return disagrees("the claimed node", claim.judgement->message);
+    truth.facts = claim.judgement->truth;
+    if (truth.confirmed == "none") truth.confirmed = "node";
+  } else if (!claim.reason.empty()) {
+    add_reason("the claimed node", claim.reason);
+  }
+  if (const auto volume = setup.experiment_of(problem).claimed_volume(setup.planned(problem).problem)) {
+    const std::string exact = truth.confirmed == "none" ? exact_volume(setup, problem) : truth.facts.volume;
+    if (exact.empty()) add_reason("the formula", "our own volume could not be had within the limits");
+    else if (exact != cnrg::to_string(*volume))
+      return disagrees("the formula", "the volume is " + cnrg::to_string(*volume) + ", ours " + exact);
+    else if (truth.confirmed == "none") truth.confirmed = "formula";
+  }
+  if (truth.confirmed != "none") return truth;
+  const std::optional<Judgement> corefinement = asked("corefinement");
+  if (corefinement && is_failure(corefinement->verdict)) add_reason("corefinement", corefinement->message);
+  else if (corefinement) truth.confirmed = "volume";
   return truth;
 }
 
@@ -260,45 +332,56 @@ std::string quoted(const std::string& word) {
 }
 
 std::string reproducing_command(const Setup& setup, const std::string& problem, const System& system) {
-  const Limits usual = Setup().limits;
+  const Setup::Planned& planned = setup.planned(problem);
+  const Experiment& experiment = setup.experiments[planned.experiment];
   std::ostringstream text;
   text << "bench/run ";
-  if (!setup.folder.empty()) text << quoted(setup.folder) << ' ';
+  if (!experiment.is_own()) text << quoted(experiment.path) << ' ';
   text << "--one " << quoted(problem) << ' ' << quoted(system.name);
+  for (const Parameter& p : experiment.parameters) {
+    const std::string& value = planned.problem.values.at(p.name);
+    if (std::find(p.usual.begin(), p.usual.end(), value) == p.usual.end())
+      text << " -D " << quoted(p.name + "=" + value);
+  }
   if (!system.executable.empty())
     text << " --system " << quoted(system.name + "=" + system.executable) << ':' << system.rounding;
-  if (setup.limits.seconds != usual.seconds) text << " --seconds " << setup.limits.seconds;
-  if (setup.limits.bytes != usual.bytes)
-    text << " --gigabytes " << static_cast<double>(setup.limits.bytes) / (1 << 30);
+  if (setup.seconds) text << " --seconds " << *setup.seconds;
+  if (setup.gigabytes) text << " --gigabytes " << *setup.gigabytes;
   return text.str();
 }
 
-SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& name, const Truth& truth) {
+SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& name, const Truth& truth,
+                  std::optional<Model>* result) {
   const System& system = setup.system(name);
   SweepRow row;
   row.problem = problem;
   row.system = name;
   row.truth = truth;
-  row.limit_seconds = setup.limits.seconds;
-  row.limit_bytes = setup.limits.bytes;
+  row.limit_seconds = setup.limits(problem).seconds;
+  row.limit_bytes = setup.limits(problem).bytes;
   row.command = reproducing_command(setup, problem, system);
   describe(setup, row);
 
   const Run r = run(setup, problem, system);
   row.peak_bytes = r.child.peak_bytes;
   if (!r.answered()) {
-    no_answer(r, setup.limits.seconds, row);
+    no_answer(r, row.limit_seconds, row);
     return row;
   }
   for (const Json& stage : r.reply.head.at("stages")) {
     row.stages.emplace_back(stage.at(0).get<std::string>(), stage.at(1).get<double>());
     row.seconds += row.stages.back().second;
   }
+  r.reply.head.at("warm").get_to(row.warm);
   r.reply.head.at("own_bytes").get_to(row.own_bytes);
   r.reply.head.at("exact_share").get_to(row.exact_share);
   r.reply.head.at("note").get_to(row.note);
 
-  const Judged j = judged(setup, problem, system, r.reply.rest);
+  if (result != nullptr) {
+    std::istringstream in(r.reply.rest);
+    *result = read_model(in);
+  }
+  const Judged j = judged(setup, problem, system.rounding, r.reply.rest);
   if (!j.judgement) {
     row.verdict = Verdict::unjudged;
     row.message = j.reason;

@@ -16,6 +16,14 @@ Rational given_number(const std::string& name, const std::string& text, const Pa
   }
 }
 
+Rational written_number(const std::string& name, const Value& value) {
+  try {
+    return given_number(name, value.raw(), value.document().parameters);
+  } catch (const InputError& e) {
+    value.fail(e.what());
+  }
+}
+
 void read_map(Document& document, const Value& map, const std::map<std::string, std::string>& given) {
   if (!map.is_map()) map.fail_type("`parameters`", "a map {NAME: NUMBER, ...}");
   for (const auto& item : map.node()) {
@@ -24,8 +32,9 @@ void read_map(Document& document, const Value& map, const std::map<std::string, 
     if (!is_parameter_name(name)) key.fail(what + ": a name is letters, digits and `_`, and begins with no digit");
     const Value written(document, item.second, key.at());
     const auto it = given.find(name);
-    const Rational value =
-        it == given.end() ? written.number(what) : given_number(name, it->second, document.parameters);
+    if (it == given.end() && !written.is_text()) written.fail_type(what, "a number or an expression");
+    const Rational value = it != given.end() ? given_number(name, it->second, document.parameters)
+                                             : written_number(name, written);
     if (!document.parameters.emplace(name, value).second) key.fail(what + " is there twice; remove or rename one");
   }
 }

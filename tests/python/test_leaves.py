@@ -65,7 +65,7 @@ class Leaves(unittest.TestCase):
         table = [line for line in operators[: operators.index("| part")].splitlines() if line.startswith("| `")]
         names = {name for line in table for name in re.findall(r"`(\w+)`", line.split("|")[1])}
         self.assertGreater(len(names), 10)
-        for name in names:
+        for name in names - {"repeat"}:  # Python has loops
             self.assertTrue(hasattr(cnrg, name) or hasattr(cnrg.Node, name), name)
         attributes = PAGE[PAGE.index("\n### Attributes") : PAGE.index("\n## Leaves")]
         for line in attributes.splitlines():

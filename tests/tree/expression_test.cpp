@@ -239,7 +239,7 @@ TEST_CASE("parameters stand in texts, names and numbers of a tree", "[tree]") {
   CHECK_THAT(fault("parameters: {n: 3, 2a: 1}\n", "1"), Contains("t.yaml:2:20: error: the parameter `2a`"));
   CHECK_THAT(fault("parameters: {n: 3, n: 4}\n", "1"), Contains("t.yaml:2:20: error:") && Contains("twice"));
   CHECK_THAT(fault("parameters: {n: [3]}\n", "1"),
-             Contains("t.yaml:2:17: error: the parameter `n` must be a number"));
+             Contains("t.yaml:2:17: error: the parameter `n` must be a number or an expression"));
   CHECK_THAT(fault("parameters: 3\n", "1"), Contains("t.yaml:2:13: error: `parameters` must be a map"));
   CHECK_THAT(fault("parameters:\n", "1"), Contains("t.yaml:2:1: error: `parameters` must be a map"));
   const std::string huge = "parameters: {n: 3, z: \"${10^9999}\"}\n";

@@ -18,6 +18,12 @@ std::vector<PointLoop> simple_loops(const std::vector<RationalPoint>& points, co
 /// Twice the area vector of a closed loop, by the right-hand rule.
 RationalPoint doubled_area(const std::vector<RationalPoint>& points, const PointLoop& loop);
 
+/// The face as seen from its front, by its own points; a face of three points is its own triangle. Coordinates may
+/// be rounded, so that the face is only about planar. Throws InvariantError if its loops cross or two of its
+/// points are at one place.
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<RationalPoint>& points,
+                                                       const Model::Face& face);
+
 inline Rational dot(const RationalPoint& a, const RationalPoint& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

@@ -1,0 +1,22 @@
+// Problems of trees: a Boolean node on the point sets of its operands, which our kernel evaluates.
+#pragma once
+
+#include "bench/cases/family.h"
+#include "csg/tree/tree.h"
+
+namespace cnrg::bench {
+
+/// The fold that a union, intersection or difference is. An inline operand is part of it: as the first one, a
+/// Boolean is its beginning; behind, a union in a union or difference, and an intersection in an intersection, are
+/// more operands. Every other operand is one model: a leaf as it is drawn, else the point set of its value.
+/// Faces have one loop. Throws InputError for a node that is none of these, or says more than a point set, and
+/// as `evaluate` does.
+Problem tree_problem(const Tree& tree, NodeId node);
+
+/// A node as an operand is.
+Model tree_model(const Tree& tree, NodeId node);
+
+/// Throws as `tree_problem` does for what the tree alone tells.
+void check_tree_problem(const Tree& tree, NodeId node);
+
+}  // namespace cnrg::bench

@@ -1,0 +1,53 @@
+"""Tables for a paper: LaTeX with booktabs, a file each, of the numbers that the page has."""
+import words
+
+_ESCAPES = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_",
+            "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "×": r"$\times$", "–": "--"}
+
+
+def escaped(text):
+    return "".join(_ESCAPES.get(c, c) for c in words.shown(text))
+
+
+def _table(heads, rows, note):
+    lines = ["% " + words.shown(note), r"\begin{tabular}{l" + "r" * (len(heads) - 1) + "}", r"\toprule",
+             " & ".join(map(escaped, heads)) + r" \\", r"\midrule",
+             *(" & ".join(map(escaped, row)) + r" \\" for row in rows), r"\bottomrule", r"\end{tabular}"]
+    return "\n".join(lines) + "\n"
+
+
+def _verdicts(experiment, summary, name):
+    """Systems against what became of their runs, with the interval of the rate of failures."""
+    rows = []
+    for system in summary.systems:
+        tally = summary.totals[system]
+        low, high = tally.failure_interval
+        rows.append([name(system), words.grouped(tally.runs), words.grouped(tally.of("exact")),
+                     words.grouped(tally.of("right")), words.grouped(tally["within-rounding"]),
+                     words.grouped(tally.of("wrong")), words.grouped(tally.of("refused")),
+                     words.grouped(tally.of("no result")),
+                     f"{words.percent(tally.failure_rate)} ({words.percent(low)} to {words.percent(high)})"])
+    return ["system", "runs", "same", "right otherwise", "of these within rounding", "wrong", "refused", "no result",
+            "failures (95 %)"], rows
+
+
+def _times(summary, name, study):
+    """A row per system and size."""
+    rows = []
+    for curve in study.curves:
+        for p in curve.points:
+            low, high = p.seconds_quartiles
+            rows.append([name(curve.system), words.grouped(p.size), words.three_digits(p.triangles), f"{p.right} of {p.runs}",
+                         words.three_digits(p.seconds), f"{words.three_digits(low)} to {words.three_digits(high)}",
+                         words.three_digits(p.cold_seconds), words.megabytes(p.own_bytes)])
+    return ["system", "size", "triangles", "right", "median s", "quartiles s", "first run s", "MB"], rows
+
+
+def tables(experiment, summary, label):
+    """Texts by the names of their files."""
+    commit = experiment.machine["commit"] if experiment.machine else ""
+    note = f"{len(experiment.rows)} runs, commit {commit or 'not recorded'}"
+    found = {"verdicts": _table(*_verdicts(experiment, summary, label), note)}
+    for study in summary.growth:
+        found[f"times-{study.family}"] = _table(*_times(summary, label, study), note)
+    return found

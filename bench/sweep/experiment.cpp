@@ -1,0 +1,421 @@
+#include "bench/sweep/experiment.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "bench/cases/tree_problem.h"
+#include "bench/peers/program.h"
+#include "csg/text/input_file.h"
+#include "csg/text/number.h"
+#include "csg/tree/suggest.h"
+#include "csg/tree/tree.h"
+#include "csg/tree/yaml_value.h"
+#include "kernel/exact/integers.h"
+
+namespace cnrg::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostProblems = 1'000'000, kMostBytes = 10'000'000;
+constexpr std::string_view kNode = "node";
+/// What a family's maker is told, and what rows tell of any problem.
+constexpr std::array<std::string_view, 4> kRoles{"operation", "size", "k", "seed"};
+
+std::string file_word(std::string text) {
+  for (char& c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-' && c != '_') c = '_';
+  return text;
+}
+
+bool is_word(const std::string& text) {
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 && file_word(text) == text;
+}
+
+/// `1/3`, `10^-3`, `exact`: a number in lowest terms, or a word. Throws InputError for anything else.
+std::string value_of(const std::string& text) {
+  try {
+    return cnrg::to_string(evaluate_expression(text, {}));
+  } catch (const InputError&) {
+    if (is_word(text)) return text;
+    throw;
+  }
+}
+
+/// One value, or whole numbers from `LOW..HIGH`.
+void add_values(const std::string& text, std::vector<std::string>& values) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    values.push_back(value_of(text));
+    return;
+  }
+  const Rational low = evaluate_expression(text.substr(0, dots), {}),
+                 high = evaluate_expression(text.substr(dots + 2), {});
+  if (low.get_den() != 1 || high.get_den() != 1 || low > high || high - low >= kMostProblems)
+    throw InputError("`" + text + "` is no range of whole numbers, such as 0..16");
+  for (Rational value = low; value <= high; value += 1) values.push_back(cnrg::to_string(value));
+}
+
+std::string list_of(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+// --- the file
+
+std::vector<Value> one_or_more_of(const Value& value, const std::string& what) {
+  return value.is_list() ? value.list(what) : std::vector<Value>{value};
+}
+
+std::vector<std::string> texts(const Value& value, const std::string& what) {
+  std::vector<std::string> all;
+  for (const Value& v : one_or_more_of(value, what)) all.push_back(v.text(what));
+  return all;
+}
+
+Parameter read_parameter(const Value::Entry& entry) {
+  const std::string what = "`" + entry.key + "` of values";
+  Parameter parameter{entry.key, {}};
+  std::optional<Value> values(entry.value);
+  if (entry.value.is_map()) {
+    const Fields f(entry.value, entry.key, {"values", "means"});
+    values.emplace(f.at("values", "0..16"));
+    if (const Value* means = f.find("means")) parameter.means = means->text(f.name("means"));
+  }
+  for (const Value& v : one_or_more_of(*values, what)) {
+    try {
+      add_values(v.text(what), parameter.values);
+    } catch (const TreeError&) {
+      throw;
+    } catch (const InputError& error) {
+      v.fail(what + ": " + error.what());
+    }
+  }
+  std::vector<std::string> sorted = parameter.values;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end()) values->fail(what + " has " + *twice + " twice; remove one");
+  return parameter;
+}
+
+void read_system(const Value& value, Experiment& experiment) {
+  if (!value.is_map()) {
+    experiment.systems.push_back(value.text("a system"));
+    return;
+  }
+  const Fields f(value, "a system", {"name", "program", "rounding", "rescale"});
+  ProgramSystem system;
+  system.name = f.at("name", "mine").text(f.name("name"));
+  system.words = texts(f.at("program", "./my-boolean"), f.name("program"));
+  if (const Value* rounding = f.find("rounding")) {
+    system.rounding = to_double(rounding->number(f.name("rounding")));
+    if (!(system.rounding >= 0 && system.rounding < 1))
+      rounding->fail(f.name("rounding") + " is no part of the largest coordinate, such as 1e-12");
+  }
+  if (const Value* rescale = f.find("rescale"))
+    system.rescale = static_cast<int>(rescale->integer(f.name("rescale"), -1000, 1000));
+  try {
+    system.words[0] = program_path(system.name, fs::path(experiment.path).parent_path() / system.words[0]);
+  } catch (const std::runtime_error& error) {
+    value.fail(error.what());
+  }
+  experiment.systems.push_back(system.name);
+  experiment.programs.push_back(std::move(system));
+}
+
+void read_claims(const Value& value, Experiment& experiment) {
+  for (const Value::Entry& entry : value.entries("`truth`")) {
+    if (std::find(experiment.nodes.begin(), experiment.nodes.end(), entry.key) == experiment.nodes.end())
+      value.document().fail(entry.key_at, "`" + entry.key + "` is no node of this experiment; there are " +
+                                              list_of(experiment.nodes));
+    const Fields f(entry.value, "truth of `" + entry.key + "`", {"volume", "node"});
+    Claim& claim = experiment.claims[entry.key];
+    if (const Value* volume = f.find("volume")) claim.volume = volume->text(f.name("volume"));
+    if (const Value* node = f.find("node")) claim.node = node->text(f.name("node"));
+    if (claim.volume.empty() == claim.node.empty())
+      entry.value.fail("the truth is a `volume`, an expression of the parameters, or another `node`: one of them");
+  }
+}
+
+double limit_of(const Fields& f, const char* key) {
+  const Value& value = *f.find(key);
+  const Rational limit = value.number(f.name(key));
+  if (limit < Rational(1) / 100 || limit > 100'000) value.fail(f.name(key) + " is from 0.01 to 100000");
+  return to_double(limit);
+}
+
+/// Nodes that other systems have, by `all`.
+std::vector<std::string> boolean_nodes(const Tree& tree) {
+  std::vector<std::string> nodes;
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+    try {
+      if (tree.nodes[id].is_inline) continue;
+      check_tree_problem(tree, id);
+      nodes.push_back(tree.nodes[id].name);
+    } catch (const InputError&) {  // none
+    }
+  }
+  return nodes;
+}
+
+Experiment read_file(const fs::path& path) {
+  Experiment experiment;
+  experiment.name = file_word(path.stem().string());
+  experiment.path = fs::absolute(path).lexically_normal().string();
+  experiment.text = cnrg::read_file(path.string(), {}, kMostBytes);
+  Document document{path.string(), experiment.text.size() + 1000};
+  const YAML::Node root = load_yaml(document, experiment.text);
+  const YAML::Node own = root.IsMap() ? root["x-experiment"] : YAML::Node();
+  if (!own.IsDefined() || !own)
+    document.fail({}, "this is no experiment: it has no `x-experiment`, such as x-experiment: {title: My own, values: {k: 0..8}}");
+  const Value value(document, own, {});
+  const Fields f(value, "x-experiment",
+                 {"title", "values", "nodes", "family", "program", "truth", "systems", "seconds", "gigabytes", "runs", "growth"});
+  experiment.title = f.at("title", "what is tried").text(f.name("title"));
+  if (const Value* family = f.find("family")) experiment.family = family->text(f.name("family"));
+  if (const Value* program = f.find("program")) {
+    experiment.program = texts(*program, f.name("program"));
+    experiment.program[0] = fs::absolute(path.parent_path() / experiment.program[0]).lexically_normal().string();
+  }
+  if (!experiment.family.empty() + !experiment.program.empty() + root["nodes"].IsDefined() != 1)
+    value.fail("problems come from `nodes` of this file, from a `program` that prints a tree, or from a `family`: "
+               "give one of them");
+  if (const Value* values = f.find("values"))
+    for (const Value::Entry& entry : values->entries(f.name("values"))) {
+      if (entry.key == kNode || !is_parameter_name(entry.key))
+        document.fail(entry.key_at, "`" + entry.key + "` is no name of a parameter");
+      if (!experiment.family.empty() && std::find(kRoles.begin(), kRoles.end(), entry.key) == kRoles.end())
+        document.fail(entry.key_at, "a family has the parameters operation, size, k and seed, and no `" + entry.key + "`");
+      experiment.parameters.push_back(read_parameter(entry));
+    }
+  if (const Value* nodes = f.find("nodes")) {
+    if (!experiment.family.empty()) nodes->fail("a family has no nodes: leave `nodes` out");
+    experiment.nodes = texts(*nodes, f.name("nodes"));
+  }
+  if (experiment.family.empty()) {
+    if (root["nodes"].IsDefined()) {
+      const Tree tree = parse_tree(experiment.text, path.string());
+      if (experiment.nodes.empty()) experiment.nodes = {tree.nodes[tree.result].name};
+      if (experiment.nodes == std::vector<std::string>{"all"}) experiment.nodes = boolean_nodes(tree);
+    } else if (experiment.nodes.empty()) {
+      value.fail("say which `nodes` of the trees that the program prints are problems");
+    }
+  }
+  if (const Value* truth = f.find("truth")) read_claims(*truth, experiment);
+  if (const Value* systems = f.find("systems"))
+    for (const Value& v : one_or_more_of(*systems, f.name("systems"))) read_system(v, experiment);
+  if (f.has("seconds")) experiment.seconds = limit_of(f, "seconds");
+  if (f.has("gigabytes")) experiment.gigabytes = limit_of(f, "gigabytes");
+  if (const Value* runs = f.find("runs")) experiment.warm_runs = static_cast<int>(runs->integer(f.name("runs"), 1, 1000)) - 1;
+  if (const Value* growth = f.find("growth")) {
+    experiment.growth = growth->text(f.name("growth"));
+    if (experiment.growth != "triangles" && (experiment.growth != "size" || experiment.parameter("size") == nullptr))
+      growth->fail_type(f.name("growth"), "triangles, or size where there is a parameter `size`");
+  }
+  return experiment;
+}
+
+Experiment read_folder(const fs::path& path) {
+  Experiment experiment;
+  experiment.name = "files";
+  experiment.title = "meshes of a folder: two that belong together, or one and its copy turned about its middle";
+  experiment.path = fs::canonical(path).string();
+  experiment.parameters = {{"operation", {"union"}}};
+  return experiment;
+}
+
+// --- problems
+
+Tree tree_of(const Experiment& experiment, const Values& values) {
+  if (experiment.program.empty()) {
+    ReadOptions options;
+    for (const auto& [name, value] : values)
+      if (name != kNode) options.parameters[name] = value;
+    return parse_tree(experiment.text, experiment.path, options);
+  }
+  std::vector<std::string> words = experiment.program;
+  for (const auto& [name, value] : values)
+    if (name != kNode) words.push_back(name + "=" + value);
+  const TemporaryFolder folder;
+  const std::string out = folder.file("tree.yaml");
+  const ProgramRun run = run_program(words, folder, out.c_str());
+  if (!run.succeeded()) throw std::runtime_error(experiment.program[0] + ": " + run.reason());
+  return parse_tree(cnrg::read_file(out), experiment.program[0]);
+}
+
+template <class Integer>
+Integer whole(const Experiment& experiment, const std::string& name, const std::string& text, std::int64_t low,
+              std::int64_t high) {
+  const std::optional<Rational> value = parse_rational(text);
+  if (!value || value->get_den() != 1 || *value < low || *value > high)
+    throw std::runtime_error(experiment.name + ": `" + name + "` is a whole number from " + std::to_string(low) + " to " +
+                             std::to_string(high) + ", not " + text);
+  return to_machine<Integer>(value->get_num());
+}
+
+std::string name_of(const Experiment& experiment, const Experiment::Named& problem) {
+  if (!experiment.family.empty()) {
+    ProblemId id = experiment.roles(problem);
+    id.family = experiment.name;
+    return id.name();
+  }
+  std::string name = experiment.name + "-" + file_word(problem.values.at(std::string(kNode)));
+  for (const Parameter& p : experiment.parameters) {
+    const std::string& value = problem.values.at(p.name);
+    name += "-" + (is_word(value) ? value : p.name + file_word(value));
+  }
+  return name;
+}
+
+}  // namespace
+
+const Parameter* Experiment::parameter(const std::string& wanted) const {
+  const auto it = std::find_if(parameters.begin(), parameters.end(),
+                               [&](const Parameter& p) { return p.name == wanted; });
+  return it == parameters.end() ? nullptr : &*it;
+}
+
+bool Experiment::is_own() const { return fs::path(path).parent_path() == fs::path(CNRG_EXPERIMENTS); }
+
+std::vector<Experiment::Named> Experiment::problems() const {
+  std::vector<Named> all;
+  if (is_folder()) {
+    for (const std::string& operation : parameter("operation")->values)
+      for (const std::string& problem : folder_problems(path, operation))
+        all.push_back({problem, {{"operation", operation}}});
+    return all;
+  }
+  std::vector<Parameter> axes;
+  if (family.empty()) axes.push_back({std::string(kNode), nodes});
+  axes.insert(axes.end(), parameters.begin(), parameters.end());
+  std::size_t count = 1;
+  for (const Parameter& axis : axes) {
+    count *= axis.values.size();
+    if (count > kMostProblems) throw std::runtime_error(path + ": there are more than a million problems");
+  }
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < count; ++i) {
+    Named& problem = all.emplace_back();
+    std::size_t rest = i;
+    for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
+      problem.values[axis->name] = axis->values[rest % axis->values.size()];
+      rest /= axis->values.size();
+    }
+    problem.name = name_of(*this, problem);
+    if (!names.insert(problem.name).second)
+      throw std::runtime_error(path + ": two problems are called " + problem.name + "; rename a parameter or a node");
+  }
+  return all;
+}
+
+Problem Experiment::make(const Named& named) const {
+  Problem problem;
+  if (is_folder()) {
+    problem = make_folder_problem(path, named.name);
+  } else if (!family.empty()) {
+    problem = make_problem(roles(named));
+  } else {
+    const Tree tree = tree_of(*this, named.values);
+    problem = tree_problem(tree, tree.find(named.values.at(std::string(kNode))));
+  }
+  problem.name = named.name;
+  return problem;
+}
+
+void Experiment::check(const Named& named) const {
+  if (is_folder()) {
+    make(named);
+  } else if (!family.empty()) {
+    check_problem(roles(named));
+  } else {
+    const Tree tree = tree_of(*this, named.values);
+    check_tree_problem(tree, tree.find(named.values.at(std::string(kNode))));
+    const auto claim = claims.find(named.values.at(std::string(kNode)));
+    if (claim != claims.end() && !claim->second.node.empty()) tree.find(claim->second.node);
+    claimed_volume(named);
+  }
+}
+
+std::optional<Rational> Experiment::claimed_volume(const Named& named) const {
+  const auto node = named.values.find(std::string(kNode));
+  const auto claim = node == named.values.end() ? claims.end() : claims.find(node->second);
+  if (claim == claims.end() || claim->second.volume.empty()) return {};
+  ParameterValues values = tree_of(*this, named.values).parameters;
+  for (const auto& [name, value] : named.values)
+    if (const auto number = parse_rational(value)) values[name] = *number;
+  return evaluate_expression(claim->second.volume, values);
+}
+
+std::optional<Model> Experiment::claimed_result(const Named& named) const {
+  const auto node = named.values.find(std::string(kNode));
+  const auto claim = node == named.values.end() ? claims.end() : claims.find(node->second);
+  if (claim == claims.end() || claim->second.node.empty()) return {};
+  const Tree tree = tree_of(*this, named.values);
+  return tree_model(tree, tree.find(claim->second.node));
+}
+
+ProblemId Experiment::roles(const Named& named) const {
+  ProblemId id{family.empty() ? name : family, {}, family.empty() ? 0 : 1, {}, 1};
+  const auto value = [&](const char* role) {
+    const auto it = named.values.find(role);
+    return it == named.values.end() ? std::string() : it->second;
+  };
+  id.operation = value("operation");
+  if (const std::string size = value("size"); !size.empty()) id.size = whole<long>(*this, "size", size, 0, 1'000'000'000);
+  if (const std::string k = value("k"); !k.empty() && k != "exact") id.distance = whole<int>(*this, "k", k, 0, 300);
+  if (const std::string seed = value("seed"); !seed.empty())
+    id.seed = whole<unsigned>(*this, "seed", seed, 0, 1'000'000'000);
+  return id;
+}
+
+GivenValues given_values(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  GivenValues given{text.substr(0, equals), {}};
+  if (equals == std::string::npos || !is_parameter_name(given.name) || equals + 1 == text.size())
+    throw std::runtime_error("'" + text + "' is no NAME=VALUE,LOW..HIGH,...");
+  std::istringstream parts(text.substr(equals + 1));
+  try {
+    for (std::string part; std::getline(parts, part, ',');) add_values(part, given.values);
+  } catch (const InputError& error) {
+    throw std::runtime_error("'" + text + "': " + error.what());
+  }
+  return given;
+}
+
+std::vector<std::string> experiment_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(CNRG_EXPERIMENTS))
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Experiment read_experiment(const std::string& name, const std::vector<GivenValues>& given,
+                           std::set<std::string>& used) {
+  const fs::path own = fs::path(CNRG_EXPERIMENTS) / (name + ".yaml");
+  Experiment experiment;
+  if (is_word(name) && fs::exists(own)) experiment = read_file(own);
+  else if (fs::is_directory(name)) experiment = read_folder(name);
+  else if (fs::exists(name)) experiment = read_file(name);
+  else {
+    const std::vector<std::string> names = experiment_names();
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string hint = did_you_mean(name, known);
+    throw std::runtime_error("'" + name + "' is no experiment, file or folder" +
+                             (hint.empty() ? "; `--list` lists experiments" : hint));
+  }
+  for (Parameter& parameter : experiment.parameters) parameter.usual = parameter.values;
+  for (const GivenValues& values : given)
+    for (Parameter& parameter : experiment.parameters)
+      if (parameter.name == values.name) {
+        parameter.values = values.values;
+        used.insert(values.name);
+      }
+  return experiment;
+}
+
+}  // namespace cnrg::bench
