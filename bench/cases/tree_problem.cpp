@@ -7,6 +7,7 @@
 #include "bench/cases/value_model.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/leaves/leaf.h"
+#include "csg/tree/dag.h"
 #include "kernel/base/error.h"
 #include "kernel/selection/selection.h"
 
@@ -29,6 +30,20 @@ std::optional<Operation> operation_of_node(const Node& node) {
 /// What other systems know of: a Boolean alone.
 bool is_plain(const Node& node) {
   return operation_of_node(node) && !node.transform && !node.regularize && !node.each;
+}
+
+/// If its operands are.
+bool is_closed_and_bounded(const Node& node) {
+  switch (node.op) {
+    case Operator::leaf: return node.operator_name != "plane" && node.operator_name != "halfspace";
+    case Operator::unite:
+    case Operator::intersect:
+    case Operator::subtract:
+    case Operator::simplify:
+    case Operator::closure:
+    case Operator::regularize: return true;
+    default: return false;
+  }
 }
 
 struct Fold {
@@ -134,6 +149,10 @@ Model evaluated(const Tree& tree, NodeId id) {
 
 }  // namespace
 
+bool is_tree_problem(const Tree& tree, NodeId node) {
+  return is_plain(tree.nodes[node]) && tree.operands(node).size() > 1;
+}
+
 Model tree_model(const Tree& tree, NodeId node) {
   std::optional<Model> model = drawn_leaf(tree.nodes[node]);
   if (!model) model = evaluated(tree, node);
@@ -154,6 +173,15 @@ Problem tree_problem(const Tree& tree, NodeId node) {
   return problem;
 }
 
-void check_tree_problem(const Tree& tree, NodeId node) { fold_of(tree, node); }
+void check_tree_problem(const Tree& tree, NodeId node) {
+  const Fold fold = fold_of(tree, node);
+  // What may be open or unbounded is known when it is evaluated.
+  const std::vector<char> below = tree.dag->reachable(fold.operands);
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size()))
+    if (below[id.index()] && !is_closed_and_bounded(tree.nodes[id])) {
+      tree_problem(tree, node);
+      return;
+    }
+}
 
 }  // namespace cnrg::bench

@@ -13,10 +13,13 @@ namespace cnrg::bench {
 /// as `evaluate` does.
 Problem tree_problem(const Tree& tree, NodeId node);
 
+/// Whether it is such a node.
+bool is_tree_problem(const Tree& tree, NodeId node);
+
 /// A node as an operand is.
 Model tree_model(const Tree& tree, NodeId node);
 
-/// Throws as `tree_problem` does for what the tree alone tells.
+/// Throws as `tree_problem` does, but for faults of the geometry of leaves.
 void check_tree_problem(const Tree& tree, NodeId node);
 
 }  // namespace cnrg::bench

@@ -178,8 +178,8 @@ class GrowthCurve:
 
 @dataclass
 class GrowthStudy:
-    """A family that was run in three sizes or more. What costs less than twice the least of a curve is overhead, which
-    its laws leave out."""
+    """A family that was run in three sizes or more. Laws begin with the last point that costs less than twice the least:
+    what comes before is overhead."""
     family: str
     curves: list
 
@@ -316,7 +316,8 @@ class Summary:
     def _law(points, cost):
         costs = [(p.place, getattr(p, cost)) for p in points if p.place > 0 and getattr(p, cost) > 0]
         least = min((y for _, y in costs), default=0.0)
-        return power_law([(x, y) for x, y in costs if y >= 2 * least])
+        flat = [place for place, (_, y) in enumerate(costs) if y < 2 * least]
+        return power_law(costs[flat[-1]:] if flat else [])
 
     def _ratios(self, rows):
         """Of all systems but ours that have right runs in common with ours."""

@@ -151,14 +151,8 @@ double limit_of(const Fields& f, const char* key) {
 /// Nodes that other systems have, by `all`.
 std::vector<std::string> boolean_nodes(const Tree& tree) {
   std::vector<std::string> nodes;
-  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
-    try {
-      if (tree.nodes[id].is_inline) continue;
-      check_tree_problem(tree, id);
-      nodes.push_back(tree.nodes[id].name);
-    } catch (const InputError&) {  // none
-    }
-  }
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size()))
+    if (!tree.nodes[id].is_inline && is_tree_problem(tree, id)) nodes.push_back(tree.nodes[id].name);
   return nodes;
 }
 
@@ -170,8 +164,13 @@ Experiment read_file(const fs::path& path) {
   Document document{path.string(), experiment.text.size() + 1000};
   const YAML::Node root = load_yaml(document, experiment.text);
   const YAML::Node own = root.IsMap() ? root["x-experiment"] : YAML::Node();
-  if (!own.IsDefined() || !own)
-    document.fail({}, "this is no experiment: it has no `x-experiment`, such as x-experiment: {title: My own, values: {k: 0..8}}");
+  if (!own.IsDefined()) {
+    experiment.title = "each Boolean node of " + path.filename().string();
+    experiment.nodes = boolean_nodes(parse_tree(experiment.text, path.string()));
+    if (experiment.nodes.empty())
+      document.fail({}, "this tree has no union, intersection or difference with a name, which systems could be given");
+    return experiment;
+  }
   const Value value(document, own, {});
   const Fields f(value, "x-experiment",
                  {"title", "values", "nodes", "family", "program", "truth", "systems", "seconds", "gigabytes", "runs", "growth"});
@@ -201,6 +200,7 @@ Experiment read_file(const fs::path& path) {
       const Tree tree = parse_tree(experiment.text, path.string());
       if (experiment.nodes.empty()) experiment.nodes = {tree.nodes[tree.result].name};
       if (experiment.nodes == std::vector<std::string>{"all"}) experiment.nodes = boolean_nodes(tree);
+      for (const std::string& node : experiment.nodes) tree.find(node);
     } else if (experiment.nodes.empty()) {
       value.fail("say which `nodes` of the trees that the program prints are problems");
     }

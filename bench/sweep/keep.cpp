@@ -77,10 +77,11 @@ void keep_tree(const std::string& folder, const Problem& problem, const std::opt
     exact = i == 0 ? name : std::string("{") + to_string(problem.steps[i - 1]) + ": [" + exact + ", " + name + "]}";
   }
   out << "  exact: " << exact << '\n';
-  if (result && !empty(*result) && row.facts)  // else it bounds nothing that a tree could say
-    out << "  result: " << node_text(*result) << "\n  missing: {difference: [exact, result]}\n"
-        << "  excess: {difference: [result, exact]}\n";
-  out << "result: exact\n";
+  const bool shown = result && !empty(*result) && row.facts;  // else it bounds nothing that a tree could say
+  if (shown)
+    out << "  given: " << node_text(*result) << "\n  missing: {difference: [exact, given]}\n"
+        << "  excess: {difference: [given, exact]}\n  differs: {union: [missing, excess]}\n";
+  out << "result: " << (shown ? "differs" : "exact") << '\n';
   write_whole(folder + "/problem.yaml", out.str());
   write_whole(folder + "/row.json", to_json(row));
 }

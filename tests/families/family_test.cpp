@@ -4,6 +4,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "bench/sweep/experiment.h"
 #include "tests/catch.h"
 #include "tests/families/model_checks.h"
 
@@ -11,6 +12,34 @@ namespace cnrg::bench {
 namespace {
 
 using Catch::Contains;
+
+/// Families of this source, as their experiments have them.
+struct Family {
+  std::string name;
+  std::vector<std::string> operations;
+  std::vector<long> sizes;
+  bool has_distance = false;
+  int seeds = 1;
+};
+
+const std::vector<Family>& families() {
+  static const std::vector<Family> all = [] {
+    std::vector<Family> made;
+    std::set<std::string> used;
+    for (const std::string& name : experiment_names()) {
+      const Experiment e = read_experiment(name, {}, used);
+      if (e.family.empty()) continue;
+      CHECK(e.family == name);
+      CHECK_FALSE(e.title.empty());
+      Family& family = made.emplace_back(Family{name, e.parameter("operation")->values, {}});
+      for (const std::string& size : e.parameter("size")->values) family.sizes.push_back(std::stol(size));
+      family.has_distance = e.parameter("k") != nullptr;
+      family.seeds = static_cast<int>(e.parameter("seed")->values.size());
+    }
+    return made;
+  }();
+  return all;
+}
 
 const Family& family_of(const std::string& name) {
   for (const Family& family : families())
@@ -44,7 +73,6 @@ TEST_CASE("every family makes valid problems, the same each time", "[families]")
   std::set<std::string> names;
   for (const Family& family : families()) {
     CHECK(names.insert(family.name).second);
-    CHECK_FALSE(family.title.empty());
     CHECK(std::is_sorted(family.sizes.begin(), family.sizes.end()));
     for (const std::string& operation : family.operations) {
       for (const long size : small_sizes(family)) {
@@ -266,32 +294,6 @@ TEST_CASE("families that are no pairs are as they say", "[families]") {
   const Problem fractures = make_problem(id_of("fractures", 30, std::nullopt, 1));
   CHECK(fractures.operands.size() == 35);
   CHECK(fractures.steps.back() == Operation::intersect);
-}
-
-TEST_CASE("names of problems", "[families]") {
-  for (const Family& family : families()) {
-    for (const auto distance : some_distances(family)) {
-      for (const std::string& operation : family.operations) {
-        const ProblemId id{family.name, operation, family.sizes.back(), distance, 12};
-        const ProblemId read = ProblemId::parse(id.name());
-        CHECK(read.name() == id.name());
-        CHECK(read.family == id.family);
-        CHECK(read.operation == id.operation);
-        CHECK(read.size == id.size);
-        CHECK(read.distance == id.distance);
-        CHECK(read.seed == id.seed);
-      }
-    }
-  }
-  CHECK(ProblemId{"edge", "union", 1, 7, 3}.name() == "edge-union-s1-k7-r3");
-  for (const char* text :
-       {"", "edge", "edge-union", "edge-union-s1", "edge-union-s1-r3", "edge-union-s1-k7", "edge-union-s1-k7-r",
-        "edge-union-s1-k7-r3-", "edge-union-s1-k7-r3x", "edge-union-s-k7-r3", "edge-union-s1-kfar-r3",
-        "edge-union-s1-k-r3", "edge-melt-s1-k7-r3", "-union-s1-k7-r3", "edge-union-s01-k7-r3",
-        "edge-union-s1-k7-r-3", "edge-union-s1-k7-r99999999999", "edge-union-s1-k+7-r3", "edge-union-s1-k7-r3 "}) {
-    INFO(text);
-    CHECK_THROWS_AS(ProblemId::parse(text), std::runtime_error);
-  }
 }
 
 TEST_CASE("problems that a family does not have", "[families]") {

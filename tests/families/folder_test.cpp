@@ -64,8 +64,8 @@ TEST_CASE("files that belong together are one problem", "[families]") {
   CHECK(pair.operands[0] == pair.operands[1]);
   CHECK(pair.steps == std::vector{Operation::unite});
   CHECK(folder.problem("files-difference-zA.off-zB.off").steps == std::vector{Operation::subtract});
-  CHECK(folder_problems(folder.path(), {"intersection", "union"}).size() == 2 * names.size());
-  CHECK(folder_problems(folder.path(), {"intersection"})[1] == "files-intersection-a_b.off_2");
+  CHECK_THROWS_WITH(folder_problems(folder.path(), "fold"), Contains("'fold' is no operation"));
+  CHECK(folder_problems(folder.path(), "intersection")[1] == "files-intersection-a_b.off_2");
   CHECK_THROWS_WITH(folder.problem("files-union-none"), Contains("files-union-none"));
   CHECK_THROWS_WITH(folder.problem("files-fold-zA.off-zB.off"), Contains("files-fold-zA.off-zB.off"));
   CHECK_THROWS_WITH(folder_problems(folder.path() + "/none"), Contains("is no folder"));

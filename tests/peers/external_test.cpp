@@ -46,7 +46,7 @@ class Workshop {
     return file("program");
   }
   System program(const std::string& script) const {
-    return bench::external_system("script", executable(script), 0x1p-50);
+    return bench::external_system("script", {executable(script)}, 0x1p-50);
   }
 
  private:
@@ -130,7 +130,7 @@ TEST_CASE("a program that fails or writes nothing refuses; one that a signal end
   check("exit 0", "no result");
   const System script = workshop.program("echo \"terminate: std::bad_alloc\" >&2; exit 134");
   CHECK_THROWS_AS(script.evaluate(kProblem), std::bad_alloc);
-  const System none = bench::external_system("none", workshop.file("none"), 0);
+  const System none = bench::external_system("none", {workshop.file("none")}, 0);
   CHECK_THROWS_AS(none.evaluate(kProblem), std::runtime_error);
   const Problem with_point = pair_of(box({0, 0, 0}, {1, 1, 1}), Operation::unite, point({2, 2, 2}));
   CHECK(refusal_of(script, with_point).first == "input");

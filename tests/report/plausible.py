@@ -51,8 +51,8 @@ COSTS = [(6e-6, 1.03, 420), (2e-6, 1.9, 300), (9e-5, 1.95, 900), (5e-4, 1.12, 16
 def right_row(system, family, size=1, seed=1, **members):
     """A row that is right, without a distance, with other members as they are given."""
     problem = f"{family}-union-s{size}-r{seed}"
-    return {"problem": problem, "family": family, "operation": "union", "size": size, "distance": None,
-            "has_distance": False, "seed": seed, "operands": 2, "triangles": 24 * size, "system": system,
+    return {"problem": problem, "family": family, "values": {"seed": str(seed)}, "operation": "union", "size": size,
+            "distance": None, "warm": [], "has_distance": False, "seed": seed, "operands": 2, "triangles": 24 * size, "system": system,
             "verdict": "same", "stage": "", "message": "", "stages": [], "seconds": 1.0, "peak_bytes": 3000000,
             "own_bytes": 1000000, "exact_share": -1.0, "note": "", "facts": None, "excess": 0.0, "missing": 0.0,
             "duplicates": 0, "truth": {"facts": FACTS, "confirmed": "Nef", "reason": ""}, "limit_seconds": LIMIT,
@@ -130,12 +130,11 @@ class Sweep:
     def __init__(self, families, systems, seeds=1):
         draw = random.Random(7).random
         self.systems = [dict(info) for info in SYSTEMS[:systems]]
-        self.families = [{"name": name, "title": title, "size_means": means}
+        self.families = [{"name": name, "title": title, "size_means": means, "distance_means": "distance to the degenerate position, as a part of the operands' size", "growth": "triangles"}
                          for name, title, means, *_ in FAMILIES[:families]]
         self.machine = {"cpu": "Intel Xeon Platinum 8370C at 2.80 GHz", "cores": 2, "memory_bytes": 8000000000,
                         "system": "Debian GNU/Linux 12, Linux 6.1", "compiler": "g++ 12.2.0 -O3",
-                        "commit": "0123abcd", "date": "2026-11-21", "limit_seconds": LIMIT,
-                        "limit_bytes": 4000000000, "command": "bench/run all", "left_out": []}
+                        "commit": "0123abcd", "date": "2026-11-21", "command": "bench/run all", "left_out": []}
         self.rows = [row for family in FAMILIES[:families] for row in _rows_of(family, systems, seeds, draw)]
 
     def write(self, folder):

@@ -132,8 +132,8 @@ class Figures(unittest.TestCase):
         self.assertEqual(decades([2e4, 3e5])[1], 6)
         experiment = make_experiment([right_row("a & b", "f")], [], [], None)
         for e in range(-9, 10):
-            ends = [GrowthPoint(size, 1, 1, factor * 10.0 ** e, factor * 10.0 ** e, 1.0)
-                    for size, factor in ((1, 1.5), (2, 500))]
+            ends = [GrowthPoint(size, 1, 1, y, y, y, 1.0, y, (y, y), (1.0, 1.0))
+                    for size, y in ((1, 1.5 * 10.0 ** e), (2, 500 * 10.0 ** e))]
             study = GrowthStudy("f", [GrowthCurve("a & b", ends, None, None)])
             svg = drawn(growth_figure(experiment, "ours", study, "time", "seconds", 1, "seconds"), "svg")
             ticks = [words.decade_text(tick) for tick in range(e, e + 4)]

@@ -54,16 +54,20 @@ class Program(unittest.TestCase):
         self.write("rows/.x.json", "no row")
         self.write("rows/notes.txt", "no row")
         ended = self.run_report("rows", "-o", "page.html", "--json", "page.json", "--figures", "figures",
-                                "--title", "A title")
+                                "--tables", "tables", "--title", "A title")
         self.assertEqual((ended.returncode, ended.stdout, ended.stderr), (0, "", ""))
         page = self.read("page.html")
         ET.fromstring(page)
+        table = self.read("tables/verdicts.tex")
+        self.assertEqual(table.count("\\\\\n"), 1 + 3)
+        self.assertIn("M\u00e4ntyl\u00e4, double & ", table)
+        self.assertRegex(table, r"\d \\% \(\d")
         for text in "<h1>A title</h1>", "Mäntylä, exact", "two boxes that share a whole face":
             self.assertIn(text, page)
         report = json.loads(self.read("page.json"))
         self.assertEqual(len(report["rows"]), 2 * 3 * 18 * 3)
         self.assertEqual(report["machine"]["date"], "2026-11-21")
-        self.assertEqual(self.written(), ["figures", "page.html", "page.json"])
+        self.assertEqual(self.written(), ["figures", "page.html", "page.json", "tables"])
         figures = sorted(path.name for path in (self.folder / "figures").iterdir())
         self.assertEqual(figures, sorted(f"{name}.{ending}" for ending in ("csv", "pdf", "svg") for name in (
             "failures", "failures-by-family", "time-ratios", "memory-ratios")))

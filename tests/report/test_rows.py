@@ -8,10 +8,10 @@ from plausible import FACTS, Sweep, right_row, system_info
 from rows import FAILURES, CLASS_OF, VERDICTS, Unread, make_experiment, read_experiment, row_of
 
 # Every member has a value of its own.
-FULL = {"problem": "edge-union-s4-k7-r3", "family": "edge", "operation": "union", "size": 4, "distance": 7,
+FULL = {"problem": "edge-union-s4-k7-r3", "family": "edge", "values": {"k": "7"}, "operation": "union", "size": 4, "distance": 7,
         "has_distance": True, "seed": 3, "operands": 5, "triangles": 60, "system": "mantyla-double",
         "verdict": "contact-duplicated", "stage": "connecting", "message": "\"loose\" ends: <2> & ä",
-        "stages": [{"name": "read", "seconds": 0.1}, {"name": "Boolean", "seconds": 1 / 3}], "seconds": 0.1 + 1 / 3,
+        "stages": [{"name": "read", "seconds": 0.1}, {"name": "Boolean", "seconds": 1 / 3}], "warm": [0.25, 0.5], "seconds": 0.1 + 1 / 3,
         "peak_bytes": 5000000001, "own_bytes": 77, "exact_share": 1e-5, "note": "a note",
         "facts": FACTS | {"volume": "-7/3", "genus": -1}, "excess": 0.25, "missing": 1e-17, "duplicates": 13,
         "truth": {"facts": FACTS, "confirmed": "volume", "reason": "Nef ran out of memory"}, "limit_seconds": 60.0,
@@ -64,7 +64,7 @@ class Rows(unittest.TestCase):
                 self.assertIn(f"`{member}`" if member != "truth" else "truth", self.fault_with(**{member: None}))
         self.assertEqual(self.fault_with(truth=None), "the truth is no JSON object")
         self.assertEqual(self.fault_with(truth=FULL["truth"] | {"confirmed": "me"}),
-                         "member `confirmed` of the truth is not one of Nef, volume, none, DISAGREES")
+                         "member `confirmed` of the truth is not one of Nef, node, formula, volume, none, DISAGREES")
         self.assertEqual(self.fault_with(facts={}), "the facts has no member `volume`")
         self.assertEqual(self.fault_with(verdict="Same"), "member `verdict` of the row is not a known verdict")
         self.assertEqual(self.fault_with(seconds=-1), "member `seconds` of the row is not a number from 0")
@@ -72,7 +72,7 @@ class Rows(unittest.TestCase):
         self.assertEqual(self.fault_with(seed=-1), "member `seed` of the row is not a number in its range")
         self.assertEqual(self.fault_with(seed=5000000000), "member `seed` of the row is not a number in its range")
         self.assertEqual(self.fault_with(size=1.5), "member `size` of the row is not a whole number")
-        self.assertIn("member `distance` of the row is not null or", self.fault_with(distance=17))
+        self.assertIn("member `distance` of the row is not null or", self.fault_with(distance=301))
         self.assertIn("member `distance` of the row is not null or", self.fault_with(has_distance=False))
         self.assertEqual(self.fault_with(stages=[{"name": "x"}]), "a stage has no member `seconds`")
 
@@ -86,7 +86,7 @@ class Rows(unittest.TestCase):
     def test_ours_comes_first_then_the_order_of_the_description_then_names(self):
         experiment = make_experiment(
             [right_row("b10", "f10"), right_row("b9", "f9"), right_row("ours", "f9"), right_row("z", "g")],
-            [system_info("z", "Z"), system_info("ours", "O")], [{"name": "g", "title": "G", "size_means": ""}], None)
+            [system_info("z", "Z"), system_info("ours", "O")], [{"name": "g", "title": "G", "size_means": "", "distance_means": "", "growth": ""}], None)
         self.assertEqual(list(experiment.system), ["ours", "z", "b9", "b10"])
         self.assertEqual(list(experiment.family), ["g", "f9", "f10"])
         self.assertEqual(experiment.rows[0]["system"], "z")

@@ -126,11 +126,21 @@ class Aggregates(unittest.TestCase):
         self.assertEqual((ours.system, a.system), ("ours", "a"))
         self.assertEqual(len(ours.points), 3)
         self.assertEqual(vars(ours.points[1]),
-                         {"size": 10, "runs": 4, "right": 3, "triangles": 240, "seconds": 0.1, "own_bytes": 10000})
+                         {"size": 10, "runs": 4, "right": 3, "triangles": 240, "place": 240, "seconds": 0.1,
+                          "own_bytes": 10000, "cold_seconds": 0.1, "seconds_quartiles": (0.05 * 1.5, 0.5),
+                          "own_bytes_quartiles": (10000, 10000)})
         self.assertAlmostEqual(ours.time.exponent, 2)
         self.assertAlmostEqual(ours.memory.exponent, 1)
         self.assertEqual(len(a.points), 2)
         self.assertIsNone(a.time)
+
+    def test_overhead_is_not_fitted_and_warm_runs_count(self):
+        rows = [right_row("ours", "f", size, seconds=9.0, warm=[max(0.1, 1e-3 * size ** 2)] * 3)
+                for size in (1, 2, 4, 8, 10, 20, 40)]
+        curve, = summary_of(rows).growth[0].curves
+        self.assertEqual(curve.time.points, 3)
+        self.assertAlmostEqual(curve.time.exponent, 2)
+        self.assertEqual([curve.points[0].seconds, curve.points[0].cold_seconds], [0.1, 9])
 
     def test_ratios_on_problems_that_both_did_right(self):
         rows = []
@@ -160,7 +170,7 @@ class Aggregates(unittest.TestCase):
         self.assertAlmostEqual(f.median, 0.2)
         self.assertEqual((f.most, g.runs, summary.exact_share.runs), (0.3, 1, 3))
         self.assertAlmostEqual(summary.exact_share.median, 0.2)
-        self.assertEqual([truth.problems for truth in summary.truths], [1, 1, 1, 1])
+        self.assertEqual([truth.problems for truth in summary.truths], [1, 0, 0, 1, 1, 1])
         self.assertEqual(summary.disagreements, [("g-union-s1-r4", "Nef has volume 7")])
         self.assertEqual(summary.limit_seconds, (10, 40))
 

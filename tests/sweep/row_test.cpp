@@ -18,6 +18,8 @@ SweepRow full_row() {
   row.family = "edge";
   row.operation = "union";
   row.size = 4;
+  row.values = {{"k", "7"}, {"node", "a b"}};
+  row.warm = {0.5, 0.25};
   row.distance = 7;
   row.has_distance = true;
   row.seed = 3;
@@ -74,6 +76,8 @@ TEST_CASE("a row comes back as it was") {
   const SweepRow back = row_of_json(text);
   CHECK(to_json(back) == text);
   CHECK(back.problem == row.problem);
+  CHECK(back.values == row.values);
+  CHECK(back.warm == row.warm);
   CHECK(back.distance == 7);
   CHECK(back.has_distance);
   CHECK(back.verdict == Verdict::contact_duplicated);
@@ -137,7 +141,7 @@ TEST_CASE("what is no row is named") {
   CHECK(error_of(with("seed", -1)) == "member `seed` of the row is not a number in its range");
   CHECK(error_of(with("seed", 5000000000)) == "member `seed` of the row is not a number in its range");
   CHECK(error_of(with("size", 1.5)) == "member `size` of the row is not a whole number");
-  CHECK(error_of(with("distance", 17)).find("member `distance` of the row is not null or") == 0);
+  CHECK(error_of(with("distance", 301)).find("member `distance` of the row is not null or") == 0);
   CHECK(error_of(with("has_distance", false)).find("member `distance` of the row is not null or") == 0);
   CHECK(error_of(with("stages", {{{"name", "x"}}})) == "a stage has no member `seconds`");
 }

@@ -48,26 +48,26 @@ TEST_CASE("bad input has one clear line", "[sweep]") {
     CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
     CHECK(o.err.find(with) != std::string::npos);
   };
-  fails("trned", "'trned' is no family");
+  fails("trned", "'trned' is no experiment, file or folder; did you mean `turned`?");
   fails("", "--list");
   fails("turned --systems ours,nex", "there is no system 'nex'");
-  fails("turned --distances 17", "'17' is no distance");
-  fails("turned --operations fold", "'fold' is no operation here; there are");
+  fails("turned -D k=17", "0 to 16");
+  fails("turned -D operation=fold", "no operation 'fold'");
   // What would be ignored.
-  fails("edge-union-s4-k7-r3 --seeds 2", "--seeds means nothing for problems that are named one by one");
-  fails("edge-union-s4-k7-r3 --operations union", "--operations means nothing");
-  for (const char* option : {"--sizes 2", "--distances 3", "--seeds 2", "--first-seed 2"})
-    fails("meshes " + std::string(option), "means nothing for a folder of meshes: leave it out");
-  fails("turned --one turned-union-s1-k9-r2 ours", "means nothing with --one");
-  for (const char* option : {"--sizes 2", "--limit 3", "--systems nef", "--units", "--seeds 2"})
+  fails("turned -D n=2", "-D n: no experiment here has this parameter");
+  fails("boxes -D k=2", "-D k: no experiment here has this parameter");
+  for (const char* option : {"size=2", "k=3", "seed=2"})
+    fails("meshes -D " + std::string(option), "no experiment here has this parameter");
+  for (const char* option : {"--limit 3", "--systems nef", "--dry-run"})
     fails("--one turned-union-s1-k9-r2 ours " + std::string(option), "means nothing with --one: leave it out");
-  fails("turned-fold-s1-k9-r2 --units", "family 'turned' has no operation 'fold'");
-  fails("all turned --units --limit 1", "named twice");
-  fails("meshes --operations fold", "there are difference, intersection, union");
+  fails("turned --keep out", "it needs --one");
+  fails("all turned --dry-run --limit 1", "is there twice");
+  fails("meshes -D operation=fold", "'fold' is no operation");
+  for (const char* values : {"seed", "seed=", "seed=1..x", "seed=3..1", "=3", "seed=1..0.5"})
+    fails("turned -D " + std::string(values), values);
   fails("turned --jobs 0", "--jobs");
   fails("turned turned", "twice");
   fails("nothing", "holds no OFF, OBJ, STL or PLY file");
-  fails("turned nothing", "alone");
   fails("turned --system me=no/such/program", "there is no such program");
   fails("turned --system me", "NAME=PROGRAM");
   fails("turned --system truth=/bin/true", "no name of a system");
@@ -75,17 +75,17 @@ TEST_CASE("bad input has one clear line", "[sweep]") {
   fails("turned --system ours=/bin/true", "there is a system 'ours' already");
   fails("turned --system me=/bin/true:inf", "no rounding");
   fails("turned --seconds nan", "--seconds");
-  fails("turned --operations union,foo", "'foo' is no operation");
-  fails("--systems ours trned", "'trned' is no family");
-  fails("--one turned-union-s1 ours", "turned-union-s1");
+  fails("--systems ours trned", "'trned' is no experiment");
+  fails("--one turned-union-s1 ours", "there is no problem 'turned-union-s1'");
+  fails("--one trned-union-s1 ours", "name its file before --one");
 }
 
 TEST_CASE("a sweep that is killed goes on, and nothing is lost or there twice", "[sweep]") {
   const Workshop w;
   const std::string arguments =
-      "edge --operations union --distances exact,3,16 --seeds 2 --sizes 4 "
+      "edge -D operation=union -D k=exact,3,16 -D seed=1,2 -D size=4 "
       "--systems ours,mantyla-double,mantyla-exact,corefinement --out out --quiet --jobs 2";
-  const Outcome units = w.run(arguments + " --units");
+  const Outcome units = w.run(arguments + " --dry-run");
   REQUIRE(units.status == 0);
   const auto count = static_cast<std::size_t>(std::count(units.out.begin(), units.out.end(), '\n'));
   REQUIRE(count == 3 * 2 * 4);
@@ -125,7 +125,7 @@ TEST_CASE("only one sweep has a folder at a time", "[sweep]") {
   w.write("slow", "#!/bin/sh\nsleep 20\n");
   fs::permissions(w.path("slow"), fs::perms::owner_all);
   const std::string arguments =
-      "turned --operations union --distances exact --seeds 1 --system slow=slow "
+      "turned -D operation=union -D k=exact -D seed=1 --system slow=slow "
       "--systems slow --out out --quiet";
   const Outcome o = w.shell("('" CNRG_PROGRAM "' " + arguments +
                             " >/dev/null 2>&1 & echo $! > pid); sleep 1; '" CNRG_PROGRAM "' " + arguments +
@@ -145,7 +145,7 @@ TEST_CASE("programs of the user: slow, greedy, crashing, refusing", "[sweep]") {
                                program("refuse", "echo I cannot >&2; exit 3") +
                                program("first", "cp \"$2\" \"$4\"");
   const Outcome o = w.run(
-      "face --operations union --distances exact --seeds 1 --sizes 4 --systems "
+      "face -D operation=union -D k=exact -D seed=1 -D size=4 --systems "
       "slow,crash,refuse,first --seconds 2 --out out --quiet" +
       programs);
   INFO(o.err);
@@ -169,7 +169,7 @@ TEST_CASE("what a program started ends with its run", "[sweep]") {
   w.write("slow", "#!/bin/sh\nsleep 54321.5 &\necho $! >> '" + w.path("pids").string() + "'\nsleep 30\n");
   w.write("left", "#!/bin/sh\nsleep 54321.5 &\necho $! >> '" + w.path("pids").string() + "'\nexit 1\n");
   for (const char* name : {"slow", "left"}) fs::permissions(w.path(name), fs::perms::owner_all);
-  REQUIRE(w.run("face --operations union --distances exact --seeds 1 --sizes 4 --systems slow,left --system "
+  REQUIRE(w.run("face -D operation=union -D k=exact -D seed=1 -D size=4 --systems slow,left --system "
                 "slow=slow --system left=left --seconds 1 --out out --quiet")
               .status == 0);
   std::istringstream pids(w.read("pids"));
@@ -192,13 +192,13 @@ TEST_CASE("programs join a sweep that is there, and keep their names", "[sweep]"
   w.write("mine", "#!/bin/sh\ncp \"$2\" \"$4\"\n");
   w.write("other", "#!/bin/sh\ncp \"$3\" \"$4\"\n");
   for (const char* name : {"mine", "other"}) fs::permissions(w.path(name), fs::perms::owner_all);
-  const std::string arguments = "face --operations union --distances exact --seeds 1 --sizes 4 --out out --quiet ";
+  const std::string arguments = "face -D operation=union -D k=exact -D seed=1 -D size=4 --out out --quiet ";
   REQUIRE(w.run(arguments + "--systems ours").status == 0);
   REQUIRE(w.run(arguments + "--systems ours --system mine=mine").status == 0);
   CHECK(rows_of(w, "out").size() == 2);
   const Outcome o = w.run(arguments + "--systems ours --system mine=other");
   CHECK(o.status == 2);
-  CHECK(o.err.find("a program mine") != std::string::npos);
+  CHECK(o.err.find("another program mine") != std::string::npos);
   const Json machine = Json::parse(w.read("out/rows/machine.json"));
   CHECK(machine.at("command").get<std::string>().find("--system mine=mine") != std::string::npos);
 }
@@ -229,7 +229,7 @@ TEST_CASE("a folder of meshes; a broken one is left out", "[sweep]") {
 TEST_CASE("the workflow makes the same rows, with several jobs; then the report", "[sweep]") {
   const Workshop w;
   const std::string sweep =
-      "vertex --operations union,intersection --distances exact,6 --seeds 1 --sizes 4 "
+      "vertex -D operation=union,intersection -D k=exact,6 -D seed=1 -D size=4 "
       "--systems ours,mantyla-exact";
   REQUIRE(w.run(sweep + " --out plain --quiet --jobs 2").status == 0);
   fs::create_directories(w.path("flow"));
