@@ -73,10 +73,12 @@ Setup setup_of(const Options& options) {
   for (const std::string& name : names) {
     Experiment experiment = read_experiment(name, given, used);
     for (const Experiment& other : setup.experiments)
-      if (other.name == experiment.name) throw std::runtime_error("the experiment " + other.name + " is there twice");
+      if (other.name == experiment.name)
+        throw std::runtime_error("the experiment " + other.name + " is there twice");
     for (const ProgramSystem& program : experiment.programs) {
       System system = external_system(program.name, program.words, program.rounding);
-      add_system(setup, program.rescale ? rescaled(std::move(system), *program.rescale, program.rounding) : system);
+      add_system(setup,
+                 program.rescale ? rescaled(std::move(system), *program.rescale, program.rounding) : system);
     }
     for (const std::string& system : experiment.systems) setup.system(system);
     std::vector<Experiment::Named> problems = experiment.problems();
@@ -124,7 +126,9 @@ void list_all(const Setup& setup) {
     for (const Parameter& p : e.parameters) {
       std::string values;
       for (std::size_t i = 0; i < p.values.size(); ++i)
-        values += (i == 0 ? "" : i > 7 && i + 1 < p.values.size() ? "" : ", ") +
+        values += (i == 0                             ? ""
+                   : i > 7 && i + 1 < p.values.size() ? ""
+                                                      : ", ") +
                   (i > 7 && i + 1 < p.values.size() ? (i == 8 ? ", ..." : "") : p.values[i]);
       std::printf("  %-14s %s: %s%s\n", "", p.name.c_str(), values.c_str(),
                   p.means.empty() ? "" : (" (" + p.means + ")").c_str());
@@ -143,7 +147,8 @@ std::string own_experiment(const std::string& problem) {
   for (const std::string& name : experiment_names())
     if (problem.starts_with(name + "-") && name.size() > found.size()) found = name;
   if (found.empty())
-    throw std::runtime_error("'" + problem + "' is no problem of an experiment of this source; name its file before --one");
+    throw std::runtime_error("'" + problem +
+                             "' is no problem of an experiment of this source; name its file before --one");
   return found;
 }
 
@@ -191,7 +196,8 @@ std::string duration(double seconds) {
 /// Problems with the systems that get them.
 std::vector<Unit> planned_units(const Setup& setup, const Options& options) {
   std::vector<std::vector<std::string>> systems;
-  for (const Experiment& experiment : setup.experiments) systems.push_back(chosen_systems(setup, options, experiment));
+  for (const Experiment& experiment : setup.experiments)
+    systems.push_back(chosen_systems(setup, options, experiment));
   std::vector<Unit> units;
   for (const Setup::Planned& planned : setup.problems)
     for (const std::string& system : systems[planned.experiment]) units.push_back({planned.problem.name, system});
@@ -267,7 +273,8 @@ Store::LeftOut check_problems(Setup& setup) {
   if (left_out.size() == setup.problems.size()) throw std::runtime_error(left_out[0].second);
   for (const auto& [problem, reason] : left_out) {
     say("left out: " + problem + ": " + reason);
-    std::erase_if(setup.problems, [&, &name = problem](const auto& planned) { return planned.problem.name == name; });
+    std::erase_if(setup.problems,
+                  [&, &name = problem](const auto& planned) { return planned.problem.name == name; });
   }
   return left_out;
 }
@@ -281,7 +288,8 @@ int sweep(const Options& options) {
   const Store::LeftOut left_out = check_problems(setup);
   const std::vector<Unit> planned = planned_units(setup, options);
   if (options.dry_run) {
-    for (const Unit& unit : planned) std::printf("%s\t%s\n", shown(unit.problem).c_str(), shown(unit.system).c_str());
+    for (const Unit& unit : planned)
+      std::printf("%s\t%s\n", shown(unit.problem).c_str(), shown(unit.system).c_str());
     return 0;
   }
   for (const System& system : setup.systems)
@@ -362,7 +370,8 @@ int main(int argc, char** argv) try {
       "makes a\n"
       "problem of each two files that belong together by their names (x_left and x_right, src-x and cut-x, xA and "
       "xB),\n"
-      "and of each other file with its copy turned about its middle. An open mesh is a surface. A report shows all\n"
+      "and of each other file with its copy turned about its middle. An open mesh is a surface. A report shows "
+      "all\n"
       "rows of its folder: give each experiment its own --out.\n"
       "A program of your own is called as PROGRAM OPERATION A.off B.off OUT.off, with `union`, `intersection` or\n"
       "`difference`, and ends with status 0 when OUT.off is written. ROUNDING (1e-12) is how far its points may "
@@ -384,7 +393,8 @@ int main(int argc, char** argv) try {
       ->check(CLI::Range(1, 1000000000));
   program.add_option("--out", options.out, "Folder of the rows (out/sweep)")->type_name("FOLDER");
   program.add_option("--jobs", options.jobs, "Runs at a time (1)")->check(CLI::Range(1, 1024));
-  program.add_option("--seconds", options.seconds, "Time limit of a run, in place of the experiment's (60)")->check(number_between(0.01, 1e5));
+  program.add_option("--seconds", options.seconds, "Time limit of a run, in place of the experiment's (60)")
+      ->check(number_between(0.01, 1e5));
   program.add_option("--gigabytes", options.gigabytes, "Memory limit of a run, in place of the experiment's (4)")
       ->check(number_between(0.01, 1e4));
   program.add_option("--commit", options.commit, "Of the sources, for the report");
@@ -401,9 +411,10 @@ int main(int argc, char** argv) try {
       ->expected(2)
       ->type_name("PROBLEM SYSTEM");
   program
-      .add_option("--keep", options.keep,
-                  "With --one: a folder for a tree of the operands, the exact result, that of the system, and what "
-                  "differs")
+      .add_option(
+          "--keep", options.keep,
+          "With --one: a folder for a tree of the operands, the exact result, that of the system, and what "
+          "differs")
       ->type_name("FOLDER");
   return command(program, argc, argv, [&] { return run(options); });
 } catch (const std::bad_alloc&) {  // for the options

@@ -36,23 +36,6 @@ const FamilyMaker& maker_of(const std::string& name) {
   throw std::runtime_error("no family of problems is called '" + name + "'; there are " + list(known));
 }
 
-void check(const FamilyMaker& maker, const ProblemId& id) {
-  const std::string& family = maker.name;
-  const auto& operations = maker.operations;
-  if (std::find(operations.begin(), operations.end(), id.operation) == operations.end())
-    throw std::runtime_error("family '" + family + "' has no operation '" + id.operation + "'; it has " +
-                             list(operations));
-  if (id.size < maker.smallest || id.size > maker.largest)
-    throw std::runtime_error("family '" + family + "' has no size " + std::to_string(id.size) + "; sizes are " + std::to_string(maker.smallest) + " to " +
-                             std::to_string(maker.largest));
-  if (!id.distance) return;
-  if (!maker.has_distance)
-    throw std::runtime_error("family '" + family + "' has no distance to degeneracy; leave it out");
-  if (*id.distance < 0 || *id.distance > kLargestExponent)
-    throw std::runtime_error("distance 10^-" + std::to_string(*id.distance) + " is none: k is from 0 to " +
-                             std::to_string(kLargestExponent));
-}
-
 }  // namespace
 
 bool Problem::solids() const {
@@ -77,7 +60,23 @@ Problem make_problem(const ProblemId& id) {
   return problem;
 }
 
-void check_problem(const ProblemId& id) { check(maker_of(id.family), id); }
+void check_problem(const ProblemId& id) {
+  const FamilyMaker& maker = maker_of(id.family);
+  const std::string& family = maker.name;
+  const auto& operations = maker.operations;
+  if (std::find(operations.begin(), operations.end(), id.operation) == operations.end())
+    throw std::runtime_error("family '" + family + "' has no operation '" + id.operation + "'; it has " +
+                             list(operations));
+  if (id.size < maker.smallest || id.size > maker.largest)
+    throw std::runtime_error("family '" + family + "' has no size " + std::to_string(id.size) + "; sizes are " +
+                             std::to_string(maker.smallest) + " to " + std::to_string(maker.largest));
+  if (!id.distance) return;
+  if (!maker.has_distance)
+    throw std::runtime_error("family '" + family + "' has no distance to degeneracy; leave it out");
+  if (*id.distance < 0 || *id.distance > kLargestExponent)
+    throw std::runtime_error("distance 10^-" + std::to_string(*id.distance) + " is none: k is from 0 to " +
+                             std::to_string(kLargestExponent));
+}
 
 Operation operation_of(const ProblemId& id) {
   if (const auto operation = parse_operation(id.operation)) return *operation;

@@ -1,7 +1,7 @@
 // Families of problems for experiments on robustness: each by a size, a seed and a distance to degeneracy.
 //
-// A problem is a fold: ((m0 op1 m1) op2 m2) ... . The families of this source are made by `ProblemId`; which ones a
-// sweep has is said in bench/experiments.
+// A problem is a fold: ((m0 op1 m1) op2 m2) ... . The families of this source are made by `ProblemId`; which ones
+// a sweep has is said in bench/experiments.
 #pragma once
 
 #include <optional>

@@ -195,7 +195,8 @@ std::vector<std::string> folder_problems(const std::string& folder, const std::s
   if (!parse_operation(operation))
     throw std::runtime_error("'" + operation + "' is no operation; there are union, difference, intersection");
   std::vector<std::string> names;
-  for (const auto& [name, files] : problem_files(folder)) names.push_back(std::string(kPrefix) + operation + "-" + name);
+  for (const auto& [name, files] : problem_files(folder))
+    names.push_back(std::string(kPrefix) + operation + "-" + name);
   return names;
 }
 

@@ -75,11 +75,13 @@ void add_fold(const Tree& tree, NodeId id, Fold& fold) {
 Fold fold_of(const Tree& tree, NodeId id) {
   const Node& node = tree.nodes[id];
   if (tree.weld)
-    throw TreeError(tree.file, tree.weld_at, "other systems do not weld: leave `weld` out, or weld the meshes before");
+    throw TreeError(tree.file, tree.weld_at,
+                    "other systems do not weld: leave `weld` out, or weld the meshes before");
   if (!is_plain(node))
     fail(tree, node,
-         "`" + node.name + "` is no union, intersection or difference alone, as other systems have them; name one "
-         "without a transform and `regularize`");
+         "`" + node.name +
+             "` is no union, intersection or difference alone, as other systems have them; name one "
+             "without a transform and `regularize`");
   Fold fold;
   add_fold(tree, id, fold);
   if (fold.steps.empty()) fail(tree, node, "`" + node.name + "` has one operand; a problem has two or more");
@@ -110,8 +112,8 @@ std::optional<Model> drawn_leaf(const Node& node) {
   for (std::size_t p = 0; p < soup.point_count(); ++p) {
     const double* const xyz = soup.xyz(PointId(p));
     const RationalPoint* const exact = soup.rational(PointId(p));
-    model.points.push_back(exact != nullptr ? *exact
-                                            : RationalPoint{from_double(xyz[0]), from_double(xyz[1]), from_double(xyz[2])});
+    model.points.push_back(
+        exact != nullptr ? *exact : RationalPoint{from_double(xyz[0]), from_double(xyz[1]), from_double(xyz[2])});
   }
   for (std::size_t f = 0; f < soup.face_count(); ++f) {
     Model::Face& face = model.faces.emplace_back();
@@ -123,7 +125,8 @@ std::optional<Model> drawn_leaf(const Node& node) {
     }
   }
   for (const Soup::Wire& wire : soup.wires())
-    model.wires.push_back({static_cast<std::uint32_t>(wire.a.index()), static_cast<std::uint32_t>(wire.b.index())});
+    model.wires.push_back(
+        {static_cast<std::uint32_t>(wire.a.index()), static_cast<std::uint32_t>(wire.b.index())});
   for (const Soup::Isolated& point : soup.isolated())
     model.isolated.push_back(static_cast<std::uint32_t>(point.point.index()));
   if (fill == Fill::winding && signed_volume(model) <= 0) return {};

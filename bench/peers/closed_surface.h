@@ -9,8 +9,8 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include "bench/peers/cgal_mesh.h"
 #include "bench/cases/face_loops.h"
+#include "bench/peers/cgal_mesh.h"
 #include "bench/peers/system.h"
 
 namespace cnrg::bench {

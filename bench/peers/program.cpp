@@ -146,7 +146,8 @@ bool on_path(const std::string& program) {
   return false;
 }
 
-ProgramRun run_program(const std::vector<std::string>& arguments, const TemporaryFolder& folder, const char* output) {
+ProgramRun run_program(const std::vector<std::string>& arguments, const TemporaryFolder& folder,
+                       const char* output) {
   std::vector<char*> words;
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);

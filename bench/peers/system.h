@@ -55,12 +55,13 @@ struct System {
 /// nothing to operands, but for occt-rescaled and openscad-rescaled, whose `guarantee` says what.
 std::vector<System> systems();
 
-/// The system with operands multiplied by a power of two that makes their largest coordinate 2^exponent or more; its
-/// results are divided by it, and its time is that of the system alone. Its title says so.
+/// The system with operands multiplied by a power of two that makes their largest coordinate 2^exponent or more;
+/// its results are divided by it, and its time is that of the system alone. Its title says so.
 System rescaled(System system, int exponent, double rounding);
 
-/// Any program: `PROGRAM... OPERATION A.off B.off OUT.off` for each step, status 0 when OUT.off is written; another
-/// status is a refusal with the last line that it wrote to standard error, a signal a crash. `rounding` as above.
+/// Any program: `PROGRAM... OPERATION A.off B.off OUT.off` for each step, status 0 when OUT.off is written;
+/// another status is a refusal with the last line that it wrote to standard error, a signal a crash. `rounding` as
+/// above.
 System external_system(const std::string& name, const std::vector<std::string>& program, double rounding);
 
 }  // namespace cnrg::bench

@@ -12,9 +12,9 @@
 #include <fstream>
 #include <unordered_map>
 
+#include "bench/cases/face_loops.h"
 #include "bench/peers/built_in.h"
 #include "bench/peers/cgal_mesh.h"
-#include "bench/cases/face_loops.h"
 #include "bench/peers/nef_file.h"
 #include "bench/peers/nef_parts.h"
 

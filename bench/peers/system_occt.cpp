@@ -28,8 +28,8 @@
 #include <map>
 #include <sstream>
 
-#include "bench/peers/built_in.h"
 #include "bench/cases/face_loops.h"
+#include "bench/peers/built_in.h"
 #include "bench/peers/triangles.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"

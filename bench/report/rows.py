@@ -150,7 +150,7 @@ _ROW = {"problem": _text, "family": _text, "values": _texts_by_name, "operation"
         "exact_share": _number, "note": _text,
         "facts": _or_null(_object("the facts", _FACTS)), "excess": _or_null(_number),
         "missing": _or_null(_number), "duplicates": _count, "truth": _object("the truth", _TRUTH),
-        "limit_seconds": _not_negative, "limit_bytes": _count, "command": _text}
+        "limit_seconds": _not_negative, "limit_bytes": _count, "load": _not_negative, "command": _text}
 _SYSTEM = {"name": _text, "title": _text, "guarantee": _text, "version": _text, "rounding": _not_negative,
            "regularized": _flag, "absent": _text}
 _FAMILY = {"name": _text, "title": _text, "size_means": _text, "distance_means": _text,

@@ -244,6 +244,7 @@ class Summary:
         self.exact_share = self._share("", everywhere) if everywhere else None
         self._count_truths(rows)
         seconds, sizes = [row["limit_seconds"] for row in rows], [row["limit_bytes"] for row in rows]
+        self.load = spread_of([row["load"] for row in rows])
         self.limit_seconds, self.limit_bytes = (min(seconds), max(seconds)), (min(sizes), max(sizes))
 
     def _by_place(self, values):

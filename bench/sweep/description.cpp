@@ -23,7 +23,9 @@ std::string to_json(const std::vector<SystemInfo>& systems) {
 std::string to_json(const std::vector<FamilyInfo>& families) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
   for (const FamilyInfo& f : families) {
-    out.push_back({{"name", f.name}, {"title", f.title}, {"size_means", f.size_means},
+    out.push_back({{"name", f.name},
+                   {"title", f.title},
+                   {"size_means", f.size_means},
                    {"distance_means", f.distance_means},
                    {"growth", f.growth}});
   }
@@ -31,15 +33,10 @@ std::string to_json(const std::vector<FamilyInfo>& families) {
 }
 
 std::string to_json(const MachineInfo& m) {
-  const nlohmann::ordered_json out{{"cpu", m.cpu},
-                                   {"cores", m.cores},
-                                   {"memory_bytes", m.memory_bytes},
-                                   {"system", m.system},
-                                   {"compiler", m.compiler},
-                                   {"commit", m.commit},
-                                   {"date", m.date},
-                                   {"command", m.command},
-                                   {"left_out", m.left_out}};
+  const nlohmann::ordered_json out{
+      {"cpu", m.cpu},       {"cores", m.cores},       {"memory_bytes", m.memory_bytes},
+      {"system", m.system}, {"compiler", m.compiler}, {"commit", m.commit},
+      {"date", m.date},     {"command", m.command},   {"left_out", m.left_out}};
   return json_text(out, 1);
 }
 
@@ -57,8 +54,8 @@ std::vector<FamilyInfo> families_of_json(const std::string& text) {
   std::vector<FamilyInfo> families;
   for (const nlohmann::json& object : list_of_json(text)) {
     const JsonFields in(object, "a family");
-    families.push_back({in.text("name"), in.text("title"), in.text("size_means"), in.text("distance_means"),
-                        in.text("growth")});
+    families.push_back(
+        {in.text("name"), in.text("title"), in.text("size_means"), in.text("distance_means"), in.text("growth")});
   }
   return families;
 }

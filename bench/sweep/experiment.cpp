@@ -156,7 +156,7 @@ std::vector<std::string> boolean_nodes(const Tree& tree) {
   return nodes;
 }
 
-Experiment read_file(const fs::path& path) {
+Experiment read_experiment_file(const fs::path& path) {
   Experiment experiment;
   experiment.name = file_word(path.stem().string());
   experiment.path = fs::absolute(path).lexically_normal().string();
@@ -168,12 +168,14 @@ Experiment read_file(const fs::path& path) {
     experiment.title = "each Boolean node of " + path.filename().string();
     experiment.nodes = boolean_nodes(parse_tree(experiment.text, path.string()));
     if (experiment.nodes.empty())
-      document.fail({}, "this tree has no union, intersection or difference with a name, which systems could be given");
+      document.fail(
+          {}, "this tree has no union, intersection or difference with a name, which systems could be given");
     return experiment;
   }
   const Value value(document, own, {});
   const Fields f(value, "x-experiment",
-                 {"title", "values", "nodes", "family", "program", "truth", "systems", "seconds", "gigabytes", "runs", "growth"});
+                 {"title", "values", "nodes", "family", "program", "truth", "systems", "seconds", "gigabytes",
+                  "runs", "growth"});
   experiment.title = f.at("title", "what is tried").text(f.name("title"));
   if (const Value* family = f.find("family")) experiment.family = family->text(f.name("family"));
   if (const Value* program = f.find("program")) {
@@ -181,14 +183,16 @@ Experiment read_file(const fs::path& path) {
     experiment.program[0] = fs::absolute(path.parent_path() / experiment.program[0]).lexically_normal().string();
   }
   if (!experiment.family.empty() + !experiment.program.empty() + root["nodes"].IsDefined() != 1)
-    value.fail("problems come from `nodes` of this file, from a `program` that prints a tree, or from a `family`: "
-               "give one of them");
+    value.fail(
+        "problems come from `nodes` of this file, from a `program` that prints a tree, or from a `family`: "
+        "give one of them");
   if (const Value* values = f.find("values"))
     for (const Value::Entry& entry : values->entries(f.name("values"))) {
       if (entry.key == kNode || !is_parameter_name(entry.key))
         document.fail(entry.key_at, "`" + entry.key + "` is no name of a parameter");
       if (!experiment.family.empty() && std::find(kRoles.begin(), kRoles.end(), entry.key) == kRoles.end())
-        document.fail(entry.key_at, "a family has the parameters operation, size, k and seed, and no `" + entry.key + "`");
+        document.fail(entry.key_at,
+                      "a family has the parameters operation, size, k and seed, and no `" + entry.key + "`");
       experiment.parameters.push_back(read_parameter(entry));
     }
   if (const Value* nodes = f.find("nodes")) {
@@ -200,7 +204,11 @@ Experiment read_file(const fs::path& path) {
       const Tree tree = parse_tree(experiment.text, path.string());
       if (experiment.nodes.empty()) experiment.nodes = {tree.nodes[tree.result].name};
       if (experiment.nodes == std::vector<std::string>{"all"}) experiment.nodes = boolean_nodes(tree);
-      for (const std::string& node : experiment.nodes) tree.find(node);
+      try {
+        for (const std::string& node : experiment.nodes) tree.find(node);
+      } catch (const InputError& error) {
+        f.find("nodes")->fail(error.what());
+      }
     } else if (experiment.nodes.empty()) {
       value.fail("say which `nodes` of the trees that the program prints are problems");
     }
@@ -210,10 +218,12 @@ Experiment read_file(const fs::path& path) {
     for (const Value& v : one_or_more_of(*systems, f.name("systems"))) read_system(v, experiment);
   if (f.has("seconds")) experiment.seconds = limit_of(f, "seconds");
   if (f.has("gigabytes")) experiment.gigabytes = limit_of(f, "gigabytes");
-  if (const Value* runs = f.find("runs")) experiment.warm_runs = static_cast<int>(runs->integer(f.name("runs"), 1, 1000)) - 1;
+  if (const Value* runs = f.find("runs"))
+    experiment.warm_runs = static_cast<int>(runs->integer(f.name("runs"), 1, 1000)) - 1;
   if (const Value* growth = f.find("growth")) {
     experiment.growth = growth->text(f.name("growth"));
-    if (experiment.growth != "triangles" && (experiment.growth != "size" || experiment.parameter("size") == nullptr))
+    if (experiment.growth != "triangles" &&
+        (experiment.growth != "size" || experiment.parameter("size") == nullptr))
       growth->fail_type(f.name("growth"), "triangles, or size where there is a parameter `size`");
   }
   return experiment;
@@ -252,8 +262,8 @@ Integer whole(const Experiment& experiment, const std::string& name, const std::
               std::int64_t high) {
   const std::optional<Rational> value = parse_rational(text);
   if (!value || value->get_den() != 1 || *value < low || *value > high)
-    throw std::runtime_error(experiment.name + ": `" + name + "` is a whole number from " + std::to_string(low) + " to " +
-                             std::to_string(high) + ", not " + text);
+    throw std::runtime_error(experiment.name + ": `" + name + "` is a whole number from " + std::to_string(low) +
+                             " to " + std::to_string(high) + ", not " + text);
   return to_machine<Integer>(value->get_num());
 }
 
@@ -274,8 +284,8 @@ std::string name_of(const Experiment& experiment, const Experiment::Named& probl
 }  // namespace
 
 const Parameter* Experiment::parameter(const std::string& wanted) const {
-  const auto it = std::find_if(parameters.begin(), parameters.end(),
-                               [&](const Parameter& p) { return p.name == wanted; });
+  const auto it =
+      std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.name == wanted; });
   return it == parameters.end() ? nullptr : &*it;
 }
 
@@ -307,7 +317,8 @@ std::vector<Experiment::Named> Experiment::problems() const {
     }
     problem.name = name_of(*this, problem);
     if (!names.insert(problem.name).second)
-      throw std::runtime_error(path + ": two problems are called " + problem.name + "; rename a parameter or a node");
+      throw std::runtime_error(path + ": two problems are called " + problem.name +
+                               "; rename a parameter or a node");
   }
   return all;
 }
@@ -365,8 +376,10 @@ ProblemId Experiment::roles(const Named& named) const {
     return it == named.values.end() ? std::string() : it->second;
   };
   id.operation = value("operation");
-  if (const std::string size = value("size"); !size.empty()) id.size = whole<long>(*this, "size", size, 0, 1'000'000'000);
-  if (const std::string k = value("k"); !k.empty() && k != "exact") id.distance = whole<int>(*this, "k", k, 0, 300);
+  if (const std::string size = value("size"); !size.empty())
+    id.size = whole<long>(*this, "size", size, 0, 1'000'000'000);
+  if (const std::string k = value("k"); !k.empty() && k != "exact")
+    id.distance = whole<int>(*this, "k", k, 0, 300);
   if (const std::string seed = value("seed"); !seed.empty())
     id.seed = whole<unsigned>(*this, "seed", seed, 0, 1'000'000'000);
   return id;
@@ -398,9 +411,9 @@ Experiment read_experiment(const std::string& name, const std::vector<GivenValue
                            std::set<std::string>& used) {
   const fs::path own = fs::path(CNRG_EXPERIMENTS) / (name + ".yaml");
   Experiment experiment;
-  if (is_word(name) && fs::exists(own)) experiment = read_file(own);
+  if (is_word(name) && fs::exists(own)) experiment = read_experiment_file(own);
   else if (fs::is_directory(name)) experiment = read_folder(name);
-  else if (fs::exists(name)) experiment = read_file(name);
+  else if (fs::exists(name)) experiment = read_experiment_file(name);
   else {
     const std::vector<std::string> names = experiment_names();
     const std::vector<std::string_view> known(names.begin(), names.end());

@@ -2,8 +2,8 @@
 // results. It is a file, or a folder of meshes.
 //
 // A file is a tree (csg/FORMATS.md) whose key `x-experiment` says which values its `parameters` take and which of
-// its nodes are problems; bench/README.md, Experiments, has all keys. In place of a tree it may name a program that
-// prints one, or a family of problems (bench/cases/family.h).
+// its nodes are problems; bench/README.md, Experiments, has all keys. In place of a tree it may name a program
+// that prints one, or a family of problems (bench/cases/family.h).
 #pragma once
 
 #include <map>

@@ -43,9 +43,13 @@ void add_faces(const Model& model, bool solid, std::vector<std::string>& leaves)
         for (const std::uint32_t p : loop) used.use(model, p);
       }
   if (loops.empty()) return;
-  leaves.push_back("{mesh: {points: " + list_text(used.points, point_text) + ", faces: " + list_text(loops, [&](const auto& loop) {
-                     return list_text(loop, [&](std::uint32_t p) { return std::to_string(used.number.at(p)); });
-                   }) + ", fill: " + (solid ? "winding" : "none") + "}}");
+  leaves.push_back("{mesh: {points: " + list_text(used.points, point_text) + ", faces: " +
+                   list_text(loops,
+                             [&](const auto& loop) {
+                               return list_text(
+                                   loop, [&](std::uint32_t p) { return std::to_string(used.number.at(p)); });
+                             }) +
+                   ", fill: " + (solid ? "winding" : "none") + "}}");
 }
 
 /// Leaves, or their union. Faces have one loop.
@@ -58,7 +62,8 @@ std::string node_text(const Model& model) {
   std::vector<RationalPoint> isolated;
   for (const std::uint32_t p : model.isolated) isolated.push_back(model.points[p]);
   if (!isolated.empty()) leaves.push_back("{points: " + list_text(isolated, point_text) + "}");
-  return leaves.size() == 1 ? leaves[0] : "{union: " + list_text(leaves, [](const auto& leaf) { return leaf; }) + "}";
+  return leaves.size() == 1 ? leaves[0]
+                            : "{union: " + list_text(leaves, [](const auto& leaf) { return leaf; }) + "}";
 }
 
 bool empty(const Model& model) { return model.faces.empty() && model.wires.empty() && model.isolated.empty(); }
@@ -74,7 +79,8 @@ void keep_tree(const std::string& folder, const Problem& problem, const std::opt
   for (std::size_t i = 0; i < problem.operands.size(); ++i) {
     const std::string name = "operand " + std::to_string(i + 1);
     out << "  " << name << ": " << node_text(problem.operands[i]) << '\n';
-    exact = i == 0 ? name : std::string("{") + to_string(problem.steps[i - 1]) + ": [" + exact + ", " + name + "]}";
+    exact =
+        i == 0 ? name : std::string("{") + to_string(problem.steps[i - 1]) + ": [" + exact + ", " + name + "]}";
   }
   out << "  exact: " << exact << '\n';
   const bool shown = result && !empty(*result) && row.facts;  // else it bounds nothing that a tree could say

@@ -136,6 +136,7 @@ std::string to_json(const SweepRow& row) {
   out["truth"] = object_of(row.truth);
   out["limit_seconds"] = row.limit_seconds;
   out["limit_bytes"] = row.limit_bytes;
+  out["load"] = row.load;
   out["command"] = row.command;
   return json_text(out);
 }
@@ -181,6 +182,7 @@ SweepRow row_of_json(const std::string& text) {
   row.truth = truth_of(in.at("truth"));
   row.limit_seconds = in.not_negative("limit_seconds");
   row.limit_bytes = in.integer<std::size_t>("limit_bytes");
+  row.load = in.not_negative("load");
   row.command = in.text("command");
   return row;
 }

@@ -53,11 +53,11 @@ struct Truth {
 };
 
 struct SweepRow {
-  std::string problem, family;  ///< `family`: the experiment's name
+  std::string problem, family;                ///< `family`: the experiment's name
   std::map<std::string, std::string> values;  ///< of its parameters, and its `node`
-  std::string operation;        ///< of the problem; `fold` where it mixes them
-  long size = 1;                ///< the parameter `size`, else the triangles
-  std::optional<int> distance;  ///< the parameter `k`, of 10^-k; none: `exact`, or there is none
+  std::string operation;                      ///< of the problem; `fold` where it mixes them
+  long size = 1;                              ///< the parameter `size`, else the triangles
+  std::optional<int> distance;                ///< the parameter `k`, of 10^-k; none: `exact`, or there is none
   bool has_distance = false;
   unsigned seed = 1;
   std::size_t operands = 0, triangles = 0;  ///< of all operands
@@ -66,7 +66,7 @@ struct SweepRow {
   Verdict verdict = Verdict::wrong;
   std::string stage, message;  ///< of a refusal, failure or wrong result; a signal of a crash
   std::vector<std::pair<std::string, double>> stages;  ///< seconds, of runs that gave a result
-  std::vector<double> warm{};  ///< seconds of runs after that one, in the same process
+  std::vector<double> warm{};                          ///< seconds of runs after that one, in the same process
   double seconds = 0;          ///< of those together; wall time of the process when there is no result
   std::size_t peak_bytes = 0;  ///< resident, the program and its input included
   std::size_t own_bytes = 0;   ///< of the run alone
@@ -79,6 +79,7 @@ struct SweepRow {
   Truth truth;
   double limit_seconds = 0;
   std::size_t limit_bytes = 0;
+  double load = 0;      ///< of the machine in the minute before
   std::string command;  ///< reproduces the row
 };
 

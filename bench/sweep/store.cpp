@@ -45,7 +45,9 @@ nlohmann::json settings_of(const Setup& setup) {
       programs[system.name] = {{"program", system.executable}, {"rounding", system.rounding}};
   nlohmann::json experiments = nlohmann::json::object();
   for (const Experiment& e : setup.experiments) experiments[e.name] = e.is_folder() ? e.path : e.text;
-  const auto limit = [](const std::optional<double>& given) { return given ? nlohmann::json(*given) : nlohmann::json(); };
+  const auto limit = [](const std::optional<double>& given) {
+    return given ? nlohmann::json(*given) : nlohmann::json();
+  };
   return {{"commit", setup.commit},
           {"seconds", limit(setup.seconds)},
           {"gigabytes", limit(setup.gigabytes)},
@@ -110,8 +112,7 @@ void Store::describe(const Setup& setup, const std::string& command, const LeftO
       return p == nullptr || p->means.empty() ? std::string(otherwise) : p->means;
     };
     all.push_back({e.name, e.title, means("size", e.parameter("size") == nullptr ? "triangles" : "size"),
-                   means("k", "distance to the degenerate position, as a part of the operands' size"),
-                   e.growth});
+                   means("k", "distance to the degenerate position, as a part of the operands' size"), e.growth});
   }
   if (fs::exists(rows + kFamiliesFile))  // experiments of earlier commands
     for (const FamilyInfo& old : families_of_json(read(rows + kFamiliesFile)))

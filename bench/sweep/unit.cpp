@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -173,8 +174,8 @@ void describe(const Setup& setup, SweepRow& row) {
       judging_limits(setup.limits(row.problem)));
   const Json head = child.end == End::done ? reply_of(child.text).head : Json();
   if (head.is_null())
-    throw ProblemError(row.problem + " could not be made: " +
-                       why(child, judging_limits(setup.limits(row.problem)).seconds));
+    throw ProblemError(row.problem +
+                       " could not be made: " + why(child, judging_limits(setup.limits(row.problem)).seconds));
   if (head.contains("error"))
     throw ProblemError(row.problem + " could not be made: " + head["error"].get<std::string>());
   const Setup::Planned& planned = setup.planned(row.problem);
@@ -221,7 +222,9 @@ const Experiment& Setup::experiment_of(const std::string& problem) const {
   return experiments[planned(problem).experiment];
 }
 
-Problem Setup::make(const std::string& problem) const { return experiment_of(problem).make(planned(problem).problem); }
+Problem Setup::make(const std::string& problem) const {
+  return experiment_of(problem).make(planned(problem).problem);
+}
 
 Limits Setup::limits(const std::string& problem) const {
   const Experiment& experiment = experiment_of(problem);
@@ -247,7 +250,8 @@ Judged judged_claim(const Setup& setup, const std::string& problem) {
       [&] {
         std::ostringstream out;
         try {
-          const std::optional<Model> model = setup.experiment_of(problem).claimed_result(setup.planned(problem).problem);
+          const std::optional<Model> model =
+              setup.experiment_of(problem).claimed_result(setup.planned(problem).problem);
           out << Json{{"claimed", model.has_value()}}.dump() << '\n';
           if (model) write_model(out, *model);
         } catch (const std::exception& error) {
@@ -265,8 +269,8 @@ Judged judged_claim(const Setup& setup, const std::string& problem) {
 
 /// The exact volume, where no other system has made it known.
 std::string exact_volume(const Setup& setup, const std::string& problem) {
-  const ChildResult child = run_child([&] { return to_json(exact_facts(setup.make(problem))); },
-                                      judging_limits(setup.limits(problem)));
+  const ChildResult child =
+      run_child([&] { return to_json(exact_facts(setup.make(problem))); }, judging_limits(setup.limits(problem)));
   return child.end == End::done && !child.text.empty() ? facts_of_json(child.text).volume : std::string();
 }
 
@@ -359,6 +363,7 @@ SweepRow run_unit(const Setup& setup, const std::string& problem, const std::str
   row.truth = truth;
   row.limit_seconds = setup.limits(problem).seconds;
   row.limit_bytes = setup.limits(problem).bytes;
+  if (getloadavg(&row.load, 1) != 1) row.load = 0;
   row.command = reproducing_command(setup, problem, system);
   describe(setup, row);
 

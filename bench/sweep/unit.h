@@ -41,8 +41,8 @@ struct Setup {
   const System& system(const std::string& name) const;
 };
 
-/// Says who agrees with our exact result: Nef polyhedra, else what the experiment claims, else corefinement. One who
-/// has another result is told in any case. Throws ProblemError.
+/// Says who agrees with our exact result: Nef polyhedra, else what the experiment claims, else corefinement. One
+/// who has another result is told in any case. Throws ProblemError.
 Truth establish_truth(const Setup& setup, const std::string& problem);
 
 /// A word as a shell takes it.

@@ -22,7 +22,8 @@ constexpr std::size_t kMostLetters = 1000;  // which bounds how deep brackets ne
 constexpr int kMostPower = 10'000;
 constexpr std::size_t kMostValueBits = 400'000;  // of a value, about what 100,000 digits are
 
-constexpr std::string_view kFunctions[] = {"abs", "ceil", "cos", "floor", "max", "min", "random", "sin", "sqrt", "tan"};
+constexpr std::string_view kFunctions[] = {"abs", "ceil",   "cos", "floor", "max",
+                                           "min", "random", "sin", "sqrt",  "tan"};
 bool is_function(const std::string& name) {
   return std::find(std::begin(kFunctions), std::end(kFunctions), name) != std::end(kFunctions);
 }

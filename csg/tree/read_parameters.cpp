@@ -33,8 +33,8 @@ void read_map(Document& document, const Value& map, const std::map<std::string, 
     const Value written(document, item.second, key.at());
     const auto it = given.find(name);
     if (it == given.end() && !written.is_text()) written.fail_type(what, "a number or an expression");
-    const Rational value = it != given.end() ? given_number(name, it->second, document.parameters)
-                                             : written_number(name, written);
+    const Rational value =
+        it != given.end() ? given_number(name, it->second, document.parameters) : written_number(name, written);
     if (!document.parameters.emplace(name, value).second) key.fail(what + " is there twice; remove or rename one");
   }
 }

@@ -212,7 +212,8 @@ class TreeReader {
   void read_repeat(NodeId id, const Value& value) {
     const Fields f(value, "repeat", {"of", "count", "index"});
     const Value &of = f.at("of", "{OPERATOR: ..., translate: [\"${i}\", 0, 0]}"), &index = f.at("index", "i");
-    if (!of.is_map()) of.fail_type(f.name("of"), "a node {...}, such as {simplify: NODE, translate: [\"${i}\", 0, 0]}");
+    if (!of.is_map())
+      of.fail_type(f.name("of"), "a node {...}, such as {simplify: NODE, translate: [\"${i}\", 0, 0]}");
     const std::string name = index.text(f.name("index"));
     if (!is_parameter_name(name) || document_.parameters.contains(name))
       index.fail_type(f.name("index"), "a name of letters, digits and `_` that no parameter has");

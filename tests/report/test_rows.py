@@ -15,7 +15,7 @@ FULL = {"problem": "edge-union-s4-k7-r3", "family": "edge", "values": {"k": "7"}
         "peak_bytes": 5000000001, "own_bytes": 77, "exact_share": 1e-5, "note": "a note",
         "facts": FACTS | {"volume": "-7/3", "genus": -1}, "excess": 0.25, "missing": 1e-17, "duplicates": 13,
         "truth": {"facts": FACTS, "confirmed": "volume", "reason": "Nef ran out of memory"}, "limit_seconds": 60.0,
-        "limit_bytes": 4000000000, "command": "bench/run --one edge-union-s4-k7-r3 mantyla-double"}
+        "limit_bytes": 4000000000, "load": 1.5, "command": "bench/run --one edge-union-s4-k7-r3 mantyla-double"}
 
 
 class Rows(unittest.TestCase):

@@ -109,7 +109,9 @@ TEST_CASE("signs, powers and functions are those of paper", "[tree]") {
 }
 
 TEST_CASE("random numbers are those of their arguments, and even", "[tree]") {
-  const auto drawn = [](const std::string& of) { return evaluate_expression("random(" + of + ")", {{"seed", 7}}); };
+  const auto drawn = [](const std::string& of) {
+    return evaluate_expression("random(" + of + ")", {{"seed", 7}});
+  };
   CHECK(drawn("seed, 1") == drawn("7, 2/2"));
   CHECK(drawn("1, 23") != drawn("12, 3"));
   CHECK(drawn("0") == evaluate_expression("random(0)", {}));  // of this machine and every other one
@@ -128,8 +130,8 @@ TEST_CASE("random numbers are those of their arguments, and even", "[tree]") {
 
 TEST_CASE("repeat is the union of its copies, written out", "[tree]") {
   const auto tree_of = [](const std::string& nodes) {
-    return parse_tree("cnrg: 1\nparameters: {n: 3}\nnodes:\n  peg: {box: {min: [0, 0, 0], max: [1, 1, 2]}}\n" + nodes +
-                          "result: all\n",
+    return parse_tree("cnrg: 1\nparameters: {n: 3}\nnodes:\n  peg: {box: {min: [0, 0, 0], max: [1, 1, 2]}}\n" +
+                          nodes + "result: all\n",
                       "t.yaml");
   };
   const std::string outer = "  all: {difference: [{box: {min: [-1, -1, -1], max: [20, 2, 1]}}, pegs]}\n";
@@ -143,8 +145,8 @@ TEST_CASE("repeat is the union of its copies, written out", "[tree]") {
     const std::string x = std::to_string(3 * i);
     copies += (i == 0 ? "" : ", ") + ("{union: [{simplify: peg, translate: [" + x + ", 0, 0]}, {union: [");
     for (int j = 0; j < 2; ++j)
-      copies += (j == 0 ? "{box: {min: [" : ", {box: {min: [") + x + ", " + std::to_string(j) + ", 0], max: [" + x +
-                ".5, " + std::to_string(j) + ".5, 3]}}";
+      copies += (j == 0 ? "{box: {min: [" : ", {box: {min: [") + x + ", " + std::to_string(j) + ", 0], max: [" +
+                x + ".5, " + std::to_string(j) + ".5, 3]}}";
     copies += "]}]}";
   }
   const Tree written =
@@ -166,11 +168,13 @@ TEST_CASE("repeat is the union of its copies, written out", "[tree]") {
     }
     return std::string();
   };
-  CHECK_THAT(fault("{repeat: {of: peg, count: 2, index: i}}"), Contains("t.yaml:5:22: error: `of` of repeat must be a node"));
+  CHECK_THAT(fault("{repeat: {of: peg, count: 2, index: i}}"),
+             Contains("t.yaml:5:22: error: `of` of repeat must be a node"));
   CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 2, index: n}}"), Contains("that no parameter has"));
   CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 0, index: i}}"), Contains("`count` of repeat must be"));
   CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 1000000, index: i}}"), Contains("repeat too much"));
-  CHECK_THAT(fault("{repeat: &r {of: {union: [peg, {repeat: *r}]}, count: 2, index: i}}"), Contains("that no parameter"));
+  CHECK_THAT(fault("{repeat: &r {of: {union: [peg, {repeat: *r}]}, count: 2, index: i}}"),
+             Contains("that no parameter"));
   CHECK_THAT(fault("&r {repeat: {of: {union: [peg, *r]}, count: 2, index: i}}"), Contains("in a cycle"));
   CHECK(fault("{repeat: {of: {simplify: peg, x-a: \"${n}\"}, count: 1, index: i}}\nx-b: {c: 1}") == "");
 }

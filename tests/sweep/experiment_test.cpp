@@ -1,0 +1,214 @@
+// Experiments: files, their problems, what is claimed of them, and sweeps of them.
+#include "bench/sweep/experiment.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "bench/cases/tree_problem.h"
+#include "bench/sweep/judge.h"
+#include "csg/evaluate/evaluate.h"
+#include "kernel/base/error.h"
+#include "tests/app/program.h"
+#include "tests/catch.h"
+#include "tests/oracles/dag.h"
+#include "tests/scenes/seeds.h"
+
+namespace cnrg::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+const std::string kTree =
+    "cnrg: 1\nparameters: {n: 2, k: 0, d: 10^-k}\nnodes:\n  block: {box: {min: [0, 0, 0], max: [4, 4, 1]}}\n"
+    "  pegs: {repeat: {of: {box: {min: [\"${2*i}\", 0, \"${1 - d}\"], max: [\"${2*i + 1}\", 1, 2]}}, count: "
+    "\"${n}\", "
+    "index: i}}\n  model: {union: [block, pegs]}\n  less: {difference: [model, {union: [pegs, pegs]}]}\n"
+    "  moved: {union: [block, pegs], translate: [1, 0, 0]}\n  other: {intersection: [{difference: [{union: "
+    "[block, "
+    "pegs]}, block]}, model]}\nresult: model\n";
+
+Experiment read(const Workshop& w, const std::string& text, const std::vector<std::string>& given = {}) {
+  w.write("mine.yaml", text);
+  std::vector<GivenValues> values;
+  for (const std::string& one : given) values.push_back(given_values(one));
+  std::set<std::string> used;
+  return read_experiment(w.path("mine.yaml").string(), values, used);
+}
+
+std::string fault(const std::string& text) {
+  const Workshop w;
+  try {
+    const Experiment e = read(w, text);
+    for (const Experiment::Named& problem : e.problems()) e.check(problem);
+  } catch (const std::runtime_error& error) {
+    const std::string said = error.what(), folder = w.path("").string();
+    return said.starts_with(folder) ? said.substr(folder.size()) : said;
+  }
+  return {};
+}
+
+std::vector<std::string> names_of(const Experiment& e) {
+  std::vector<std::string> names;
+  for (const Experiment::Named& problem : e.problems()) names.push_back(problem.name);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("problems are nodes by values of parameters", "[experiments]") {
+  const Workshop w;
+  const std::string head = kTree + "x-experiment:\n  title: pegs\n  nodes: [model, less]\n";
+  const Experiment e = read(w, head + "  values: {n: [1, 3..4], k: {values: [1/2, -1], means: how far}}\n");
+  const std::vector<std::string> names = names_of(e);
+  REQUIRE(names.size() == 12);
+  CHECK(names[0] == "mine-model-n1-k1_2");
+  CHECK(names[11] == "mine-less-n4-k-1");
+  CHECK(e.parameter("k")->means == "how far");
+  CHECK(names_of(read(w, head + "  values: {n: 1..3, k: 0}\n", {"n=7,1e1"})) ==
+        std::vector<std::string>{"mine-model-n7-k0", "mine-model-n10-k0", "mine-less-n7-k0", "mine-less-n10-k0"});
+  // A tree alone: each of its Booleans that other systems have.
+  CHECK(names_of(read(w, kTree)) ==
+        std::vector<std::string>{"mine-pegs", "mine-model", "mine-less", "mine-other"});
+}
+
+TEST_CASE("a node is a fold: inline operands are steps of it", "[experiments]") {
+  const Workshop w;
+  const Experiment e = read(w, kTree);
+  const auto steps = [&](std::size_t i) {
+    std::string text;
+    for (const Operation step : e.make(e.problems()[i]).steps) text += std::string(to_string(step)) + " ";
+    return text;
+  };
+  CHECK(steps(1) == "union ");
+  CHECK(steps(2) == "difference difference ");          // a union behind is more operands
+  CHECK(steps(3) == "union difference intersection ");  // a Boolean before is the beginning
+  CHECK(e.make(e.problems()[2]).operands.size() == 3);
+  CHECK(e.roles(e.problems()[0]).size == 0);
+}
+
+TEST_CASE("a node of any random tree is the fold of its operands", "[experiments]") {
+  int compared = 0, open = 0;
+  const auto [first, last] = scenes::seeds(60);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    const auto position = seed % 2 == 0 ? scenes::Position::degenerate : scenes::Position::general;
+    const std::string text = properties::tree_file(properties::random_dag(seed, position));
+    const Tree tree = parse_tree(text, "random.yaml");
+    for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+      if (!is_tree_problem(tree, id)) continue;
+      INFO("seed " << seed << ", node " << tree.nodes[id].name << "\n" << text);
+      Problem problem;
+      try {
+        problem = tree_problem(tree, id);
+      } catch (const InputError& error) {
+        CHECK_THAT(error.what(), Contains("is open or unbounded"));
+        CHECK_THROWS_AS(check_tree_problem(tree, id), InputError);
+        ++open;
+        continue;
+      }
+      const Verdict verdict = judge(problem, tree_model(tree, id), 0).verdict;
+      CHECK((verdict == Verdict::same || verdict == Verdict::contact_duplicated));
+      ++compared;
+    }
+  }
+  CHECK(compared > 40);
+  CHECK(open > 0);
+}
+
+TEST_CASE("faults of experiments have a place and a remedy", "[experiments]") {
+  const auto with = [](const std::string& own) {
+    return fault(kTree + "x-experiment: {title: t, " + own + "}\n");
+  };
+  CHECK(with("values: {n: 1..3}") == "");
+  CHECK_THAT(with("nodes: modl"),
+             Contains("mine.yaml:11:33") && Contains("no node called `modl`; did you mean `model`?"));
+  CHECK_THAT(with("values: {m: 1}"), Contains("the parameter `m`: ") && Contains("has no such one"));
+  CHECK_THAT(with("values: {n: [1, 2/2]}"), Contains("mine.yaml:11:") && Contains("has 1 twice"));
+  CHECK_THAT(with("values: {n: 3..1}"), Contains("mine.yaml:11:") && Contains("is no range"));
+  CHECK_THAT(with("values: {n: 1..k}"), Contains("mine.yaml:11:") && Contains("there is no parameter `k`"));
+  CHECK_THAT(with("values: {n: word}"), Contains("there is no parameter `word`"));
+  CHECK_THAT(with("nodes: moved"), Contains("is no union, intersection or difference alone"));
+  CHECK_THAT(with("family: turned"), Contains("give one of them"));
+  CHECK_THAT(with("runs: 0"), Contains("`runs` of x-experiment must be a whole number from 1 to 1000"));
+  CHECK_THAT(with("seconds: 0"), Contains("is from 0.01"));
+  CHECK_THAT(with("growth: size"), Contains("where there is a parameter `size`"));
+  CHECK_THAT(with("truth: {other: {volume: 1}}"), Contains("`other` is no node of this experiment"));
+  CHECK_THAT(with("truth: {model: {}}"), Contains("one of them"));
+  CHECK_THAT(with("truth: {model: {volume: 2*m}}"), Contains("there is no parameter `m`"));
+  CHECK_THAT(with("truth: {model: {node: mdl}}"), Contains("no node called `mdl`"));
+  CHECK_THAT(with("systems: [{name: me, program: ./none}]"), Contains("there is no such program"));
+  CHECK_THAT(with("systems: [{name: a/b, program: /bin/true}]"), Contains("is no name of a system"));
+  CHECK_THAT(with("sizes: 3"), Contains("unknown key `sizes`"));
+  CHECK_THAT(fault("x-experiment: {title: t}\n"), Contains("give one of them"));
+  CHECK_THAT(fault("x-experiment: {title: t, family: turned, values: {n: 3}}\n"), Contains("and no `n`"));
+  CHECK_THAT(fault("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n"), Contains("no union, intersection"));
+  CHECK_THAT(fault("x-experiment: {title: t, program: /bin/false, nodes: a}\n"),
+             Contains("/bin/false: ended with status 1"));
+  CHECK_THAT(fault("weld: 1/10\n" + kTree), Contains("mine.yaml:1:7") && Contains("other systems do not weld"));
+  CHECK_THAT(fault("not yaml: ["), Contains("mine.yaml:1"));
+}
+
+TEST_CASE("a sweep of a tree: claims, warm runs, programs of the file", "[sweep]") {
+  const Workshop w;
+  w.write("first", "#!/bin/sh\n[ \"$1\" = --quick ] && cp \"$3\" \"$5\"\n");
+  fs::permissions(w.path("first"), fs::perms::owner_all);
+  w.write("mine.yaml", kTree +
+                           "x-experiment:\n  title: pegs\n  nodes: [model, less, other]\n"
+                           "  values: {k: [0, 20], n: 2}\n  runs: 3\n  seconds: 30\n"
+                           "  systems: [ours, {name: first, program: [./first, --quick]}]\n"
+                           "  truth: {model: {volume: 16 + n}, less: {volume: 15}, other: {node: model}}\n");
+  const Outcome o = w.run("mine.yaml --out out --quiet");
+  INFO(o.err);
+  CHECK(o.status == 0);
+  CHECK(o.out.find("6 problems: 0 of 12 rows are there") != std::string::npos);
+  const auto row = [&](const std::string& problem, const std::string& system) {
+    return row_of_json(w.read("out/rows/" + problem + "/" + system + ".json"));
+  };
+  const SweepRow ours = row("mine-model-k20-n2", "ours");
+  CHECK(ours.verdict == Verdict::same);
+  CHECK(ours.warm.size() == 2);
+  CHECK(ours.values == Values{{"k", "20"}, {"n", "2"}, {"node", "model"}});
+  CHECK(ours.limit_seconds == 30);
+  CHECK(ours.truth.confirmed == "Nef");
+  CHECK(ours.command ==
+        "bench/run " + fs::canonical(w.path("mine.yaml")).string() + " --one mine-model-k20-n2 ours");
+  CHECK(row("mine-model-k20-n2", "first").verdict == Verdict::wrong);  // the first operand, without the pegs
+  CHECK(row("mine-model-k0-n2", "first").verdict == Verdict::wrong);
+  const SweepRow less = row("mine-less-k0-n2", "ours");  // pegs from z = 0: 14 is left
+  CHECK(less.truth.confirmed == "DISAGREES");
+  CHECK_THAT(less.truth.reason, Contains("the formula: the volume is 15, ours 14"));
+  CHECK_THAT(row("mine-other-k20-n2", "ours").truth.reason, Contains("the claimed node"));
+  // A program that prints trees makes the same problems.
+  w.write("print", "#!/bin/sh\n[ \"$1 $2\" = \"k=20 n=2\" ] && sed 's/k: 0/k: 20/' '" +
+                       w.path("mine.yaml").string() + "'\n");
+  fs::permissions(w.path("print"), fs::perms::owner_all);
+  w.write("printed.yaml", "x-experiment: {title: t, program: ./print, nodes: model, values: {n: 2, k: 20}}\n");
+  const Outcome printed = w.run("printed.yaml --one printed-model-n2-k20 ours --keep kept");
+  INFO(printed.err);
+  REQUIRE(printed.status == 0);
+  CHECK(Json::parse(printed.out).at("facts") == Json::parse(to_json(*ours.facts)));
+  // What is kept is a tree of its own, and nothing differs.
+  const Tree kept = read_tree(w.path("kept/problem.yaml").string());
+  const Evaluation evaluation = evaluate(kept);
+  CHECK(evaluation.rows.back().name == "differs");
+  CHECK(evaluation.rows.back().cells == std::array<std::size_t, 4>{});
+  for (const NodeRow& r : evaluation.rows)
+    if (r.name == "exact" || r.name == "given") CHECK(cnrg::to_string(r.volume().value()) == ours.facts->volume);
+}
+
+TEST_CASE("all experiments of this source can be made", "[experiments]") {
+  std::set<std::string> used;
+  std::size_t count = 0;
+  for (const std::string& name : experiment_names()) {
+    const Experiment e = read_experiment(name, {}, used);
+    for (const Experiment::Named& problem : e.problems()) {
+      INFO(problem.name);
+      CHECK_NOTHROW(e.check(problem));
+      ++count;
+    }
+  }
+  CHECK(count > 2000);
+}
+
+}  // namespace cnrg::bench
