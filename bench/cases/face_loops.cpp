@@ -98,4 +98,16 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Rationa
   return triangles;
 }
 
+void cut_holes(Model& model) {
+  std::vector<Model::Face> faces;
+  for (Model::Face& face : model.faces) {
+    if (face.loops.size() == 1) {
+      faces.push_back(std::move(face));
+      continue;
+    }
+    for (const auto& [a, b, c] : triangles_of(model.points, face)) faces.push_back({{{a, b, c}}, face.solid});
+  }
+  model.faces = std::move(faces);
+}
+
 }  // namespace cnrg::bench

@@ -24,6 +24,9 @@ RationalPoint doubled_area(const std::vector<RationalPoint>& points, const Point
 std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<RationalPoint>& points,
                                                        const Model::Face& face);
 
+/// Cuts faces that have holes into triangles, so that each has one loop.
+void cut_holes(Model& model);
+
 inline Rational dot(const RationalPoint& a, const RationalPoint& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

@@ -88,17 +88,6 @@ Fold fold_of(const Tree& tree, NodeId id) {
   return fold;
 }
 
-/// Faces with one loop each.
-void cut_holes(Model& model) {
-  std::vector<Model::Face> faces;
-  for (Model::Face& face : model.faces) {
-    if (face.loops.size() == 1) faces.push_back(std::move(face));
-    else
-      for (const auto& [a, b, c] : triangles_of(model.points, face)) faces.push_back({{{a, b, c}}, face.solid});
-  }
-  model.faces = std::move(faces);
-}
-
 /// A solid by winding that is not inside out, or a leaf without regions, as it is drawn.
 std::optional<Model> drawn_leaf(const Node& node) {
   if (!node.shape || node.regularize) return {};

@@ -3,6 +3,7 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
 #include <algorithm>
 
@@ -67,6 +68,29 @@ Parts parts_of(const Model& model) {
     parts.wires.push_back({point_of(model.points[a]), point_of(model.points[b])});
   for (const std::uint32_t p : model.isolated) parts.points.push_back(point_of(model.points[p]));
   return parts;
+}
+
+Parts parts_of_result(Model model) {
+  cut_holes(model);
+  std::vector<Kernel::Point_3> points;
+  for (const RationalPoint& p : model.points) points.push_back(point_of(p));
+  std::vector<std::vector<std::size_t>> polygons;
+  for (const Model::Face& face : model.faces)
+    if (face.solid) polygons.emplace_back(face.loops[0].begin(), face.loops[0].end());
+  const std::size_t before = points.size();
+  processing::orient_polygon_soup(points, polygons);  // they agree already: it parts what touches
+  if (points.size() == before) return parts_of(model);
+  for (std::size_t p = before; p < points.size(); ++p) {
+    const auto number = [](const Kernel::FT& x) { return rational_of(CGAL::exact(x)); };
+    model.points.push_back({number(points[p].x()), number(points[p].y()), number(points[p].z())});
+  }
+  auto polygon = polygons.begin();
+  for (Model::Face& face : model.faces)
+    if (face.solid) {
+      face.loops[0].assign(polygon->begin(), polygon->end());
+      ++polygon;
+    }
+  return parts_of(model);
 }
 
 }  // namespace cnrg::bench::nef

@@ -29,5 +29,8 @@ struct Parts {
 
 /// Throws Refusal, or what CGAL's assertions throw, for an operand that CGAL does not take.
 Parts parts_of(const Model& model);
+/// The same of a result, whose faces may have holes, and whose solids may touch themselves: contacts are doubled
+/// before, so that shells are 2-manifolds.
+Parts parts_of_result(Model model);
 
 }  // namespace cnrg::bench::nef

@@ -48,6 +48,8 @@ struct System {
   std::string absent;       ///< why it cannot run here and what to install; empty: it can
   /// Throws Refusal and Crash; whatever else it throws counts as a failure of the system at stage `unknown`.
   std::function<Answer(const Problem&)> evaluate;
+  /// Whether a model is the exact result, by code of the system alone; empty: it has none. Throws as `evaluate`.
+  std::function<bool(const Problem&, const Model&)> agrees{};
   std::string executable{};  ///< of one that the command line names
 };
 

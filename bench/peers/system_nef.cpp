@@ -189,6 +189,15 @@ Answer answer_of_nef(const Problem& problem) {
   return answer;
 }
 
+bool agrees_with_nef(const Problem& problem, const Model& result) {
+  return guarded_nef("comparison", [&] {
+    std::vector<Nef> operands;
+    for (const Model& operand : problem.operands) operands.push_back(set_of(nef::parts_of(operand)));
+    const Nef apart = folded_nef(problem, operands) ^ set_of(nef::parts_of_result(result));
+    return apart.is_empty();
+  });
+}
+
 }  // namespace
 
 Model read_nef(const std::string& path) {
@@ -208,7 +217,8 @@ System nef_system() {
           .rounding = 0,
           .regularized = false,
           .absent = "",
-          .evaluate = answer_of_nef};
+          .evaluate = answer_of_nef,
+          .agrees = agrees_with_nef};
 }
 
 }  // namespace cnrg::bench

@@ -28,7 +28,8 @@ MEANINGS = {
     "unjudged": "There is a result, but the exact one could not be had within the limits. No rate counts it."}
 COUNTS_AS = {"exact": "same", "right": "right by another contract", "wrong": "failed: wrong, unsaid",
              "refused": "failed: says so", "no result": "failed: no result", "unjudged": "nothing"}
-CONFIRMS = {"Nef": "Nef polyhedra give the same point set, exactly.",
+CONFIRMS = {"Nef": "Nef polyhedra have our result as a point set, exactly; CGAL alone compared.",
+            "Nef-by-us": "Nef polyhedra have the same point set, exactly; our kernel compared.",
             "node": "Another node, which the experiment claims to be the same, gives the same point set.",
             "formula": "The volume is that of the experiment's formula, exactly.",
             "volume": "The volume agrees with corefinement to 10⁻⁹.",

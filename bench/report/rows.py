@@ -23,7 +23,7 @@ CLASS_OF = {"same": "exact", "same-regularized": "right", "contact-duplicated": 
             "crashed": "no result", "timed-out": "no result", "out-of-memory": "no result", "unjudged": "unjudged"}
 VERDICTS = tuple(CLASS_OF)
 FAILURES = ("wrong", "refused", "no result")
-CONFIRMED = ("Nef", "node", "formula", "volume", "none", "DISAGREES")
+CONFIRMED = ("Nef", "Nef-by-us", "node", "formula", "volume", "none", "DISAGREES")
 LAST_DISTANCE = 300
 
 

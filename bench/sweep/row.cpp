@@ -54,10 +54,10 @@ Truth truth_of(const nlohmann::json& object) {
   truth.facts = facts_in(in.at("facts"), "the truth's facts");
   truth.confirmed = in.text("confirmed");
   truth.reason = in.text("reason");
-  for (const char* known : {"Nef", "node", "formula", "volume", "none", "DISAGREES"}) {
+  for (const char* known : {"Nef", "Nef-by-us", "node", "formula", "volume", "none", "DISAGREES"}) {
     if (truth.confirmed == known) return truth;
   }
-  in.fail("confirmed", "one of Nef, node, formula, volume, none, DISAGREES");
+  in.fail("confirmed", "one of Nef, Nef-by-us, node, formula, volume, none, DISAGREES");
 }
 
 Verdict verdict_of(const JsonFields& in) {

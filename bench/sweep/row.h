@@ -46,9 +46,9 @@ struct Facts {
 /// The exact result of a problem and who agrees.
 struct Truth {
   Facts facts;
-  /// `Nef`: the same point set by Nef polyhedra. `volume`: the volume agrees with corefinement to 1e-9.
-  /// `node`, `formula`: what the experiment claims.
-  /// `none`: neither was possible; `reason` says why. `DISAGREES`: one of them has another result.
+  /// `Nef`: Nef polyhedra have the same point set, compared by CGAL alone; `Nef-by-us`: compared by our kernel.
+  /// `volume`: the volume agrees with corefinement to 1e-9. `node`, `formula`: what the experiment claims. `none`:
+  /// neither was possible; `reason` says why. `DISAGREES`: one of them has another result.
   std::string confirmed = "none", reason;
 };
 

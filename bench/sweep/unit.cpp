@@ -267,11 +267,50 @@ Judged judged_claim(const Setup& setup, const std::string& problem) {
   return judged(setup, problem, 0, reply.rest);
 }
 
-/// The exact volume, where no other system has made it known.
-std::string exact_volume(const Setup& setup, const std::string& problem) {
-  const ChildResult child =
-      run_child([&] { return to_json(exact_facts(setup.make(problem))); }, judging_limits(setup.limits(problem)));
-  return child.end == End::done && !child.text.empty() ? facts_of_json(child.text).volume : std::string();
+/// Of the exact result; of nothing, with an empty volume, if they cannot be had within the limits.
+Facts exact_facts_of(const Setup& setup, const std::string& problem) {
+  const ChildResult child = run_child(
+      [&] {
+        try {
+          return to_json(exact_facts(setup.make(problem)));
+        } catch (const std::bad_alloc&) {
+          throw;
+        } catch (const std::exception&) {
+          return std::string();
+        }
+      },
+      judging_limits(setup.limits(problem)));
+  if (child.end == End::done && !child.text.empty()) return facts_of_json(child.text);
+  Facts none;
+  none.volume.clear();
+  return none;
+}
+
+/// Whether Nef polyhedra have our result, compared by themselves. Nothing, with the reason, if they cannot say.
+std::optional<bool> agrees_with_nef(const Setup& setup, const std::string& problem, std::string& reason) {
+  const Run ours = run(setup, problem, setup.system("ours"));
+  if (!ours.answered()) {
+    reason = "ours has no result";
+    return {};
+  }
+  const Limits limits = judging_limits(setup.limits(problem));
+  const ChildResult child = run_child(
+      [&] {
+        try {
+          std::istringstream in(ours.reply.rest);
+          const bool agrees = setup.system("nef").agrees(setup.make(problem), read_model(in));
+          return Json{{"agrees", agrees}}.dump() + "\n";
+        } catch (const std::bad_alloc&) {
+          throw;
+        } catch (const std::exception& error) {
+          return Json{{"error", error.what()}}.dump() + "\n";
+        }
+      },
+      limits);
+  const Json head = child.end == End::done ? reply_of(child.text).head : Json();
+  if (head.contains("agrees")) return head["agrees"].get<bool>();
+  reason = head.is_null() ? why(child, limits.seconds) : head["error"].get<std::string>();
+  return {};
 }
 
 }  // namespace
@@ -301,9 +340,16 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
     else truth.facts = j.judgement->truth;
     return j.judgement;
   };
-  if (const std::optional<Judgement> nef = asked("nef")) {
-    if (!is_same(nef->verdict)) return disagrees("nef", nef->message);
+  std::string reason;
+  const std::optional<bool> nef = agrees_with_nef(setup, problem, reason);
+  if (nef) {
+    truth.facts = exact_facts_of(setup, problem);
+    if (!*nef) return disagrees("nef", "its result is another set than ours");
     truth.confirmed = "Nef";
+  } else if (const std::optional<Judgement> compared = asked("nef")) {
+    if (!is_same(compared->verdict)) return disagrees("nef", compared->message);
+    truth.confirmed = "Nef-by-us";
+    add_reason("nef", "did not compare by itself: " + reason);
   }
   if (const Judged claim = judged_claim(setup, problem); claim.judgement) {
     if (!is_same(claim.judgement->verdict)) return disagrees("the claimed node", claim.judgement->message);
@@ -313,7 +359,8 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
     add_reason("the claimed node", claim.reason);
   }
   if (const auto volume = setup.experiment_of(problem).claimed_volume(setup.planned(problem).problem)) {
-    const std::string exact = truth.confirmed == "none" ? exact_volume(setup, problem) : truth.facts.volume;
+    const std::string exact =
+        truth.confirmed == "none" ? exact_facts_of(setup, problem).volume : truth.facts.volume;
     if (exact.empty()) add_reason("the formula", "our own volume could not be had within the limits");
     else if (exact != cnrg::to_string(*volume))
       return disagrees("the formula", "the volume is " + cnrg::to_string(*volume) + ", ours " + exact);

@@ -263,6 +263,50 @@ TEST_CASE("an operand of several dimensions, and what touches in a face") {
   }
 }
 
+TEST_CASE("Nef polyhedra say by themselves whether a result is the exact one") {
+  const System ours = *present("ours"), nef = *present("nef");
+  int same = 0, other = 0, refused = 0;
+  const auto [first, last] = scenes::seeds(60);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto corner = [&] {
+      RationalPoint p;
+      for (Rational& x : p) x = static_cast<int>(random() % 4);
+      return p;
+    };
+    const auto drawn = [&](bool solid) {
+      const RationalPoint a = corner();
+      const auto side = [&] { return Rational(1 + static_cast<int>(random() % 2)); };
+      switch (solid ? 0 : random() % 4) {
+        case 0: return box(a, {a[0] + side(), a[1] + side(), a[2] + side()});
+        case 1: return sheet(a, {side(), 0, 0}, {0, side(), 0});
+        case 2: return wire(a, {a[0], a[1], a[2] + side()});
+        default: return point(a);
+      }
+    };
+    const Model a = drawn(true), b = drawn(false);
+    std::vector<Model> results;
+    for (const Operation operation : kAll) results.push_back(ours.evaluate(pair_of(a, operation, b)).model);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        INFO("seed " << seed << ", the result of " << j << " for " << i);
+        const Model &right = results[i], &given = results[j];
+        const bool differs = volume(right) != volume(given) || sheet_area(right) != sheet_area(given) ||
+                             wire_length(right) != wire_length(given) || right.isolated.size() != given.isolated.size();
+        if (i != j && !differs) continue;
+        try {
+          CHECK(nef.agrees(pair_of(a, kAll[i], b), given) == (i == j));
+          ++(i == j ? same : other);
+        } catch (const Refusal&) {
+          ++refused;
+        }
+      }
+  }
+  CHECK(same > 150);
+  CHECK(other > 50);
+  CHECK(refused < 10);
+}
+
 TEST_CASE("what is no closed solid is refused at the input") {
   Model open = box({0, 0, 0}, {1, 1, 1});
   open.faces.pop_back();

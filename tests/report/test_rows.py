@@ -64,7 +64,7 @@ class Rows(unittest.TestCase):
                 self.assertIn(f"`{member}`" if member != "truth" else "truth", self.fault_with(**{member: None}))
         self.assertEqual(self.fault_with(truth=None), "the truth is no JSON object")
         self.assertEqual(self.fault_with(truth=FULL["truth"] | {"confirmed": "me"}),
-                         "member `confirmed` of the truth is not one of Nef, node, formula, volume, none, DISAGREES")
+                         "member `confirmed` of the truth is not one of Nef, Nef-by-us, node, formula, volume, none, DISAGREES")
         self.assertEqual(self.fault_with(facts={}), "the facts has no member `volume`")
         self.assertEqual(self.fault_with(verdict="Same"), "member `verdict` of the row is not a known verdict")
         self.assertEqual(self.fault_with(seconds=-1), "member `seconds` of the row is not a number from 0")

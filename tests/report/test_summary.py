@@ -170,7 +170,7 @@ class Aggregates(unittest.TestCase):
         self.assertAlmostEqual(f.median, 0.2)
         self.assertEqual((f.most, g.runs, summary.exact_share.runs), (0.3, 1, 3))
         self.assertAlmostEqual(summary.exact_share.median, 0.2)
-        self.assertEqual([truth.problems for truth in summary.truths], [1, 0, 0, 1, 1, 1])
+        self.assertEqual([truth.problems for truth in summary.truths], [1, 0, 0, 0, 1, 1, 1])
         self.assertEqual(summary.disagreements, [("g-union-s1-r4", "Nef has volume 7")])
         self.assertEqual(summary.limit_seconds, (10, 40))
 
