@@ -12,6 +12,7 @@
 
 #include "bench/command.h"
 #include "bench/peers/program.h"
+#include "bench/sweep/json_fields.h"
 #include "bench/sweep/keep.h"
 #include "bench/sweep/schedule.h"
 #include "bench/sweep/store.h"
@@ -60,7 +61,7 @@ Setup setup_of(const Options& options) {
   for (const std::string& text : options.programs) add_system(setup, program_of(text));
   std::vector<GivenValues> given;
   for (const std::string& text : options.given) given.push_back(given_values(text));
-  std::set<std::string> used;
+  std::set<std::string> used, known;
   std::vector<std::string> names;
   for (const std::string& name : options.names) {
     if (name != "all") {
@@ -76,6 +77,10 @@ Setup setup_of(const Options& options) {
       if (other.name == experiment.name)
         throw std::runtime_error("the experiment " + other.name + " is there twice");
     for (const ProgramSystem& program : experiment.programs) {
+      const auto same = [&](const Experiment& other) {
+        return std::find(other.programs.begin(), other.programs.end(), program) != other.programs.end();
+      };
+      if (std::any_of(setup.experiments.begin(), setup.experiments.end(), same)) continue;
       System system = external_system(program.name, program.words, program.rounding);
       add_system(setup,
                  program.rescale ? rescaled(std::move(system), *program.rescale, program.rounding) : system);
@@ -83,13 +88,17 @@ Setup setup_of(const Options& options) {
     for (const std::string& system : experiment.systems) setup.system(system);
     std::vector<Experiment::Named> problems = experiment.problems();
     if (problems.empty()) throw std::runtime_error(name + ": holds no OFF, OBJ, STL or PLY file");
-    for (Experiment::Named& problem : problems)
+    for (Experiment::Named& problem : problems) {
+      if (!known.insert(problem.name).second)
+        throw std::runtime_error("two experiments have a problem " + problem.name + "; rename one of the files");
       setup.problems.push_back({setup.experiments.size(), std::move(problem)});
+    }
     setup.experiments.push_back(std::move(experiment));
   }
   for (const GivenValues& values : given)
     if (!used.contains(values.name))
-      throw std::runtime_error("-D " + values.name + ": no experiment here has this parameter");
+      throw std::runtime_error("-D " + values.name + ": no experiment here has values for this parameter" +
+                               "; add it to `values` of a file");
   return setup;
 }
 
@@ -112,17 +121,18 @@ std::vector<std::string> chosen_systems(const Setup& setup, const Options& optio
     return false;
   };
   for (const System& system : setup.systems)
-    if (system.absent.empty() && (!system.executable.empty() || (asked.empty() && !of_a_file(system.name))))
+    if (system.absent.empty() &&
+        (!system.executable.empty() || (asked.empty() && !system.if_named && !of_a_file(system.name))))
       add(system.name);
   return names;
 }
 
-void list_all(const Setup& setup) {
+void list_all(const Setup& setup, const std::vector<std::string>& names) {
   std::printf("Experiments:\n");
   std::set<std::string> used;
-  for (const std::string& name : experiment_names()) {
+  for (const std::string& name : names) {
     const Experiment e = read_experiment(name, {}, used);
-    std::printf("  %-14s %s\n", name.c_str(), e.title.c_str());
+    std::printf("  %-14s %s\n", shown(e.name).c_str(), shown(e.title).c_str());
     for (const Parameter& p : e.parameters) {
       std::string values;
       for (std::size_t i = 0; i < p.values.size(); ++i)
@@ -131,7 +141,7 @@ void list_all(const Setup& setup) {
                                                       : ", ") +
                   (i > 7 && i + 1 < p.values.size() ? (i == 8 ? ", ..." : "") : p.values[i]);
       std::printf("  %-14s %s: %s%s\n", "", p.name.c_str(), values.c_str(),
-                  p.means.empty() ? "" : (" (" + p.means + ")").c_str());
+                  p.means.empty() ? "" : (" (" + shown(p.means) + ")").c_str());
     }
   }
   std::printf("Systems:\n");
@@ -177,7 +187,8 @@ int run_one(Options& options) {
     else std::cout << shown_json(to_json(truth)) << '\n';
     return 0;
   }
-  const std::optional<Truth> known = store ? store->truth(problem) : std::nullopt;
+  const std::optional<Truth> known =
+      store ? store->truth(problem, setup.experiment_of(problem).path) : std::nullopt;
   std::optional<Model> result;
   const SweepRow row = run_unit(setup, problem, system, known ? *known : establish_truth(setup, problem), &result);
   if (!options.keep.empty()) keep_tree(options.keep, setup.make(problem), result, row);
@@ -204,10 +215,11 @@ std::vector<Unit> planned_units(const Setup& setup, const Options& options) {
   return units;
 }
 
-std::vector<Unit> missing_units(const Store& store, const std::vector<Unit>& planned) {
+std::vector<Unit> missing_units(const Store& store, const Setup& setup, const std::vector<Unit>& planned) {
   std::vector<Unit> units;
   for (const Unit& unit : planned) {
-    if ((units.empty() || units.back().problem != unit.problem) && !store.truth(unit.problem))
+    if ((units.empty() || units.back().problem != unit.problem) &&
+        !store.truth(unit.problem, setup.experiment_of(unit.problem).path))
       units.push_back({unit.problem, kTruth});
     if (!store.has_row(unit.problem, unit.system)) units.push_back(unit);
   }
@@ -253,29 +265,54 @@ void thin_out(std::vector<Setup::Planned>& problems, std::size_t limit) {
   problems = std::move(some);
 }
 
-/// Takes problems that cannot be made out of the plan, and says so. Their process is not this one.
-Store::LeftOut check_problems(Setup& setup) {
+/// Takes problems that cannot be made out of the plan, and says so, unless they were made before. Their processes
+/// are not this one.
+Store::LeftOut check_problems(Setup& setup, const Store* store) {
+  std::map<std::string, std::vector<std::string>> problems;  // by reason
   Store::LeftOut left_out;
-  const ChildResult child = run_child([&] {
-    nlohmann::json faults = nlohmann::json::array();
-    for (const auto& [experiment, problem] : setup.problems) {
-      try {
-        setup.experiments[experiment].check(problem);
-      } catch (const std::runtime_error& error) {
-        faults.push_back({problem.name, error.what()});
+  const auto check = [&](std::size_t from, std::size_t to) {
+    return [&, from, to] {
+      nlohmann::json faults = nlohmann::json::array();
+      for (std::size_t i = from; i < to; ++i) {
+        const auto& [experiment, problem] = setup.problems[i];
+        const Experiment& e = setup.experiments[experiment];
+        if (store != nullptr && store->truth(problem.name, e.path)) continue;
+        try {
+          e.check(problem);
+        } catch (const std::runtime_error& error) {
+          faults.push_back({problem.name, error.what()});
+        }
       }
+      return json_text(faults);
+    };
+  };
+  // Programs of others may not end: each is a process with the limits of a run.
+  for (std::size_t from = 0; from < setup.problems.size();) {
+    const auto of = [&](std::size_t i) { return setup.problems[i].experiment; };
+    const bool alone = !setup.experiments[of(from)].program.empty();
+    std::size_t to = from + 1;
+    while (!alone && to < setup.problems.size() && of(to) == of(from)) ++to;
+    const std::string& first = setup.problems[from].problem.name;
+    const ChildResult child = run_child(check(from, to), alone ? setup.limits(first) : Limits());
+    if (child.end == ChildResult::End::done && !child.text.empty()) {
+      for (const auto& [problem, reason] : nlohmann::json::parse(child.text).get<Store::LeftOut>())
+        left_out.emplace_back(problem, reason);
+    } else {
+      left_out.emplace_back(first, alone ? setup.experiments[of(from)].program[0] + ": ended without a tree"
+                                         : "its check ended without a result");
     }
-    return faults.dump();
-  });
-  if (child.end != ChildResult::End::done || child.text.empty())
-    throw std::runtime_error("checking the problems ended without a result");
-  left_out = nlohmann::json::parse(child.text).get<Store::LeftOut>();
-  if (left_out.size() == setup.problems.size()) throw std::runtime_error(left_out[0].second);
-  for (const auto& [problem, reason] : left_out) {
-    say("left out: " + problem + ": " + reason);
-    std::erase_if(setup.problems,
-                  [&, &name = problem](const auto& planned) { return planned.problem.name == name; });
+    from = to;
   }
+  if (!left_out.empty() && left_out.size() == setup.problems.size()) throw std::runtime_error(left_out[0].second);
+  std::set<std::string> gone;
+  for (const auto& [problem, reason] : left_out) {
+    problems[reason].push_back(problem);
+    gone.insert(problem);
+  }
+  for (const auto& [reason, names] : problems)
+    say("left out: " + names[0] + (names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "") +
+        ": " + reason);
+  std::erase_if(setup.problems, [&](const auto& planned) { return gone.contains(planned.problem.name); });
   return left_out;
 }
 
@@ -285,7 +322,9 @@ int sweep(const Options& options) {
   if (!options.keep.empty()) throw std::runtime_error("--keep keeps what one run has: it needs --one");
   Setup setup = setup_of(options);
   thin_out(setup.problems, options.limit);
-  const Store::LeftOut left_out = check_problems(setup);
+  std::optional<Store> made;
+  if (!options.dry_run) made.emplace(options.out);
+  const Store::LeftOut left_out = check_problems(setup, made ? &*made : nullptr);
   const std::vector<Unit> planned = planned_units(setup, options);
   if (options.dry_run) {
     for (const Unit& unit : planned)
@@ -294,12 +333,12 @@ int sweep(const Options& options) {
   }
   for (const System& system : setup.systems)
     if (!system.absent.empty()) say("notice: " + system.name + " is left out: " + system.absent);
-  Store store(options.out);
+  Store& store = *made;
   if (!options.describe) store.lock();
   store.settle(setup);
   store.describe(setup, options.command, left_out);
   if (options.describe) return 0;
-  const std::vector<Unit> units = missing_units(store, planned);
+  const std::vector<Unit> units = missing_units(store, setup, planned);
   const auto missing = std::count_if(units.begin(), units.end(), [](const Unit& u) { return u.system != kTruth; });
   std::printf("%zu problems: %zu of %zu rows are there\n", setup.problems.size(),
               planned.size() - static_cast<std::size_t>(missing), planned.size());
@@ -344,8 +383,8 @@ void stop(int) {
 
 int run(Options& options) {
   if (options.list) {
-    options.names.clear();
-    list_all(setup_of(options));
+    const std::vector<std::string> names = std::exchange(options.names, {});
+    list_all(setup_of(options), names.empty() ? experiment_names() : names);
     return 0;
   }
   if (!options.one.empty()) return run_one(options);

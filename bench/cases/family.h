@@ -4,12 +4,14 @@
 // a sweep has is said in bench/experiments.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/cases/model.h"
 #include "bench/cases/operation.h"
+#include "csg/tree/tree.h"
 
 namespace cnrg::bench {
 
@@ -17,6 +19,8 @@ struct Problem {
   std::string name;                    ///< see `ProblemId`
   std::vector<Model> operands;         ///< faces have one loop each
   std::vector<Operation> steps;        ///< one less; step i takes operand i + 1
+  std::shared_ptr<const Tree> tree{};  ///< that it is a node of, if it is
+  NodeId node{};
   bool solids() const;                 ///< all operands are
   std::size_t triangle_count() const;  ///< of all operands
 };

@@ -88,9 +88,9 @@ Fold fold_of(const Tree& tree, NodeId id) {
   return fold;
 }
 
-/// A solid by winding that is not inside out, or a leaf without regions, as it is drawn.
-std::optional<Model> drawn_leaf(const Node& node) {
-  if (!node.shape || node.regularize) return {};
+/// A mesh as it is given: a solid by winding that is not inside out, or one without regions.
+std::optional<Model> given_mesh(const Node& node) {
+  if (node.operator_name != "mesh" || node.regularize) return {};
   const auto leaf = prepare(*node.shape);
   if (leaf->unbounded() || leaf->stored() != nullptr) return {};
   const Soup soup = make_soup({{leaf, node.transform ? SharedTransform(*node.transform) : SharedTransform()}});
@@ -119,24 +119,34 @@ std::optional<Model> drawn_leaf(const Node& node) {
   for (const Soup::Isolated& point : soup.isolated())
     model.isolated.push_back(static_cast<std::uint32_t>(point.point.index()));
   if (fill == Fill::winding && signed_volume(model) <= 0) return {};
+  cut_holes(model);
   return model;
 }
 
-Model evaluated(const Tree& tree, NodeId id) {
+/// The point sets of nodes, drawn with all leaves of the first one and as it is proven, so that surfaces that
+/// leaves have in common are.
+std::map<NodeId, Model> evaluated(const Tree& tree, NodeId among, const std::vector<NodeId>& nodes) {
   EvaluateOptions options;
   options.rows = Rows::none;
-  options.proof = AskedProof::none;
-  options.result = id;
+  options.result = among;
+  options.nodes = nodes;
+  options.drawn_together = true;
   options.threads = 1;
   const Evaluation evaluation = evaluate(tree, options);
-  const KeptValue& kept = evaluation.kept.front();
   const Complex& complex = *evaluation.complex;
-  const CellSet set = support(selection_of(complex, *kept.value));
-  const auto unbounded = [&](RegionId r) { return complex.unbounded(r); };
-  if (std::any_of(set.regions.begin(), set.regions.end(), unbounded) ||
-      !subtract(closure(complex, set), set).empty())
-    fail(tree, tree.nodes[id], "`" + tree.nodes[id].name + "` is open or unbounded, which no other system takes");
-  return model_of(complex, point_set(complex, *kept.value));
+  std::map<NodeId, Model> models;
+  for (const NodeId id : nodes) {
+    const KeptValue& kept = evaluation.value(id);
+    const CellSet set = support(selection_of(complex, *kept.value));
+    const auto unbounded = [&](RegionId r) { return complex.unbounded(r); };
+    if (std::any_of(set.regions.begin(), set.regions.end(), unbounded) ||
+        !subtract(closure(complex, set), set).empty())
+      fail(tree, tree.nodes[id],
+           "`" + tree.nodes[id].name + "` is open or unbounded, which no other system takes");
+    Model& model = models[id] = model_of(complex, point_set(complex, *kept.value));
+    cut_holes(model);
+  }
+  return models;
 }
 
 }  // namespace
@@ -145,28 +155,29 @@ bool is_tree_problem(const Tree& tree, NodeId node) {
   return is_plain(tree.nodes[node]) && tree.operands(node).size() > 1;
 }
 
-Model tree_model(const Tree& tree, NodeId node) {
-  std::optional<Model> model = drawn_leaf(tree.nodes[node]);
-  if (!model) model = evaluated(tree, node);
-  cut_holes(*model);
-  return std::move(*model);
+Model tree_model(const Tree& tree, NodeId node, NodeId among) {
+  return std::move(evaluated(tree, among, {node}).at(node));
 }
 
 Problem tree_problem(const Tree& tree, NodeId node) {
   const Fold fold = fold_of(tree, node);
   std::map<NodeId, Model> models;
+  std::vector<NodeId> others;
+  for (const NodeId operand : fold.operands) {
+    if (models.contains(operand) || std::find(others.begin(), others.end(), operand) != others.end()) continue;
+    if (std::optional<Model> mesh = given_mesh(tree.nodes[operand])) models.emplace(operand, std::move(*mesh));
+    else others.push_back(operand);
+  }
+  if (!others.empty()) models.merge(evaluated(tree, node, others));
   Problem problem;
   problem.steps = fold.steps;
-  for (const NodeId operand : fold.operands) {
-    auto it = models.find(operand);
-    if (it == models.end()) it = models.emplace(operand, tree_model(tree, operand)).first;
-    problem.operands.push_back(it->second);
-  }
+  for (const NodeId operand : fold.operands) problem.operands.push_back(models.at(operand));
   return problem;
 }
 
 void check_tree_problem(const Tree& tree, NodeId node) {
   const Fold fold = fold_of(tree, node);
+  check(tree);
   // What may be open or unbounded is known when it is evaluated.
   const std::vector<char> below = tree.dag->reachable(fold.operands);
   for (const NodeId id : IdRange<NodeId>(tree.nodes.size()))

@@ -67,7 +67,8 @@ void open_as(int descriptor, const char* path, int flags) {
 std::vector<std::string> lines_of(const std::string& path) {
   std::ifstream in(path);
   std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  constexpr std::size_t kMostLetters = 1000;
+  for (std::string line; std::getline(in, line);) lines.push_back(line.substr(0, kMostLetters));
   return lines;
 }
 
@@ -130,11 +131,15 @@ NamedProgram named_program(const std::string& text) {
 
 std::string program_path(const std::string& name, const std::string& program) {
   constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
-  if (name.find_first_not_of(kLetters) != std::string::npos)
-    throw std::runtime_error("'" + name + "' is no name of a system; it has letters, digits, - and _ only");
+  if (name.find_first_not_of(kLetters) != std::string::npos || name.starts_with('-') || name.size() > 60)
+    throw std::runtime_error("'" + name +
+                             "' is no name of a system; it has up to 60 letters, digits, - and _, and "
+                             "begins with no -");
   std::error_code error;
   const std::string path = fs::canonical(program, error).string();
   if (error) throw std::runtime_error(program + ": there is no such program");
+  if (access(path.c_str(), X_OK) != 0)
+    throw std::runtime_error(program + ": is no program that may be run (chmod +x)");
   return path;
 }
 

@@ -48,13 +48,14 @@ struct System {
   std::string absent;       ///< why it cannot run here and what to install; empty: it can
   /// Throws Refusal and Crash; whatever else it throws counts as a failure of the system at stage `unknown`.
   std::function<Answer(const Problem&)> evaluate;
+  bool if_named = false;  ///< it is given problems only where somebody names it
   /// Whether a model is the exact result, by code of the system alone; empty: it has none. Throws as `evaluate`.
   std::function<bool(const Problem&, const Model&)> agrees{};
   std::string executable{};  ///< of one that the command line names
 };
 
-/// Those built in, ours first: ours, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad. They do
-/// nothing to operands, but for occt-rescaled and openscad-rescaled, whose `guarantee` says what.
+/// Those built in, ours first: ours, ours-tree, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad.
+/// They do nothing to operands, but for occt-rescaled and openscad-rescaled, whose `guarantee` says what.
 std::vector<System> systems();
 
 /// The system with operands multiplied by a power of two that makes their largest coordinate 2^exponent or more;

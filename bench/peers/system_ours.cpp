@@ -4,6 +4,7 @@
 #include "bench/cases/soup_of.h"
 #include "bench/cases/value_model.h"
 #include "bench/peers/built_in.h"
+#include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/operate.h"
 #include "csg/operators/group.h"
 #include "kernel/base/error.h"
@@ -91,7 +92,37 @@ Answer answer_of_ours(const Problem& problem) {
   return answer;
 }
 
+/// As `cnrg eval`: what is below the node in its tree, with the proof of curved surfaces.
+Answer answer_of_our_tree(const Problem& problem) {
+  if (!problem.tree) throw Refusal("input", "the problem is no node of a tree");
+  EvaluateOptions options;
+  options.threads = 1;
+  options.rows = Rows::none;
+  options.result = problem.node;
+  Measurement measurement;
+  const Evaluation evaluation = evaluate(*problem.tree, options);
+  measurement.lap("evaluation");
+  evaluation.kept.front().simplified.counts();
+  measurement.lap("simplify");
+  Answer answer;
+  answer.measures = measurement.stop();
+  answer.model = model_of(*evaluation.complex, point_set(*evaluation.complex, *evaluation.kept.front().value));
+  answer.exact_share = evaluation.refine.stages.exact_share();
+  return answer;
+}
+
 }  // namespace
+
+System our_tree_system() {
+  System system = our_system();
+  system.name = "ours-tree";
+  system.title = "cnrg, whole tree";
+  system.guarantee =
+      "a node as `cnrg eval` has it: its leaves are drawn and curved ones proven; exact; one thread";
+  system.if_named = true;
+  system.evaluate = answer_of_our_tree;
+  return system;
+}
 
 System our_system() {
   return {.name = "ours",

@@ -53,6 +53,7 @@ System with_suffix(System system) {
 
 std::vector<System> systems() {
   return {our_system(),
+          our_tree_system(),
           mantyla_double_system(),
           mantyla_exact_system(),
           nef_system(),

@@ -71,7 +71,7 @@ def failures_near_degeneracy(experiment, summary):
         fact.sentence = "Not enough data: no family with a distance to degeneracy was run."
         return fact
     fact.columns = ["fails from", "at most", "there"]
-    fact.note = ("From: the farthest distance, as a part of the operands' size, at which "
+    fact.note = ("From: the largest 10⁻ᵏ, such as a distance as a part of the operands' size, at which "
                  f"{percent(ONSET)} of the runs or more fail. At most: the highest rate of failure, and at which "
                  "distance.")
     curves = sorted(curves, key=lambda c: (c.system != summary.ours, _onset_rank(c), -c.worst.tally.failure_rate))
@@ -112,7 +112,7 @@ def speed(experiment, summary):
     fact.columns = ["median", "quartiles", "n"]
     fact.lines = [(ratio.system, [three_digits(ratio.time.median) + " ×", _quartiles(ratio.time),
                                   grouped(ratio.time.count)]) for ratio in ratios]
-    fact.note = ("Time of the system over ours, on the n problems that both did right, each run once; below 1 the "
+    fact.note = ("Time of the system over ours, on the n problems that both did right, of warm runs where there are some; below 1 the "
                  "system is faster. Most problems are small; below are times by size. Guarantees are not equal.")
     # The peers of the project, else the fastest: the least flattering.
     by_name = {ratio.system: ratio for ratio in ratios}

@@ -1,4 +1,8 @@
-"""Tables for a paper: LaTeX with booktabs, a file each, of the numbers that the page has."""
+"""Tables for a paper: LaTeX with booktabs, a file each, of the numbers that the page has; and all rows as .csv."""
+import csv
+import io
+import re
+
 import words
 
 _ESCAPES = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_",
@@ -16,7 +20,7 @@ def _table(heads, rows, note):
     return "\n".join(lines) + "\n"
 
 
-def _verdicts(experiment, summary, name):
+def _verdicts(summary, name):
     """Systems against what became of their runs, with the interval of the rate of failures."""
     rows = []
     for system in summary.systems:
@@ -31,23 +35,40 @@ def _verdicts(experiment, summary, name):
             "failures (95 %)"], rows
 
 
-def _times(summary, name, study):
+def _times(name, study):
     """A row per system and size."""
     rows = []
     for curve in study.curves:
         for p in curve.points:
             low, high = p.seconds_quartiles
-            rows.append([name(curve.system), words.grouped(p.size), words.three_digits(p.triangles), f"{p.right} of {p.runs}",
-                         words.three_digits(p.seconds), f"{words.three_digits(low)} to {words.three_digits(high)}",
+            spread = f"{words.three_digits(low)} to {words.three_digits(high)}" if p.times > 1 else words.NONE
+            rows.append([name(curve.system), words.grouped(p.size), words.grouped(round(p.triangles)),
+                         f"{p.right} of {p.runs}", words.three_digits(p.seconds), spread,
                          words.three_digits(p.cold_seconds), words.megabytes(p.own_bytes)])
-    return ["system", "size", "triangles", "right", "median s", "quartiles s", "first run s", "MB"], rows
+    return ["system", "size", "triangles", "right", "median (s)", "quartiles (s)", "first run (s)", "memory (MB)"], rows
+
+
+def rows_csv(experiment):
+    """A line per run: what it was, its parameters, and what became of it."""
+    names = list(dict.fromkeys(name for row in experiment.rows for name in row["values"]))
+    heads = ["problem", "family", "operation", "operands", "triangles", "system", "verdict", "stage", "seconds",
+             "own_bytes", "excess", "missing", "load"]
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow([*heads, "warm_seconds", "confirmed", *(f"value:{name}" for name in names)])
+    for row in experiment.rows:
+        cells = [*(row[head] for head in heads), " ".join(map(str, row["warm"])), row["truth"]["confirmed"],
+                 *(row["values"].get(name, "") for name in names)]
+        writer.writerow([words.shown(cell) if isinstance(cell, str) else cell for cell in cells])
+    return out.getvalue()
 
 
 def tables(experiment, summary, label):
-    """Texts by the names of their files."""
+    """Texts by the names of their files, without what is no letter of those."""
     commit = experiment.machine["commit"] if experiment.machine else ""
     note = f"{len(experiment.rows)} runs, commit {commit or 'not recorded'}"
-    found = {"verdicts": _table(*_verdicts(experiment, summary, label), note)}
-    for study in summary.growth:
-        found[f"times-{study.family}"] = _table(*_times(summary, label, study), note)
-    return found
+    found = {"verdicts": _table(*_verdicts(summary, label), note)}
+    for study in summary.costs:
+        found[f"times-{study.family}"] = _table(*_times(label, study), note)
+    return {f"{re.sub('[^A-Za-z0-9_-]+', '-', name)}.tex": text for name, text in found.items()} | {
+        "rows.csv": rows_csv(experiment)}

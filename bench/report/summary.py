@@ -166,6 +166,7 @@ class GrowthPoint:
     cold_seconds: float      # of first runs alone
     seconds_quartiles: tuple
     own_bytes_quartiles: tuple
+    times: int = 1           # that the quartiles are of
 
 
 @dataclass
@@ -234,7 +235,8 @@ class Summary:
         self.all_distances = self._study_distances(None, rows)
         studies = [self._study_distances(name, group) for name, group in families]
         self.distances = [study for study in studies if study.curves]
-        self.growth = [self._study_growth(name, group) for name, group in families
+        self.costs = [self._study_growth(name, group) for name, group in families]
+        self.growth = [study for study, (_, group) in zip(self.costs, families)
                        if len({row["size"] for row in group}) >= 3]
         self.ratios = self._ratios(rows) if self.ours else []
         shares = [(name, [row["exact_share"] for row in group if row["system"] == OURS and row["exact_share"] >= 0])
@@ -308,7 +310,7 @@ class Summary:
                 if right:
                     place = float(size) if self._growth.get(family) == "size" else triangles
                     points.append(GrowthPoint(size, len(runs), len(right), triangles, place, time.median, memory.median, cold,
-                                              (time.lower, time.upper), (memory.lower, memory.upper)))
+                                              (time.lower, time.upper), (memory.lower, memory.upper), time.count))
             if points:
                 curves.append(GrowthCurve(name, points, *(self._law(points, cost) for cost in ("seconds", "own_bytes"))))
         return GrowthStudy(family, curves)

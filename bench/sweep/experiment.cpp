@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostProblems = 1'000'000, kMostBytes = 10'000'000;
+constexpr std::size_t kMostProblems = 1'000'000, kMostBytes = 10'000'000, kLongestName = 200, kLongestValue = 40;
 constexpr std::string_view kNode = "node";
 /// What a family's maker is told, and what rows tell of any problem.
 constexpr std::array<std::string_view, 4> kRoles{"operation", "size", "k", "seed"};
@@ -29,6 +29,16 @@ std::string file_word(std::string text) {
   for (char& c : text)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-' && c != '_') c = '_';
   return text;
+}
+
+/// A long value as its first letters, and a number that tells it from others.
+std::string short_word(const std::string& value) {
+  if (value.size() <= kLongestValue) return file_word(value);
+  std::uint64_t mix = 14695981039346656037u;
+  for (const char c : value) mix = (mix ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  char digits[20];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(mix));
+  return file_word(value.substr(0, 16)) + "_" + digits;
 }
 
 bool is_word(const std::string& text) {
@@ -74,6 +84,7 @@ std::vector<Value> one_or_more_of(const Value& value, const std::string& what) {
 std::vector<std::string> texts(const Value& value, const std::string& what) {
   std::vector<std::string> all;
   for (const Value& v : one_or_more_of(value, what)) all.push_back(v.text(what));
+  if (all.empty()) value.fail(what + " is an empty list");
   return all;
 }
 
@@ -95,6 +106,7 @@ Parameter read_parameter(const Value::Entry& entry) {
       v.fail(what + ": " + error.what());
     }
   }
+  if (parameter.values.empty()) values->fail(what + " is an empty list");
   std::vector<std::string> sorted = parameter.values;
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
@@ -159,11 +171,20 @@ std::vector<std::string> boolean_nodes(const Tree& tree) {
 Experiment read_experiment_file(const fs::path& path) {
   Experiment experiment;
   experiment.name = file_word(path.stem().string());
+  if (experiment.name[0] == '.' || experiment.name[0] == '-')
+    experiment.name[0] = '_';  // neither hidden nor an option
   experiment.path = fs::absolute(path).lexically_normal().string();
   experiment.text = cnrg::read_file(path.string(), {}, kMostBytes);
   Document document{path.string(), experiment.text.size() + 1000};
   const YAML::Node root = load_yaml(document, experiment.text);
   const YAML::Node own = root.IsMap() ? root["x-experiment"] : YAML::Node();
+  if (root.IsMap())
+    for (const auto& entry : root) {
+      if (!entry.first.IsScalar() || own.IsDefined()) continue;
+      const std::string hint = did_you_mean(entry.first.Scalar(), std::array<std::string_view, 1>{"x-experiment"});
+      if (!hint.empty())
+        Value(document, entry.first, {}).fail("unknown key `" + entry.first.Scalar() + "`" + hint);
+    }
   if (!own.IsDefined()) {
     experiment.title = "each Boolean node of " + path.filename().string();
     experiment.nodes = boolean_nodes(parse_tree(experiment.text, path.string()));
@@ -172,6 +193,7 @@ Experiment read_experiment_file(const fs::path& path) {
           {}, "this tree has no union, intersection or difference with a name, which systems could be given");
     return experiment;
   }
+  if (root["nodes"].IsDefined()) document.parameters = parse_tree(experiment.text, path.string()).parameters;
   const Value value(document, own, {});
   const Fields f(value, "x-experiment",
                  {"title", "values", "nodes", "family", "program", "truth", "systems", "seconds", "gigabytes",
@@ -203,7 +225,11 @@ Experiment read_experiment_file(const fs::path& path) {
     if (root["nodes"].IsDefined()) {
       const Tree tree = parse_tree(experiment.text, path.string());
       if (experiment.nodes.empty()) experiment.nodes = {tree.nodes[tree.result].name};
-      if (experiment.nodes == std::vector<std::string>{"all"}) experiment.nodes = boolean_nodes(tree);
+      if (experiment.nodes == std::vector<std::string>{"all"}) {
+        experiment.nodes = boolean_nodes(tree);
+        if (experiment.nodes.empty())
+          f.find("nodes")->fail("no union, intersection or difference of this tree has a name");
+      }
       try {
         for (const std::string& node : experiment.nodes) tree.find(node);
       } catch (const InputError& error) {
@@ -276,7 +302,7 @@ std::string name_of(const Experiment& experiment, const Experiment::Named& probl
   std::string name = experiment.name + "-" + file_word(problem.values.at(std::string(kNode)));
   for (const Parameter& p : experiment.parameters) {
     const std::string& value = problem.values.at(p.name);
-    name += "-" + (is_word(value) ? value : p.name + file_word(value));
+    name += "-" + (is_word(value) ? value : p.name + short_word(value));
   }
   return name;
 }
@@ -330,14 +356,18 @@ Problem Experiment::make(const Named& named) const {
   } else if (!family.empty()) {
     problem = make_problem(roles(named));
   } else {
-    const Tree tree = tree_of(*this, named.values);
-    problem = tree_problem(tree, tree.find(named.values.at(std::string(kNode))));
+    const auto tree = std::make_shared<const Tree>(tree_of(*this, named.values));
+    const NodeId node = tree->find(named.values.at(std::string(kNode)));
+    problem = tree_problem(*tree, node);
+    problem.tree = tree;
+    problem.node = node;
   }
   problem.name = named.name;
   return problem;
 }
 
 void Experiment::check(const Named& named) const {
+  roles(named);
   if (is_folder()) {
     make(named);
   } else if (!family.empty()) {
@@ -346,8 +376,10 @@ void Experiment::check(const Named& named) const {
     const Tree tree = tree_of(*this, named.values);
     check_tree_problem(tree, tree.find(named.values.at(std::string(kNode))));
     const auto claim = claims.find(named.values.at(std::string(kNode)));
-    if (claim != claims.end() && !claim->second.node.empty()) tree.find(claim->second.node);
+    if (claim != claims.end() && !claim->second.node.empty()) claimed_result(named);
     claimed_volume(named);
+    if (named.name.size() > kLongestName)
+      throw std::runtime_error(path + ": the name of a problem has more than 200 letters: " + named.name);
   }
 }
 
@@ -366,11 +398,11 @@ std::optional<Model> Experiment::claimed_result(const Named& named) const {
   const auto claim = node == named.values.end() ? claims.end() : claims.find(node->second);
   if (claim == claims.end() || claim->second.node.empty()) return {};
   const Tree tree = tree_of(*this, named.values);
-  return tree_model(tree, tree.find(claim->second.node));
+  return tree_model(tree, tree.find(claim->second.node), tree.find(node->second));
 }
 
 ProblemId Experiment::roles(const Named& named) const {
-  ProblemId id{family.empty() ? name : family, {}, family.empty() ? 0 : 1, {}, 1};
+  ProblemId id{family.empty() ? name : family, {}, family.empty() ? -1 : 1, {}, 1};
   const auto value = [&](const char* role) {
     const auto it = named.values.find(role);
     return it == named.values.end() ? std::string() : it->second;

@@ -38,6 +38,7 @@ struct ProgramSystem {
   std::vector<std::string> words;  ///< the program, absolute, and options before its operands
   double rounding = 1e-12;
   std::optional<int> rescale;  ///< as of `rescaled` (bench/peers/system.h)
+  friend bool operator==(const ProgramSystem&, const ProgramSystem&) = default;
 };
 
 struct Experiment {

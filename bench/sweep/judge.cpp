@@ -257,6 +257,28 @@ bool reaches_too_far(const Comparison& c, const Problem& problem, const Model& r
   return false;
 }
 
+/// A region that only one of the two has is thicker than moving the boundary makes it: twice its volume over its
+/// area, which is a half to all of the depth of a notch, a ridge or a spike.
+bool differs_in_depth(const Comparison& c) {
+  const CellSet excess = subtract(c.found, c.exact), missing = subtract(c.exact, c.found);
+  std::map<RegionId, double> areas;
+  for (const CellSet* set : {&excess, &missing})
+    for (const RegionId r : set->regions) areas[r] = 0;
+  if (areas.empty()) return false;
+  for (const FaceId f : IdRange<FaceId>(c.complex.face_count())) {
+    const auto& [front, back] = c.complex.face_regions[f];
+    const auto a = areas.find(front), b = areas.find(back);
+    if (front == back || (a == areas.end() && b == areas.end())) continue;
+    const double part = area(c.complex, {f});
+    if (a != areas.end()) a->second += part;
+    if (b != areas.end()) b->second += part;
+  }
+  const double allowed = 64 * c.rounding * c.extent;
+  return std::any_of(areas.begin(), areas.end(), [&](const auto& region) {
+    return 2 * to_double(volume(c.complex, {region.first}).value()) > allowed * region.second;
+  });
+}
+
 std::string topology_text(const BoundarySurface& found, const BoundarySurface& expected) {
   return std::to_string(found.shells) + " shells of genus " + std::to_string(found.genus) + " instead of " +
          std::to_string(expected.shells) + " of " + std::to_string(expected.genus) +
@@ -267,6 +289,8 @@ void judge_rounded(const Comparison& c, const Problem& problem, const Model& res
                    Judgement& j) {
   if (!(apart <= allowed))
     return reject(j, "volume", "the volume of the symmetric difference is beyond what rounding explains");
+  if (differs_in_depth(c))
+    return reject(j, "volume", "a part of the symmetric difference is thicker than rounding explains");
   if (reaches_too_far(c, problem, result))
     return reject(j, "surface", "it reaches out of the box of the operands further than rounding explains");
   const auto same = [](const BoundarySurface& a, const BoundarySurface& b) {

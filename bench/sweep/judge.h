@@ -5,9 +5,9 @@
 // the set. For an exact system every cell counts.
 //
 // Coordinates of other systems are rounded. The volume of the symmetric difference may be what moving the boundary
-// by the rounding makes, and nothing may reach out of the box of the operands; then shells and genus have to be
-// the same, as the system's own vertices and faces have them or as the set has them, and the contacts. A spike
-// that stays within that box, without volume, is not seen.
+// by the rounding makes, no part of it may be thicker than that, and nothing may reach out of the box of the
+// operands; then shells and genus have to be the same, as the system's own vertices and faces have them or as the
+// set has them, and the contacts. A spike that stays within that box, without volume, is not seen.
 //
 // Contacts are told apart at edges and vertices of the result. One in the interior of a face is not: models have
 // no vertices and edges there.

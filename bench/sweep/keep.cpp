@@ -5,7 +5,9 @@
 #include <set>
 #include <sstream>
 
+#include "bench/cases/face_loops.h"
 #include "bench/sweep/store.h"
+#include "csg/text/escape.h"
 
 namespace cnrg::bench {
 namespace {
@@ -62,6 +64,7 @@ std::string node_text(const Model& model) {
   std::vector<RationalPoint> isolated;
   for (const std::uint32_t p : model.isolated) isolated.push_back(model.points[p]);
   if (!isolated.empty()) leaves.push_back("{points: " + list_text(isolated, point_text) + "}");
+  if (leaves.empty()) return "{intersection: [{points: [[0, 0, 0]]}, {points: [[1, 0, 0]]}]}";
   return leaves.size() == 1 ? leaves[0]
                             : "{union: " + list_text(leaves, [](const auto& leaf) { return leaf; }) + "}";
 }
@@ -74,20 +77,28 @@ void keep_tree(const std::string& folder, const Problem& problem, const std::opt
                const SweepRow& row) {
   std::filesystem::create_directories(folder);
   std::ostringstream out;
-  out << "# " << row.command << "\n# " << row.system << ": " << to_string(row.verdict) << "\ncnrg: 1\nnodes:\n";
-  std::string exact;
+  out << "# " << shown(row.command) << "\n# " << row.system << ": " << to_string(row.verdict)
+      << "\ncnrg: 1\nnodes:\n";
+  std::string before;
   for (std::size_t i = 0; i < problem.operands.size(); ++i) {
     const std::string name = "operand " + std::to_string(i + 1);
     out << "  " << name << ": " << node_text(problem.operands[i]) << '\n';
-    exact =
-        i == 0 ? name : std::string("{") + to_string(problem.steps[i - 1]) + ": [" + exact + ", " + name + "]}";
+    if (i == 0) {
+      before = name;
+      continue;
+    }
+    const std::string step = i + 1 == problem.operands.size() ? "exact" : "step " + std::to_string(i);
+    out << "  " << step << ": {" << to_string(problem.steps[i - 1]) << ": [" << before << ", " << name << "]}\n";
+    before = step;
   }
-  out << "  exact: " << exact << '\n';
-  const bool shown = result && !empty(*result) && row.facts;  // else it bounds nothing that a tree could say
-  if (shown)
-    out << "  given: " << node_text(*result) << "\n  missing: {difference: [exact, given]}\n"
+  const bool given = result && !empty(*result) && row.facts;  // else it bounds nothing that a tree could say
+  if (given) {
+    Model model = *result;
+    cut_holes(model);
+    out << "  given: " << node_text(model) << "\n  missing: {difference: [exact, given]}\n"
         << "  excess: {difference: [given, exact]}\n  differs: {union: [missing, excess]}\n";
-  out << "result: " << (shown ? "differs" : "exact") << '\n';
+  }
+  out << "result: " << (given ? "differs" : "exact") << '\n';
   write_whole(folder + "/problem.yaml", out.str());
   write_whole(folder + "/row.json", to_json(row));
 }

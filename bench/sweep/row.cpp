@@ -187,8 +187,20 @@ SweepRow row_of_json(const std::string& text) {
   return row;
 }
 
-std::string to_json(const Truth& truth) { return json_text(object_of(truth)); }
-Truth truth_of_json(const std::string& text) { return truth_of(parse_json(text)); }
+std::string to_json(const Truth& truth) {
+  nlohmann::ordered_json out = object_of(truth);
+  out["experiment"] = truth.experiment;
+  out["digest"] = truth.digest;
+  return json_text(out);
+}
+Truth truth_of_json(const std::string& text) {
+  const nlohmann::json object = parse_json(text);
+  Truth truth = truth_of(object);
+  const JsonFields in(object, "the truth");
+  truth.experiment = in.text("experiment");
+  truth.digest = in.text("digest");
+  return truth;
+}
 std::string to_json(const Facts& facts) { return json_text(object_of(facts)); }
 Facts facts_of_json(const std::string& text) { return facts_in(parse_json(text), "the facts"); }
 

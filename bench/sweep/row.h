@@ -50,6 +50,8 @@ struct Truth {
   /// `volume`: the volume agrees with corefinement to 1e-9. `node`, `formula`: what the experiment claims. `none`:
   /// neither was possible; `reason` says why. `DISAGREES`: one of them has another result.
   std::string confirmed = "none", reason;
+  // Not in rows: the file or folder of the experiment, and a digest of the operands.
+  std::string experiment{}, digest{};
 };
 
 struct SweepRow {

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "bench/sweep/machine.h"
+#include "csg/text/escape.h"
 
 namespace cnrg::bench {
 namespace {
@@ -81,8 +82,9 @@ void Store::settle(const Setup& setup) {
   }
   const auto compare = [&](const std::string& what, const nlohmann::json& old, const nlohmann::json& now) {
     if (old != now)
-      throw std::runtime_error(path + ": the sweep in this folder has " + what + " " + old.dump() +
-                               ", this command " + now.dump() + "; give the same, or another folder by --out");
+      throw std::runtime_error(path + ": the sweep in this folder has " + what + " " + excerpt(old.dump()) +
+                               ", this command " + excerpt(now.dump()) +
+                               "; give the same, or another folder by --out");
   };
   for (const char* key : {"commit", "seconds", "gigabytes"})
     compare(key, there.value(key, nlohmann::json()), wanted[key]);
@@ -144,14 +146,19 @@ std::string Store::row_path(const std::string& problem, const std::string& syste
   return folder_ + "/rows/" + problem + "/" + system + ".json";
 }
 
-std::optional<Truth> Store::truth(const std::string& problem) const {
+std::optional<Truth> Store::truth(const std::string& problem, const std::string& of) const {
   const std::string path = truth_path(problem);
   if (!fs::exists(path)) return {};
+  Truth truth;
   try {
-    return truth_of_json(read(path));
+    truth = truth_of_json(read(path));
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what() + "; remove it and sweep again");
   }
+  if (truth.experiment != of)
+    throw std::runtime_error(folder_ + " has the problem " + problem + " of " + truth.experiment +
+                             "; give another folder by --out");
+  return truth;
 }
 
 bool Store::has_row(const std::string& problem, const std::string& system) const {

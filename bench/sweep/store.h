@@ -35,7 +35,8 @@ class Store {
   std::string truth_path(const std::string& problem) const;
   std::string row_path(const std::string& problem, const std::string& system) const;
   /// Nothing when there is none yet. Throws std::runtime_error for a broken file, naming it.
-  std::optional<Truth> truth(const std::string& problem) const;
+  /// Also for one of another experiment than `of`, a path.
+  std::optional<Truth> truth(const std::string& problem, const std::string& of) const;
   bool has_row(const std::string& problem, const std::string& system) const;
   void write_truth(const std::string& problem, const Truth& truth) const;
   void write_row(const SweepRow& row) const;

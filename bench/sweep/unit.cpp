@@ -10,7 +10,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "bench/sweep/json_fields.h"
 #include "bench/sweep/judge.h"
+#include "csg/text/number.h"
 
 namespace cnrg::bench {
 namespace {
@@ -32,30 +34,40 @@ Reply reply_of(const std::string& text) {
 struct Run {
   ChildResult child;
   Reply reply;
-  bool answered() const { return child.end == End::done && reply.head.value("answered", false); }
+  bool answered() const {
+    return child.end == End::done && reply.head.is_object() && reply.head.value("answered", false);
+  }
 };
 
 /// The work of the process that runs a system.
 std::string answer_text(const Setup& setup, const std::string& name, const System& system) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
   Problem problem;
   try {
     problem = setup.make(name);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    return Json{{"answered", false}, {"problem", error.what()}}.dump() + "\n";
+    return json_text(Json{{"answered", false}, {"problem", error.what()}}) + "\n";
   }
   try {
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
     const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-    const Answer answer = system.evaluate(problem);
+    Answer answer = system.evaluate(problem);
     Json warm = Json::array();  // as many as there is time for
+    double longest = elapsed();
     for (int i = 0; i < setup.experiment_of(name).warm_runs; ++i) {
-      if (const double used = elapsed(); used + 2 * used / (i + 1) > setup.limits(name).seconds) break;
+      const double before = elapsed();
+      if (before + 2 * longest > setup.limits(name).seconds) break;
+      const Answer again = system.evaluate(problem);
       double seconds = 0;
-      for (const auto& [stage, part] : system.evaluate(problem).measures.stages) seconds += part;
+      for (const auto& [stage, part] : again.measures.stages) seconds += part;
       warm.push_back(seconds);
+      longest = std::max(longest, elapsed() - before);
+      if (again.model.points == answer.model.points && again.model.faces.size() == answer.model.faces.size())
+        continue;
+      answer.note = "run " + std::to_string(i + 2) + " has another result than the first";
+      break;
     }
     Json stages = Json::array();
     for (const auto& [stage, seconds] : answer.measures.stages) stages.push_back({stage, seconds});
@@ -73,12 +85,13 @@ std::string answer_text(const Setup& setup, const std::string& name, const Syste
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const Crash& crash) {
-    return Json{{"answered", false}, {"stage", "signal"}, {"message", crash.what()}, {"thrown", true}}.dump() +
+    return json_text(Json{{"answered", false}, {"stage", "signal"}, {"message", crash.what()}, {"thrown", true}}) +
            "\n";
   } catch (const Refusal& refusal) {
-    return Json{{"answered", false}, {"stage", refusal.stage()}, {"message", refusal.what()}}.dump() + "\n";
+    return json_text(Json{{"answered", false}, {"stage", refusal.stage()}, {"message", refusal.what()}}) + "\n";
   } catch (const std::exception& error) {
-    return Json{{"answered", false}, {"stage", "unknown"}, {"message", error.what()}, {"thrown", true}}.dump() +
+    return json_text(
+               Json{{"answered", false}, {"stage", "unknown"}, {"message", error.what()}, {"thrown", true}}) +
            "\n";
   }
 }
@@ -87,7 +100,7 @@ Run run(const Setup& setup, const std::string& problem, const System& system) {
   Run result;
   result.child = run_child([&] { return answer_text(setup, problem, system); }, setup.limits(problem));
   if (result.child.end == End::done) result.reply = reply_of(result.child.text);
-  if (result.reply.head.contains("problem"))
+  if (result.reply.head.is_object() && result.reply.head.contains("problem"))
     throw ProblemError(problem + " could not be made: " + result.reply.head["problem"].get<std::string>());
   return result;
 }
@@ -128,7 +141,7 @@ Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, doub
         } catch (const std::bad_alloc&) {
           throw;
         } catch (const std::exception& error) {
-          return Json{{"error", error.what()}}.dump() + "\n";
+          return json_text(Json{{"error", error.what()}}) + "\n";
         }
       },
       limits);
@@ -139,8 +152,11 @@ Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, doub
   j.verdict = parse_verdict(head.at("verdict").get<std::string>()).value();
   head.at("stage").get_to(j.stage);
   head.at("message").get_to(j.message);
-  head.at("excess").get_to(j.excess);
-  head.at("missing").get_to(j.missing);
+  const auto part = [&](const char* key) {  // what is not finite has no other form
+    return head.at(key).is_null() ? std::numeric_limits<double>::quiet_NaN() : head.at(key).get<double>();
+  };
+  j.excess = part("excess");
+  j.missing = part("missing");
   head.at("duplicates").get_to(j.duplicates);
   j.truth = facts_of_json(head.at("truth").get<std::string>());
   if (head.contains("facts")) j.facts = facts_of_json(head["facts"].get<std::string>());
@@ -154,39 +170,57 @@ Judged judged(const Setup& setup, const std::string& name, double rounding, cons
   return by_volume.judgement && by_volume.judgement->verdict == Verdict::wrong ? by_volume : compared;
 }
 
-/// Names and sizes of the problem, by a process of its own: this one stays small.
-void describe(const Setup& setup, SweepRow& row) {
+std::string digest_of(const Problem& problem) {
+  std::ostringstream text;
+  for (const Model& operand : problem.operands) write_model(text, operand);
+  std::uint64_t mix = 14695981039346656037u;
+  for (const char c : text.str()) mix = (mix ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return std::to_string(mix);
+}
+
+/// Sizes of a problem, by a process of its own: this one stays small.
+Json described(const Setup& setup, const std::string& name) {
+  const Limits limits = judging_limits(setup.limits(name));
   const ChildResult child = run_child(
       [&] {
         try {
-          const Problem problem = setup.make(row.problem);
+          const Problem problem = setup.make(name);
           const auto& steps = problem.steps;
           const bool mixed = std::any_of(steps.begin(), steps.end(), [&](Operation o) { return o != steps[0]; });
           return Json{{"operands", problem.operands.size()},
+                      {"digest", digest_of(problem)},
                       {"triangles", problem.triangle_count()},
                       {"operation", mixed ? "fold" : to_string(steps.at(0))}}
                      .dump() +
                  "\n";
+        } catch (const std::bad_alloc&) {
+          throw;
         } catch (const std::exception& error) {
-          return Json{{"error", error.what()}}.dump() + "\n";
+          return json_text(Json{{"error", error.what()}}) + "\n";
         }
       },
-      judging_limits(setup.limits(row.problem)));
+      limits);
   const Json head = child.end == End::done ? reply_of(child.text).head : Json();
-  if (head.is_null())
+  if (head.is_null()) throw ProblemError(name + " could not be made: " + why(child, limits.seconds));
+  if (head.contains("error")) throw ProblemError(name + " could not be made: " + head["error"].get<std::string>());
+  return head;
+}
+
+void describe(const Setup& setup, SweepRow& row) {
+  const Json head = described(setup, row.problem);
+  if (!row.truth.digest.empty() && row.truth.digest != head.at("digest"))
     throw ProblemError(row.problem +
-                       " could not be made: " + why(child, judging_limits(setup.limits(row.problem)).seconds));
-  if (head.contains("error"))
-    throw ProblemError(row.problem + " could not be made: " + head["error"].get<std::string>());
+                       " has other operands than when this sweep began: a file that it reads, or a "
+                       "program, has changed; give another folder by --out");
+  head.at("operands").get_to(row.operands);
+  head.at("triangles").get_to(row.triangles);
   const Setup::Planned& planned = setup.planned(row.problem);
   const Experiment& experiment = setup.experiments[planned.experiment];
   const ProblemId id = experiment.roles(planned.problem);
-  head.at("operands").get_to(row.operands);
-  head.at("triangles").get_to(row.triangles);
   row.family = experiment.name;
   row.values = planned.problem.values;
   row.operation = id.operation.empty() ? head.at("operation").get<std::string>() : id.operation;
-  row.size = id.size > 0 ? id.size : static_cast<long>(row.triangles);
+  row.size = id.size >= 0 ? id.size : static_cast<long>(row.triangles);
   row.distance = id.distance;
   row.seed = id.seed;
   row.has_distance = planned.problem.values.contains("k");
@@ -244,27 +278,43 @@ const System& Setup::system(const std::string& name) const {
 
 namespace {
 
-/// The point set of the claimed node, compared.
-Judged judged_claim(const Setup& setup, const std::string& problem) {
+/// What the experiment claims of a problem: a judgement of the point set of another node, or a volume.
+struct Claimed {
+  std::optional<Judgement> node;
+  std::optional<std::string> volume;
+  std::string reason;  ///< why there is nothing that was to be there
+};
+
+Claimed claimed(const Setup& setup, const std::string& problem) {
   const ChildResult child = run_child(
       [&] {
         std::ostringstream out;
         try {
-          const std::optional<Model> model =
-              setup.experiment_of(problem).claimed_result(setup.planned(problem).problem);
-          out << Json{{"claimed", model.has_value()}}.dump() << '\n';
+          const Experiment& experiment = setup.experiment_of(problem);
+          const std::optional<Model> model = experiment.claimed_result(setup.planned(problem).problem);
+          const std::optional<Rational> volume = experiment.claimed_volume(setup.planned(problem).problem);
+          out << Json{{"node", model.has_value()}, {"volume", volume ? cnrg::to_string(*volume) : ""}}.dump()
+              << '\n';
           if (model) write_model(out, *model);
+        } catch (const std::bad_alloc&) {
+          throw;
         } catch (const std::exception& error) {
-          return Json{{"error", error.what()}}.dump() + "\n";
+          return json_text(Json{{"error", error.what()}}) + "\n";
         }
         return out.str();
       },
       judging_limits(setup.limits(problem)));
   const Reply reply = child.end == End::done ? reply_of(child.text) : Reply();
-  if (reply.head.is_null()) return {{}, why(child, judging_limits(setup.limits(problem)).seconds)};
-  if (reply.head.contains("error")) return {{}, reply.head["error"].get<std::string>()};
-  if (!reply.head["claimed"].get<bool>()) return {};
-  return judged(setup, problem, 0, reply.rest);
+  Claimed claim;
+  if (reply.head.is_null()) claim.reason = why(child, judging_limits(setup.limits(problem)).seconds);
+  else if (reply.head.contains("error")) claim.reason = reply.head["error"].get<std::string>();
+  if (!claim.reason.empty()) return claim;
+  if (const std::string volume = reply.head["volume"]; !volume.empty()) claim.volume = volume;
+  if (!reply.head["node"].get<bool>()) return claim;
+  const Judged judgement = judged(setup, problem, 0, reply.rest);
+  claim.node = judgement.judgement;
+  claim.reason = judgement.reason;
+  return claim;
 }
 
 /// Of the exact result; of nothing, with an empty volume, if they cannot be had within the limits.
@@ -303,7 +353,7 @@ std::optional<bool> agrees_with_nef(const Setup& setup, const std::string& probl
         } catch (const std::bad_alloc&) {
           throw;
         } catch (const std::exception& error) {
-          return Json{{"error", error.what()}}.dump() + "\n";
+          return json_text(Json{{"error", error.what()}}) + "\n";
         }
       },
       limits);
@@ -317,6 +367,8 @@ std::optional<bool> agrees_with_nef(const Setup& setup, const std::string& probl
 
 Truth establish_truth(const Setup& setup, const std::string& problem) {
   Truth truth;
+  truth.experiment = setup.experiment_of(problem).path;
+  truth.digest = described(setup, problem).at("digest");
   const auto add_reason = [&](const std::string& who, const std::string& reason) {
     truth.reason += (truth.reason.empty() ? "" : "; ") + who + ": " + reason;
   };
@@ -351,20 +403,23 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
     truth.confirmed = "Nef-by-us";
     add_reason("nef", "did not compare by itself: " + reason);
   }
-  if (const Judged claim = judged_claim(setup, problem); claim.judgement) {
-    if (!is_same(claim.judgement->verdict)) return disagrees("the claimed node", claim.judgement->message);
-    truth.facts = claim.judgement->truth;
-    if (truth.confirmed == "none") truth.confirmed = "node";
-  } else if (!claim.reason.empty()) {
-    add_reason("the claimed node", claim.reason);
+  const Claimed claim = claimed(setup, problem);
+  const std::string who = "the truth that " + setup.experiment_of(problem).path + " claims";
+  if (!claim.reason.empty()) return disagrees(who, claim.reason);
+  if (claim.node && !is_same(claim.node->verdict)) return disagrees(who, claim.node->message);
+  if (claim.volume) {
+    if (truth.confirmed == "none") truth.facts = exact_facts_of(setup, problem);
+    const std::string& exact = truth.facts.volume;
+    if (exact.empty()) add_reason(who, "our own volume could not be had within the limits");
+    else if (exact != *claim.volume)
+      return disagrees(who, "the volume is " + number_text(*parse_rational(*claim.volume), "") + ", ours " +
+                                number_text(*parse_rational(exact), ""));
   }
-  if (const auto volume = setup.experiment_of(problem).claimed_volume(setup.planned(problem).problem)) {
-    const std::string exact =
-        truth.confirmed == "none" ? exact_facts_of(setup, problem).volume : truth.facts.volume;
-    if (exact.empty()) add_reason("the formula", "our own volume could not be had within the limits");
-    else if (exact != cnrg::to_string(*volume))
-      return disagrees("the formula", "the volume is " + cnrg::to_string(*volume) + ", ours " + exact);
-    else if (truth.confirmed == "none") truth.confirmed = "formula";
+  if (truth.confirmed == "none" && claim.node) {
+    truth.facts = claim.node->truth;
+    truth.confirmed = "node";
+  } else if (truth.confirmed == "none" && claim.volume && !truth.facts.volume.empty()) {
+    truth.confirmed = "formula";
   }
   if (truth.confirmed != "none") return truth;
   const std::optional<Judgement> corefinement = asked("corefinement");

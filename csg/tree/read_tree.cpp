@@ -217,7 +217,7 @@ class TreeReader {
     const std::string name = index.text(f.name("index"));
     if (!is_parameter_name(name) || document_.parameters.contains(name))
       index.fail_type(f.name("index"), "a name of letters, digits and `_` that no parameter has");
-    const std::int64_t copies = f.at("count", "30").integer(f.name("count"), 1, 1'000'000);
+    const std::int64_t copies = f.at("count", "30").integer(f.name("count"), 1, 50'000);
     for (std::int64_t copy = 0; copy < copies; ++copy) {
       const NodeId copied = add_node(tree_.nodes[id].name + "/" + std::to_string(copy + 1), true, of.at());
       dag_.add_operand(id, copied, of.at());

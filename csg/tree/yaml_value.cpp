@@ -101,19 +101,23 @@ Value::Value(Document& document, const YAML::Node& node, Position key_at)
     : document_(&document), node_(node), at_(node.IsNull() ? key_at : position_of(node.Mark(), key_at)) {
   if (document.values_left == 0) {
     fail(
-        "the aliases of this file repeat too much: it yields far more values than it has letters; "
+        "the aliases and `repeat` of this file repeat too much: it yields far more values than it has letters; "
         "write one node and use it by name instead");
   }
   --document.values_left;
-  if (!is_text() || node.Scalar().find("${") == std::string::npos) return;
+}
+
+const std::string& Value::computed() const {
+  if (computed_) return *computed_;
   try {
-    computed_ = std::make_shared<const std::string>(with_values(node.Scalar(), document.parameters));
+    computed_ = std::make_shared<const std::string>(with_values(node_.Scalar(), document_->parameters));
   } catch (const InputError& e) {
     fail(e.what());
   }
-  if (computed_->size() > document.values_left)
+  if (computed_->size() > document_->values_left)
     fail("the values of expressions in this file are too long: they have far more letters than the file");
-  document.values_left -= computed_->size();
+  document_->values_left -= computed_->size();
+  return *computed_;
 }
 
 void Value::fail_type(const std::string& what, const std::string& wanted) const {
@@ -143,8 +147,13 @@ bool Value::boolean(const std::string& what) const {
 Rational Value::number(const std::string& what) const {
   if (!is_text()) fail_type(what, "a number");
   NumberText number = read_number(raw());
-  if (!number.value) fail(what + ": " + quoted(raw()) + number.fault);
-  return std::move(*number.value);
+  if (number.value) return std::move(*number.value);
+  try {
+    evaluate_expression(raw(), document_->parameters);
+  } catch (const InputError&) {
+    fail(what + ": " + quoted(raw()) + number.fault);
+  }
+  fail(what + ": " + quoted(raw()) + number.fault + "; an expression is written \"${" + excerpt(raw()) + "}\"");
 }
 
 std::int64_t Value::integer(const std::string& what, std::int64_t low, std::int64_t high) const {

@@ -45,11 +45,11 @@ class Value {
   bool is_list() const { return node_.IsSequence(); }
   bool is_map() const { return node_.IsMap(); }
   /// The text of a scalar, as it is written, but with values for expressions.
-  const std::string& raw() const { return computed_ ? *computed_ : node_.Scalar(); }
+  const std::string& raw() const { return has_expression() ? computed() : node_.Scalar(); }
   /// True for a scalar in quotes; one that is an expression and nothing else stands in quotes for YAML.
   bool is_quoted() const {
     return node_.Tag() == "!" &&
-           !(computed_ && raw_text().starts_with("${") && raw_text().find('}') + 1 == raw_text().size());
+           !(has_expression() && raw_text().starts_with("${") && raw_text().find('}') + 1 == raw_text().size());
   }
   /// The text of a scalar without quotes around it that says true or false.
   std::optional<bool> as_bool() const;
@@ -80,7 +80,9 @@ class Value {
   Document* document_;
   YAML::Node node_;
   Position at_;
-  std::shared_ptr<const std::string> computed_{};
+  mutable std::shared_ptr<const std::string> computed_{};
+  bool has_expression() const { return is_text() && raw_text().find("${") != std::string::npos; }
+  const std::string& computed() const;
   const std::string& raw_text() const { return node_.Scalar(); }
 };
 

@@ -292,7 +292,8 @@ TEST_CASE("Nef polyhedra say by themselves whether a result is the exact one") {
         INFO("seed " << seed << ", the result of " << j << " for " << i);
         const Model &right = results[i], &given = results[j];
         const bool differs = volume(right) != volume(given) || sheet_area(right) != sheet_area(given) ||
-                             wire_length(right) != wire_length(given) || right.isolated.size() != given.isolated.size();
+                             wire_length(right) != wire_length(given) ||
+                             right.isolated.size() != given.isolated.size();
         if (i != j && !differs) continue;
         try {
           CHECK(nef.agrees(pair_of(a, kAll[i], b), given) == (i == j));

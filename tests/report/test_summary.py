@@ -128,7 +128,7 @@ class Aggregates(unittest.TestCase):
         self.assertEqual(vars(ours.points[1]),
                          {"size": 10, "runs": 4, "right": 3, "triangles": 240, "place": 240, "seconds": 0.1,
                           "own_bytes": 10000, "cold_seconds": 0.1, "seconds_quartiles": (0.05 * 1.5, 0.5),
-                          "own_bytes_quartiles": (10000, 10000)})
+                          "own_bytes_quartiles": (10000, 10000), "times": 3})
         self.assertAlmostEqual(ours.time.exponent, 2)
         self.assertAlmostEqual(ours.memory.exponent, 1)
         self.assertEqual(len(a.points), 2)

@@ -12,6 +12,7 @@
 #include "tests/catch.h"
 #include "tests/oracles/dag.h"
 #include "tests/scenes/seeds.h"
+#include "tests/sweep/models.h"
 
 namespace cnrg::bench {
 namespace {
@@ -85,7 +86,7 @@ TEST_CASE("a node is a fold: inline operands are steps of it", "[experiments]") 
   CHECK(steps(2) == "difference difference ");          // a union behind is more operands
   CHECK(steps(3) == "union difference intersection ");  // a Boolean before is the beginning
   CHECK(e.make(e.problems()[2]).operands.size() == 3);
-  CHECK(e.roles(e.problems()[0]).size == 0);
+  CHECK(e.roles(e.problems()[0]).size == -1);
 }
 
 TEST_CASE("a node of any random tree is the fold of its operands", "[experiments]") {
@@ -107,13 +108,52 @@ TEST_CASE("a node of any random tree is the fold of its operands", "[experiments
         ++open;
         continue;
       }
-      const Verdict verdict = judge(problem, tree_model(tree, id), 0).verdict;
+      const Verdict verdict = judge(problem, tree_model(tree, id, id), 0).verdict;
       CHECK((verdict == Verdict::same || verdict == Verdict::contact_duplicated));
       ++compared;
     }
   }
   CHECK(compared > 40);
   CHECK(open > 0);
+}
+
+TEST_CASE("operands have the surfaces that leaves have in common", "[experiments]") {
+  // A shaft of other facets in its bore: alone each would be drawn otherwise, and gaps would stay.
+  const Tree tree = parse_tree(
+      "cnrg: 1\nnodes:\n  rock: {box: {min: [-2, -2, 0], max: [2, 2, 4]}}\n"
+      "  bore: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 1, segments: 32}}\n  plate: {difference: "
+      "[rock, bore]}\n"
+      "  shaft: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 1, segments: 24}}\n  m: {union: [plate, "
+      "shaft]}\n"
+      "  open: {interior: rock}\nresult: m\n",
+      "shaft.yaml");
+  const Problem problem = tree_problem(tree, tree.find("m"));
+  CHECK(exact_facts(problem).volume == "64");
+  CHECK(judge(problem, tree_model(tree, tree.find("rock"), tree.find("m")), 0).verdict == Verdict::same);
+  CHECK_THROWS_WITH(tree_model(tree, tree.find("open"), tree.find("m")), Contains("`open` is open or unbounded"));
+  // Two boxes that overlap as one mesh, whose faces cross: a claim is about its point set.
+  const Tree mesh = parse_tree(
+      "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [2, 1, 1]}}\n  b: {box: {min: [1, 0, 0], max: [3, 1, "
+      "1]}}\n"
+      "  m: {union: [a, b]}\n  holed: {difference: [{box: {min: [0, 0, 0], max: [3, 3, 3]}}, {box: {min: [1, 1, "
+      "-1], max: "
+      "[2, 2, 4]}}]}\n  more: {union: [holed, a]}\nresult: m\n",
+      "mesh.yaml");
+  CHECK(exact_facts(tree_problem(mesh, mesh.find("more"))).volume == "24");
+}
+
+TEST_CASE("a notch that is deeper than rounding is wrong, however small its volume", "[sweep]") {
+  const Rational depth = Rational(1) / 10000;
+  const Model block = box({-1, -1, -1}, {1, 1, 0}),
+              cut = box({-depth / 100, -depth / 100, -depth}, {depth / 100, depth / 100, 1});
+  Problem problem;
+  problem.operands = {block, cut};
+  problem.steps = {Operation::subtract};
+  const Judgement j = judge(problem, block, 1e-12);
+  CHECK(j.verdict == Verdict::wrong);
+  CHECK_THAT(j.message, Contains("thicker than rounding explains"));
+  problem.operands[1] = box({-1, -1, -Rational(1) / 1'000'000'000'000}, {1, 1, 1});
+  CHECK(judge(problem, block, 1e-12).verdict == Verdict::same);
 }
 
 TEST_CASE("faults of experiments have a place and a remedy", "[experiments]") {
@@ -147,6 +187,13 @@ TEST_CASE("faults of experiments have a place and a remedy", "[experiments]") {
              Contains("/bin/false: ended with status 1"));
   CHECK_THAT(fault("weld: 1/10\n" + kTree), Contains("mine.yaml:1:7") && Contains("other systems do not weld"));
   CHECK_THAT(fault("not yaml: ["), Contains("mine.yaml:1"));
+  CHECK_THAT(fault(kTree + "x-experimnt: {title: t}\n"),
+             Contains("mine.yaml:11:1") && Contains("did you mean `x-experiment`"));
+  for (const char* empty : {"values: {n: []}", "program: []", "systems: [{name: a, program: []}]", "nodes: []"})
+    CHECK_THAT(with(empty), Contains("is an empty list"));
+  CHECK_THAT(with("values: {n: 0}"), Contains("`count` of repeat must be a whole number from 1"));
+  CHECK_THAT(fault(kTree + "x-experiment: {title: t, truth: {model: {node: open}}}\n"),
+             Contains("no node called `open`"));
 }
 
 TEST_CASE("a sweep of a tree: claims, warm runs, programs of the file", "[sweep]") {
@@ -177,8 +224,8 @@ TEST_CASE("a sweep of a tree: claims, warm runs, programs of the file", "[sweep]
   CHECK(row("mine-model-k0-n2", "first").verdict == Verdict::wrong);
   const SweepRow less = row("mine-less-k0-n2", "ours");  // pegs from z = 0: 14 is left
   CHECK(less.truth.confirmed == "DISAGREES");
-  CHECK_THAT(less.truth.reason, Contains("the formula: the volume is 15, ours 14"));
-  CHECK_THAT(row("mine-other-k20-n2", "ours").truth.reason, Contains("the claimed node"));
+  CHECK_THAT(less.truth.reason, Contains("mine.yaml claims: the volume is 15, ours 14"));
+  CHECK_THAT(row("mine-other-k20-n2", "ours").truth.reason, Contains("mine.yaml claims: too much"));
   // A program that prints trees makes the same problems.
   w.write("print", "#!/bin/sh\n[ \"$1 $2\" = \"k=20 n=2\" ] && sed 's/k: 0/k: 20/' '" +
                        w.path("mine.yaml").string() + "'\n");
@@ -195,6 +242,75 @@ TEST_CASE("a sweep of a tree: claims, warm runs, programs of the file", "[sweep]
   CHECK(evaluation.rows.back().cells == std::array<std::size_t, 4>{});
   for (const NodeRow& r : evaluation.rows)
     if (r.name == "exact" || r.name == "given") CHECK(cnrg::to_string(r.volume().value()) == ours.facts->volume);
+}
+
+TEST_CASE("what is kept can be read: holes, many steps, nothing", "[sweep]") {
+  const Workshop w;
+  w.write("mine.yaml",
+          "cnrg: 1\nnodes:\n  holed: {difference: [{box: {min: [0, 0, 0], max: [300, 3, 3]}}, {repeat: {of: {box: "
+          "{min: "
+          "[\"${i + 1/4}\", 1, -1], max: [\"${i + 3/4}\", 2, 4]}}, count: 250, index: i}}]}\n"
+          "  none: {intersection: [{box: {min: [0, 0, 0], max: [1, 1, 1]}}, {box: {min: [5, 0, 0], max: [6, 1, "
+          "1]}}]}\n"
+          "  both: {union: [none, holed]}\nresult: both\n");
+  for (const std::string node : {"holed", "both", "none"}) {
+    REQUIRE(w.run("mine.yaml --one mine-" + node + " ours --keep kept").status == 0);
+    const Evaluation evaluation = evaluate(read_tree(w.path("kept/problem.yaml").string()));
+    CHECK(evaluation.rows.back().cells == std::array<std::size_t, 4>{});
+  }
+}
+
+TEST_CASE("a folder keeps apart what is not of one experiment, or has changed", "[sweep]") {
+  const Workshop w;
+  const auto tree = [](const std::string& node, int size) {
+    return "cnrg: 1\nnodes:\n  cube: {mesh: {file: cube.off}}\n  " + node +
+           ": {union: [cube, {box: {min: [0, 0, 0], max: [1, 1, " + std::to_string(size) +
+           "]}}]}\nresult: " + node + "\nx-experiment: {title: t, systems: ours}\n";
+  };
+  const auto cube = [](const std::string& far) {
+    return "OFF\n4 4 0\n0 0 0\n" + far + " 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  };
+  w.write("cube.off", cube("1"));
+  w.write("a.yaml", tree("b-c", 2));
+  w.write("a-b.yaml", tree("c", 11));
+  CHECK_THAT(w.run("a.yaml a-b.yaml --out both").err, Contains("two experiments have a problem a-b-c"));
+  REQUIRE(w.run("a.yaml --out one --quiet").status == 0);
+  CHECK_THAT(w.run("a-b.yaml --out one --quiet").err,
+             Contains("has the problem a-b-c of ") && Contains("by --out"));
+  fs::remove(w.path("one/rows/a-b-c/ours.json"));
+  w.write("cube.off", cube("2"));
+  const Outcome changed = w.run("a.yaml --out one --quiet");
+  CHECK(changed.status == 1);
+  CHECK_THAT(changed.err, Contains("has other operands than when this sweep began"));
+}
+
+TEST_CASE("programs that say nothing readable, too much, or never end", "[sweep]") {
+  const Workshop w;
+  const auto program = [&](const std::string& name, const std::string& text) {
+    w.write(name, "#!/bin/sh\n" + text + "\n");
+    fs::permissions(w.path(name), fs::perms::owner_all);
+  };
+  program("latin", "printf 'Fehler: \\374bel\\n' >&2; exit 3");
+  program("long", "head -c 5000000 /dev/zero | tr '\\0' x >&2; exit 3");
+  program("big",
+          "printf 'OFF\\n4 4 0\\n0 0 0\\n1e308 0 0\\n0 1e308 0\\n0 0 1e308\\n3 0 2 1\\n3 0 1 3\\n3 1 2 3\\n3 2 0 "
+          "3\\n' > \"$4\"");
+  program("hang", "sleep 50");
+  std::string systems;
+  for (const char* name : {"latin", "long", "big"})
+    systems += std::string(", {name: ") + name + ", program: " + name + "}";
+  w.write("mine.yaml", kTree + "x-experiment: {title: t, systems: [ours" + systems + "]}\n");
+  const Outcome o = w.run("mine.yaml --out out --quiet");
+  INFO(o.err);
+  REQUIRE(o.status == 0);
+  const auto row = [&](const char* system) {
+    return row_of_json(w.read(std::string("out/rows/mine-model/") + system + ".json"));
+  };
+  CHECK(row("latin").verdict == Verdict::refused);
+  CHECK(row("long").message.size() < 1100);
+  CHECK(row("big").verdict == Verdict::wrong);
+  w.write("hang.yaml", "x-experiment: {title: t, program: hang, nodes: model, seconds: 1, systems: ours}\n");
+  CHECK_THAT(w.run("hang.yaml --out hung").err, Contains("ended without a tree"));
 }
 
 TEST_CASE("all experiments of this source can be made", "[experiments]") {

@@ -54,10 +54,10 @@ TEST_CASE("bad input has one clear line", "[sweep]") {
   fails("turned -D k=17", "0 to 16");
   fails("turned -D operation=fold", "no operation 'fold'");
   // What would be ignored.
-  fails("turned -D n=2", "-D n: no experiment here has this parameter");
-  fails("boxes -D k=2", "-D k: no experiment here has this parameter");
+  fails("turned -D n=2", "-D n: no experiment here has values for this parameter");
+  fails("boxes -D k=2", "-D k: no experiment here has values for this parameter");
   for (const char* option : {"size=2", "k=3", "seed=2"})
-    fails("meshes -D " + std::string(option), "no experiment here has this parameter");
+    fails("meshes -D " + std::string(option), "no experiment here has values for this parameter");
   for (const char* option : {"--limit 3", "--systems nef", "--dry-run"})
     fails("--one turned-union-s1-k9-r2 ours " + std::string(option), "means nothing with --one: leave it out");
   fails("turned --keep out", "it needs --one");

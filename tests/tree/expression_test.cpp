@@ -172,10 +172,15 @@ TEST_CASE("repeat is the union of its copies, written out", "[tree]") {
              Contains("t.yaml:5:22: error: `of` of repeat must be a node"));
   CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 2, index: n}}"), Contains("that no parameter has"));
   CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 0, index: i}}"), Contains("`count` of repeat must be"));
-  CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 1000000, index: i}}"), Contains("repeat too much"));
+  CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 50001, index: i}}"), Contains("from 1 to 50000"));
+  CHECK_THAT(
+      fault("{repeat: {of: {repeat: {of: {simplify: peg}, count: 5000, index: j}}, count: 5000, index: i}}"),
+      Contains("repeat too much"));
   CHECK_THAT(fault("{repeat: &r {of: {union: [peg, {repeat: *r}]}, count: 2, index: i}}"),
              Contains("that no parameter"));
   CHECK_THAT(fault("&r {repeat: {of: {union: [peg, *r]}, count: 2, index: i}}"), Contains("in a cycle"));
+  CHECK_THAT(fault("{sphere: {center: [0, 0, 0], radius: 1 + n}}"), Contains("is written \"${1 + n}\""));
+  CHECK(fault("{box: {min: [0, 0, 0], max: [1, 1, 1]}, x-price: \"${USD}\"}") == "");
   CHECK(fault("{repeat: {of: {simplify: peg, x-a: \"${n}\"}, count: 1, index: i}}\nx-b: {c: 1}") == "");
 }
 
@@ -253,7 +258,7 @@ TEST_CASE("parameters stand in texts, names and numbers of a tree", "[tree]") {
   CHECK_THAT(fault_of_expression("sin"), Contains("`sin` is a function: `sin(...)`"));
   CHECK(fault_of_expression(std::string(5000, 'a')).size() < 200);
   CHECK_THAT(fault("", "1"),
-             Contains("t.yaml:5:9: error: `${n}`: there is no parameter `n`; add it to `parameters`"));
+             Contains("t.yaml:3:3: error: `${n}`: there is no parameter `n`; add it to `parameters`"));
   CHECK_THAT(fault(head, "1", {.parameters = {{"r", "1"}}}),
              Contains("the parameter `r`: t.yaml has no such one; did you mean `R`?"));
   CHECK_THAT(fault(head, "1", {.parameters = {{"R", "1/0"}}}),

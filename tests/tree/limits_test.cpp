@@ -98,7 +98,7 @@ TEST_CASE("values by alias at their limit", "[.limits]") {
   };
   CHECK_NOTHROW(parse_tree(aliases(200), "t.yaml"));
   CHECK_THROWS_WITH(parse_tree(aliases(300), "t.yaml"),
-                    Catch::Contains("the aliases of this file repeat too much"));
+                    Catch::Contains("the aliases and `repeat` of this file repeat too much"));
 }
 
 }  // namespace
