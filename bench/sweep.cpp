@@ -51,6 +51,14 @@ void add_system(Setup& setup, System system) {
   setup.systems.push_back(std::move(system));
 }
 
+/// A system that its name says how to make is added. Throws std::runtime_error for one that nobody knows.
+void make_known(Setup& setup, const std::string& name) {
+  const auto is_named = [&](const System& system) { return system.name == name; };
+  if (std::any_of(setup.systems.begin(), setup.systems.end(), is_named)) return;
+  if (std::optional<System> system = system_with_epsilon(name)) setup.systems.push_back(std::move(*system));
+  else setup.system(name);
+}
+
 /// Systems, experiments, and their problems: all, or those whose names are given.
 Setup setup_of(const Options& options) {
   Setup setup;
@@ -85,7 +93,7 @@ Setup setup_of(const Options& options) {
       add_system(setup,
                  program.rescale ? rescaled(std::move(system), *program.rescale, program.rounding) : system);
     }
-    for (const std::string& system : experiment.systems) setup.system(system);
+    for (const std::string& system : experiment.systems) make_known(setup, system);
     std::vector<Experiment::Named> problems = experiment.problems();
     if (problems.empty()) throw std::runtime_error(name + ": holds no OFF, OBJ, STL or PLY file");
     for (Experiment::Named& problem : problems) {
@@ -95,6 +103,8 @@ Setup setup_of(const Options& options) {
     }
     setup.experiments.push_back(std::move(experiment));
   }
+  for (const std::string& system : options.systems) make_known(setup, system);
+  if (options.one.size() == 2 && options.one[1] != kTruth) make_known(setup, options.one[1]);
   for (const GivenValues& values : given)
     if (!used.contains(values.name))
       throw std::runtime_error("-D " + values.name + ": no experiment here has values for this parameter" +

@@ -12,9 +12,9 @@
 // - shells without a curve, which the book leaves open, are located by rays (locate.cpp);
 // - one epsilon, relative to the operands' size, serves all comparisons of doubles; fractions have none;
 // - the result's own invariants are checked at the end, and edges that share both ends get a vertex in the middle
-//   (output.cpp); results in doubles are cut into triangles, since their points are in no plane any more. Both
-//   fail as stage output;
-// - a fold reads the result of a step as the operand of the next one;
+//   (output.cpp); the last result in doubles is cut into triangles, since its points are in no plane any more.
+//   Both fail as stage output;
+// - a fold reads the result of a step, polygons, as the operand of the next one;
 // - the operands keep what reduction adds: neither collinear edges nor coplanar faces are joined, as in the book.
 //
 // What the method cannot do, and says: operands that are no 2-manifold, or whose faces are not planar (input); a
@@ -59,8 +59,12 @@ Model evaluate(const Model& a, const Model& b, Operation operation, const N& eps
 template Model evaluate(const Model&, const Model&, Operation, const double&);
 template Model evaluate(const Model&, const Model&, Operation, const Rational&);
 
+Model step_double(const Model& a, const Model& b, Operation operation, double epsilon) {
+  return evaluate<double>(a, b, operation, epsilon);
+}
+
 Model boolean_double(const Model& a, const Model& b, Operation operation, double epsilon) {
-  return triangulated(evaluate<double>(a, b, operation, epsilon));
+  return triangulated(step_double(a, b, operation, epsilon));
 }
 
 Model boolean_exact(const Model& a, const Model& b, Operation operation) {

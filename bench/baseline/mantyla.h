@@ -37,6 +37,12 @@ class Failure : public std::runtime_error {
 /// faces; where the result touches itself points are there twice. Throws Failure.
 Model boolean_double(const Model& a, const Model& b, Operation operation, double epsilon = 1e-10);
 
+/// The same, but faces are polygons, also with holes, planar within epsilon: the operand of a next step.
+Model step_double(const Model& a, const Model& b, Operation operation, double epsilon);
+/// Each face with more than three corners as triangles over the same points. Throws Failure (output), such as for
+/// a face whose parts hang together in a point, where the result touches itself.
+Model triangulated(const Model& model);
+
 /// The same source on rationals, epsilon 0. Throws Failure.
 Model boolean_exact(const Model& a, const Model& b, Operation operation);
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "bench/baseline/mantyla.h"
 #include "bench/baseline/scene.h"
 
 namespace cnrg::bench::mantyla {

@@ -138,10 +138,6 @@ Model write_result(const Scene<N>& scene, const std::vector<FaceId>& faces);
 template <class N>
 Model evaluate(const Model& a, const Model& b, Operation operation, const N& epsilon);
 
-/// Each face with more than three corners as triangles over the same points. Throws Failure (output), such as for
-/// a face whose parts hang together in a point, where the result touches itself.
-Model triangulated(const Model& model);
-
 /// Where a face of a model lies against the given boundary of the other solid. `Side::on`: in a face of it, whose
 /// normal goes to `normal`. Throws Failure (finishing) when no ray decides.
 template <class N>

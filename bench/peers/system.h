@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -57,6 +58,10 @@ struct System {
 /// Those built in, ours first: ours, ours-tree, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad.
 /// They do nothing to operands, but for occt-rescaled and openscad-rescaled, whose `guarantee` says what.
 std::vector<System> systems();
+
+/// `mantyla-double:1e-8`: that baseline with another epsilon, which is its rounding, too. Nothing for other names.
+/// Throws std::runtime_error for what is no epsilon.
+std::optional<System> system_with_epsilon(const std::string& name);
 
 /// The system with operands multiplied by a power of two that makes their largest coordinate 2^exponent or more;
 /// its results are divided by it, and its time is that of the system alone. Its title says so.

@@ -203,18 +203,21 @@ TEST_CASE("a sweep of a tree: claims, warm runs, programs of the file", "[sweep]
   w.write("mine.yaml", kTree +
                            "x-experiment:\n  title: pegs\n  nodes: [model, less, other]\n"
                            "  values: {k: [0, 20], n: 2}\n  runs: 3\n  seconds: 30\n"
-                           "  systems: [ours, {name: first, program: [./first, --quick]}]\n"
+                           "  systems: [ours, ours-tree, {name: first, program: [./first, --quick]}]\n"
                            "  truth: {model: {volume: 16 + n}, less: {volume: 15}, other: {node: model}}\n");
   const Outcome o = w.run("mine.yaml --out out --quiet");
   INFO(o.err);
   CHECK(o.status == 0);
-  CHECK(o.out.find("6 problems: 0 of 12 rows are there") != std::string::npos);
+  CHECK(o.out.find("6 problems: 0 of 18 rows are there") != std::string::npos);
   const auto row = [&](const std::string& problem, const std::string& system) {
     return row_of_json(w.read("out/rows/" + problem + "/" + system + ".json"));
   };
   const SweepRow ours = row("mine-model-k20-n2", "ours");
   CHECK(ours.verdict == Verdict::same);
   CHECK(ours.warm.size() == 2);
+  for (const char* problem : {"mine-model-k0-n2", "mine-less-k20-n2", "mine-other-k20-n2"})
+    CHECK(row(problem, "ours-tree").facts->volume == row(problem, "ours").facts->volume);
+  CHECK(row("mine-other-k0-n2", "ours-tree").verdict == Verdict::same);
   CHECK(ours.values == Values{{"k", "20"}, {"n", "2"}, {"node", "model"}});
   CHECK(ours.limit_seconds == 30);
   CHECK(ours.truth.confirmed == "Nef");
