@@ -97,8 +97,9 @@ TEST_CASE("systems are named, ours first") {
     if (system.absent.empty()) CHECK_FALSE(system.version().empty());
     else WARN("left out: " << system.name << ": " << system.absent);
   }
-  CHECK(names == std::vector<std::string>{"ours", "ours-tree", "mantyla-double", "mantyla-exact", "nef", "corefinement", "occt",
-                                          "occt-rescaled", "openscad", "openscad-rescaled"});
+  CHECK(names == std::vector<std::string>{"ours", "ours-tree", "mantyla-double", "mantyla-exact", "nef",
+                                          "corefinement", "occt", "occt-rescaled", "openscad",
+                                          "openscad-rescaled"});
 }
 
 TEST_CASE("two boxes that overlap, no coordinate of which is a double") {
