@@ -93,7 +93,11 @@ Setup setup_of(const Options& options) {
       add_system(setup,
                  program.rescale ? rescaled(std::move(system), *program.rescale, program.rounding) : system);
     }
-    for (const std::string& system : experiment.systems) make_known(setup, system);
+    try {
+      for (const std::string& system : experiment.systems) make_known(setup, system);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(experiment.path + ": " + error.what());
+    }
     std::vector<Experiment::Named> problems = experiment.problems();
     if (problems.empty()) throw std::runtime_error(name + ": holds no OFF, OBJ, STL or PLY file");
     for (Experiment::Named& problem : problems) {

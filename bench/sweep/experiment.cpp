@@ -59,6 +59,13 @@ std::string value_of(const std::string& text) {
 void add_values(const std::string& text, std::vector<std::string>& values) {
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos) {
+    const std::size_t dash = text.find('-');
+    const auto digits = [](const std::string& part) {
+      return !part.empty() && part.find_first_not_of("0123456789") == std::string::npos;
+    };
+    if (dash != std::string::npos && digits(text.substr(0, dash)) && digits(text.substr(dash + 1)))
+      throw InputError("`" + text + "` is " + value_of(text) + "; a range is written " + text.substr(0, dash) +
+                       ".." + text.substr(dash + 1) + ", a difference with blanks");
     values.push_back(value_of(text));
     return;
   }
@@ -150,6 +157,12 @@ void read_claims(const Value& value, Experiment& experiment) {
     if (const Value* node = f.find("node")) claim.node = node->text(f.name("node"));
     if (claim.volume.empty() == claim.node.empty())
       entry.value.fail("the truth is a `volume`, an expression of the parameters, or another `node`: one of them");
+    if (claim.volume.empty() || !experiment.program.empty()) continue;  // what it prints may have other parameters
+    try {
+      evaluate_expression(claim.volume, value.document().parameters);
+    } catch (const InputError& error) {
+      f.find("volume")->fail(error.what());
+    }
   }
 }
 
@@ -280,7 +293,7 @@ Tree tree_of(const Experiment& experiment, const Values& values) {
   const std::string out = folder.file("tree.yaml");
   const ProgramRun run = run_program(words, folder, out.c_str());
   if (!run.succeeded()) throw std::runtime_error(experiment.program[0] + ": " + run.reason());
-  return parse_tree(cnrg::read_file(out), experiment.program[0]);
+  return parse_tree(cnrg::read_file(out), experiment.program[0] + " (what it prints)");
 }
 
 template <class Integer>
@@ -420,7 +433,8 @@ ProblemId Experiment::roles(const Named& named) const {
 GivenValues given_values(const std::string& text) {
   const std::size_t equals = text.find('=');
   GivenValues given{text.substr(0, equals), {}};
-  if (equals == std::string::npos || !is_parameter_name(given.name) || equals + 1 == text.size())
+  if (equals == std::string::npos || !is_parameter_name(given.name) || equals + 1 == text.size() ||
+      text.back() == ',')
     throw std::runtime_error("'" + text + "' is no NAME=VALUE,LOW..HIGH,...");
   std::istringstream parts(text.substr(equals + 1));
   try {

@@ -13,6 +13,7 @@
 #include "bench/sweep/json_fields.h"
 #include "bench/sweep/judge.h"
 #include "csg/text/number.h"
+#include "csg/tree/suggest.h"
 
 namespace cnrg::bench {
 namespace {
@@ -272,8 +273,12 @@ const System& Setup::system(const std::string& name) const {
     if (system.name == name) return system;
     known += (known.empty() ? "" : ", ") + system.name;
   }
-  throw std::runtime_error("there is no system '" + name + "'; there are " + known +
-                           ", and any program by `--system NAME=PROGRAM`");
+  std::vector<std::string_view> names;
+  for (const System& system : systems) names.push_back(system.name);
+  const std::string hint = did_you_mean(name, names);
+  throw std::runtime_error(
+      "there is no system '" + name + "'" +
+      (hint.empty() ? "; there are " + known + ", and any program by `--system NAME=PROGRAM`" : hint));
 }
 
 namespace {

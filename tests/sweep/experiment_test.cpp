@@ -167,6 +167,7 @@ TEST_CASE("faults of experiments have a place and a remedy", "[experiments]") {
   CHECK_THAT(with("values: {n: [1, 2/2]}"), Contains("mine.yaml:11:") && Contains("has 1 twice"));
   CHECK_THAT(with("values: {n: 3..1}"), Contains("mine.yaml:11:") && Contains("is no range"));
   CHECK_THAT(with("values: {n: 1..k}"), Contains("mine.yaml:11:") && Contains("there is no parameter `k`"));
+  CHECK_THAT(with("values: {n: 1-3}"), Contains("`1-3` is -2; a range is written 1..3"));
   CHECK_THAT(with("values: {n: word}"), Contains("there is no parameter `word`"));
   CHECK_THAT(with("nodes: moved"), Contains("is no union, intersection or difference alone"));
   CHECK_THAT(with("family: turned"), Contains("give one of them"));
@@ -175,7 +176,8 @@ TEST_CASE("faults of experiments have a place and a remedy", "[experiments]") {
   CHECK_THAT(with("growth: size"), Contains("where there is a parameter `size`"));
   CHECK_THAT(with("truth: {other: {volume: 1}}"), Contains("`other` is no node of this experiment"));
   CHECK_THAT(with("truth: {model: {}}"), Contains("one of them"));
-  CHECK_THAT(with("truth: {model: {volume: 2*m}}"), Contains("there is no parameter `m`"));
+  CHECK_THAT(with("truth: {model: {volume: 2*m}}"),
+             Contains("mine.yaml:11:") && Contains("there is no parameter `m`"));
   CHECK_THAT(with("truth: {model: {node: mdl}}"), Contains("no node called `mdl`"));
   CHECK_THAT(with("systems: [{name: me, program: ./none}]"), Contains("there is no such program"));
   CHECK_THAT(with("systems: [{name: a/b, program: /bin/true}]"), Contains("is no name of a system"));

@@ -50,7 +50,7 @@ TEST_CASE("bad input has one clear line", "[sweep]") {
   };
   fails("trned", "'trned' is no experiment, file or folder; did you mean `turned`?");
   fails("", "--list");
-  fails("turned --systems ours,nex", "there is no system 'nex'");
+  fails("turned --systems ours,nex", "there is no system 'nex'; did you mean `nef`?");
   fails("turned -D k=17", "0 to 16");
   fails("turned -D operation=fold", "no operation 'fold'");
   // What would be ignored.
@@ -63,7 +63,7 @@ TEST_CASE("bad input has one clear line", "[sweep]") {
   fails("turned --keep out", "it needs --one");
   fails("all turned --dry-run --limit 1", "is there twice");
   fails("meshes -D operation=fold", "'fold' is no operation");
-  for (const char* values : {"seed", "seed=", "seed=1..x", "seed=3..1", "=3", "seed=1..0.5"})
+  for (const char* values : {"seed", "seed=", "seed=1,", "seed=1..x", "seed=3..1", "=3", "seed=1..0.5"})
     fails("turned -D " + std::string(values), values);
   fails("turned --jobs 0", "--jobs");
   fails("turned turned", "twice");
