@@ -6,6 +6,7 @@
 
 #include "bench/cases/tree_problem.h"
 #include "bench/sweep/judge.h"
+#include "bench/sweep/keep.h"
 #include "csg/evaluate/evaluate.h"
 #include "kernel/base/error.h"
 #include "tests/app/program.h"
@@ -252,9 +253,9 @@ TEST_CASE("a sweep of a tree: claims, warm runs, programs of the file", "[sweep]
 TEST_CASE("what is kept can be read: holes, many steps, nothing", "[sweep]") {
   const Workshop w;
   w.write("mine.yaml",
-          "cnrg: 1\nnodes:\n  holed: {difference: [{box: {min: [0, 0, 0], max: [300, 3, 3]}}, {repeat: {of: {box: "
+          "cnrg: 1\nnodes:\n  holed: {difference: [{box: {min: [0, 0, 0], max: [3, 3, 3]}}, {repeat: {of: {box: "
           "{min: "
-          "[\"${i + 1/4}\", 1, -1], max: [\"${i + 3/4}\", 2, 4]}}, count: 250, index: i}}]}\n"
+          "[\"${i + 1/4}\", 1, -1], max: [\"${i + 3/4}\", 2, 4]}}, count: 2, index: i}}]}\n"
           "  none: {intersection: [{box: {min: [0, 0, 0], max: [1, 1, 1]}}, {box: {min: [5, 0, 0], max: [6, 1, "
           "1]}}]}\n"
           "  both: {union: [none, holed]}\nresult: both\n");
@@ -263,6 +264,12 @@ TEST_CASE("what is kept can be read: holes, many steps, nothing", "[sweep]") {
     const Evaluation evaluation = evaluate(read_tree(w.path("kept/problem.yaml").string()));
     CHECK(evaluation.rows.back().cells == std::array<std::size_t, 4>{});
   }
+  // As many steps as nothing may nest.
+  Problem many;
+  many.operands.assign(600, box({0, 0, 0}, {1, 1, 1}));
+  many.steps.assign(599, Operation::unite);
+  keep_tree(w.path("many").string(), many, std::nullopt, {});
+  CHECK(read_tree(w.path("many/problem.yaml").string()).nodes.size() == 600 + 599);
 }
 
 TEST_CASE("a folder keeps apart what is not of one experiment, or has changed", "[sweep]") {
