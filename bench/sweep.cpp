@@ -148,12 +148,10 @@ void list_all(const Setup& setup, const std::vector<std::string>& names) {
     const Experiment e = read_experiment(name, {}, used);
     std::printf("  %-14s %s\n", shown(e.name).c_str(), shown(e.title).c_str());
     for (const Parameter& p : e.parameters) {
-      std::string values;
-      for (std::size_t i = 0; i < p.values.size(); ++i)
-        values += (i == 0                             ? ""
-                   : i > 7 && i + 1 < p.values.size() ? ""
-                                                      : ", ") +
-                  (i > 7 && i + 1 < p.values.size() ? (i == 8 ? ", ..." : "") : p.values[i]);
+      constexpr std::size_t kShown = 8;
+      std::string values = p.values[0];
+      for (std::size_t i = 1; i < std::min(kShown, p.values.size()); ++i) values += ", " + p.values[i];
+      if (p.values.size() > kShown) values += (p.values.size() > kShown + 1 ? ", ..., " : ", ") + p.values.back();
       std::printf("  %-14s %s: %s%s\n", "", p.name.c_str(), values.c_str(),
                   p.means.empty() ? "" : (" (" + shown(p.means) + ")").c_str());
     }
@@ -218,24 +216,21 @@ std::string duration(double seconds) {
   return text;
 }
 
-/// Problems with the systems that get them.
-std::vector<Unit> planned_units(const Setup& setup, const Options& options) {
+/// Of each experiment, the systems that get its problems.
+std::vector<std::vector<std::string>> systems_of(const Setup& setup, const Options& options) {
   std::vector<std::vector<std::string>> systems;
   for (const Experiment& experiment : setup.experiments)
     systems.push_back(chosen_systems(setup, options, experiment));
-  std::vector<Unit> units;
-  for (const Setup::Planned& planned : setup.problems)
-    for (const std::string& system : systems[planned.experiment]) units.push_back({planned.problem.name, system});
-  return units;
+  return systems;
 }
 
-std::vector<Unit> missing_units(const Store& store, const Setup& setup, const std::vector<Unit>& planned) {
+std::vector<Unit> missing_units(const Store& store, const Setup& setup,
+                                const std::vector<std::vector<std::string>>& systems) {
   std::vector<Unit> units;
-  for (const Unit& unit : planned) {
-    if ((units.empty() || units.back().problem != unit.problem) &&
-        !store.truth(unit.problem, setup.experiment_of(unit.problem).path))
-      units.push_back({unit.problem, kTruth});
-    if (!store.has_row(unit.problem, unit.system)) units.push_back(unit);
+  for (const auto& [experiment, problem] : setup.problems) {
+    if (!store.truth(problem.name, setup.experiments[experiment].path)) units.push_back({problem.name, kTruth});
+    for (const std::string& system : systems[experiment])
+      if (!store.has_row(problem.name, system)) units.push_back({problem.name, system});
   }
   return units;
 }
@@ -289,10 +284,9 @@ Store::LeftOut check_problems(Setup& setup, const Store* store) {
       nlohmann::json faults = nlohmann::json::array();
       for (std::size_t i = from; i < to; ++i) {
         const auto& [experiment, problem] = setup.problems[i];
-        const Experiment& e = setup.experiments[experiment];
-        if (store != nullptr && store->truth(problem.name, e.path)) continue;
+        if (store != nullptr && std::filesystem::exists(store->truth_path(problem.name))) continue;
         try {
-          e.check(problem);
+          setup.experiments[experiment].check(problem);
         } catch (const std::runtime_error& error) {
           faults.push_back({problem.name, error.what()});
         }
@@ -339,10 +333,13 @@ int sweep(const Options& options) {
   std::optional<Store> made;
   if (!options.dry_run) made.emplace(options.out);
   const Store::LeftOut left_out = check_problems(setup, made ? &*made : nullptr);
-  const std::vector<Unit> planned = planned_units(setup, options);
+  const std::vector<std::vector<std::string>> systems = systems_of(setup, options);
+  std::size_t rows = 0;
+  for (const Setup::Planned& planned : setup.problems) rows += systems[planned.experiment].size();
   if (options.dry_run) {
-    for (const Unit& unit : planned)
-      std::printf("%s\t%s\n", shown(unit.problem).c_str(), shown(unit.system).c_str());
+    for (const auto& [experiment, problem] : setup.problems)
+      for (const std::string& system : systems[experiment])
+        std::printf("%s\t%s\n", shown(problem.name).c_str(), shown(system).c_str());
     return 0;
   }
   for (const System& system : setup.systems)
@@ -352,10 +349,10 @@ int sweep(const Options& options) {
   store.settle(setup);
   store.describe(setup, options.command, left_out);
   if (options.describe) return 0;
-  const std::vector<Unit> units = missing_units(store, setup, planned);
+  const std::vector<Unit> units = missing_units(store, setup, systems);
   const auto missing = std::count_if(units.begin(), units.end(), [](const Unit& u) { return u.system != kTruth; });
   std::printf("%zu problems: %zu of %zu rows are there\n", setup.problems.size(),
-              planned.size() - static_cast<std::size_t>(missing), planned.size());
+              rows - static_cast<std::size_t>(missing), rows);
   std::fflush(stdout);
   app::ProgressBar bar(options.quiet);
   const std::vector<std::string> command = unit_command(options);

@@ -28,9 +28,7 @@ std::optional<Operation> operation_of_node(const Node& node) {
 }
 
 /// What other systems know of: a Boolean alone.
-bool is_plain(const Node& node) {
-  return operation_of_node(node) && !node.transform && !node.regularize && !node.each;
-}
+bool is_plain(const Node& node) { return operation_of_node(node) && !node.transform && !node.regularize; }
 
 /// If its operands are.
 bool is_closed_and_bounded(const Node& node) {
@@ -92,9 +90,7 @@ Fold fold_of(const Tree& tree, NodeId id) {
 std::optional<Model> given_mesh(const Node& node) {
   if (node.operator_name != "mesh" || node.regularize) return {};
   const auto leaf = prepare(*node.shape);
-  if (leaf->unbounded() || leaf->stored() != nullptr) return {};
   const Soup soup = make_soup({{leaf, node.transform ? SharedTransform(*node.transform) : SharedTransform()}});
-  if (soup.leaf_count() != 1) return {};
   const Fill fill = soup.fill(LeafId(0));
   if (fill != Fill::none && fill != Fill::winding) return {};
   Model model;

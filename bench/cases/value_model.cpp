@@ -75,16 +75,20 @@ class ModelMaker {
 
 }  // namespace
 
-SimplifiedComplex point_set(const Complex& complex, const NodeValue& value) {
-  Selection selection = selection_of(complex, value);
-  const auto join = [](auto& cells) {
-    for (auto& [cell, component] : cells) component = 1;
+Selection as_one(const CellSet& set) {
+  Selection selection;
+  const auto fill = [](const auto& cells, auto& out) {
+    for (const auto cell : cells) out.emplace_back(cell, 1);
   };
-  join(selection.vertices);
-  join(selection.edges);
-  join(selection.faces);
-  join(selection.regions);
-  return simplify(complex, selection, {}, SimplifyMode::points);
+  fill(set.vertices, selection.vertices);
+  fill(set.edges, selection.edges);
+  fill(set.faces, selection.faces);
+  fill(set.regions, selection.regions);
+  return selection;
+}
+
+SimplifiedComplex point_set(const Complex& complex, const NodeValue& value) {
+  return simplify(complex, as_one(support(selection_of(complex, value))), {}, SimplifyMode::points);
 }
 
 Model model_of(const Complex& complex, const SimplifiedComplex& simplified) {

@@ -10,6 +10,7 @@
 #include "bench/peers/program.h"
 #include "csg/text/input_file.h"
 #include "csg/text/number.h"
+#include "csg/tree/read_selector.h"
 #include "csg/tree/suggest.h"
 #include "csg/tree/tree.h"
 #include "csg/tree/yaml_value.h"
@@ -34,11 +35,7 @@ std::string file_word(std::string text) {
 /// A long value as its first letters, and a number that tells it from others.
 std::string short_word(const std::string& value) {
   if (value.size() <= kLongestValue) return file_word(value);
-  std::uint64_t mix = 14695981039346656037u;
-  for (const char c : value) mix = (mix ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  char digits[20];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(mix));
-  return file_word(value.substr(0, 16)) + "_" + digits;
+  return file_word(value.substr(0, 16)) + "_" + digest(value);
 }
 
 bool is_word(const std::string& text) {
@@ -84,14 +81,9 @@ std::string list_of(const std::vector<std::string>& words) {
 
 // --- the file
 
-std::vector<Value> one_or_more_of(const Value& value, const std::string& what) {
-  return value.is_list() ? value.list(what) : std::vector<Value>{value};
-}
-
 std::vector<std::string> texts(const Value& value, const std::string& what) {
   std::vector<std::string> all;
-  for (const Value& v : one_or_more_of(value, what)) all.push_back(v.text(what));
-  if (all.empty()) value.fail(what + " is an empty list");
+  for (const Value& v : one_or_more(value, what)) all.push_back(v.text(what));
   return all;
 }
 
@@ -104,7 +96,7 @@ Parameter read_parameter(const Value::Entry& entry) {
     values.emplace(f.at("values", "0..16"));
     if (const Value* means = f.find("means")) parameter.means = means->text(f.name("means"));
   }
-  for (const Value& v : one_or_more_of(*values, what)) {
+  for (const Value& v : one_or_more(*values, what)) {
     try {
       add_values(v.text(what), parameter.values);
     } catch (const TreeError&) {
@@ -113,7 +105,6 @@ Parameter read_parameter(const Value::Entry& entry) {
       v.fail(what + ": " + error.what());
     }
   }
-  if (parameter.values.empty()) values->fail(what + " is an empty list");
   std::vector<std::string> sorted = parameter.values;
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
@@ -181,6 +172,20 @@ std::vector<std::string> boolean_nodes(const Tree& tree) {
   return nodes;
 }
 
+/// Of the tree of the file: those that it names, `all` of them, or its result.
+void choose_nodes(const Tree& tree, const Value* said, Experiment& experiment) {
+  if (said == nullptr) experiment.nodes = {tree.nodes[tree.result].name};
+  if (experiment.nodes == std::vector<std::string>{"all"}) {
+    experiment.nodes = boolean_nodes(tree);
+    if (experiment.nodes.empty()) said->fail("no union, intersection or difference of this tree has a name");
+  }
+  try {
+    for (const std::string& node : experiment.nodes) tree.find(node);
+  } catch (const InputError& error) {
+    said->fail(error.what());
+  }
+}
+
 Experiment read_experiment_file(const fs::path& path) {
   Experiment experiment;
   experiment.name = file_word(path.stem().string());
@@ -198,15 +203,19 @@ Experiment read_experiment_file(const fs::path& path) {
       if (!hint.empty())
         Value(document, entry.first, {}).fail("unknown key `" + entry.first.Scalar() + "`" + hint);
     }
+  std::optional<Tree> tree;
+  if (!own.IsDefined() || root["nodes"].IsDefined()) {
+    tree = parse_tree(experiment.text, path.string());
+    document.parameters = tree->parameters;
+  }
   if (!own.IsDefined()) {
     experiment.title = "each Boolean node of " + path.filename().string();
-    experiment.nodes = boolean_nodes(parse_tree(experiment.text, path.string()));
+    experiment.nodes = boolean_nodes(*tree);
     if (experiment.nodes.empty())
       document.fail(
           {}, "this tree has no union, intersection or difference with a name, which systems could be given");
     return experiment;
   }
-  if (root["nodes"].IsDefined()) document.parameters = parse_tree(experiment.text, path.string()).parameters;
   const Value value(document, own, {});
   const Fields f(value, "x-experiment",
                  {"title", "values", "nodes", "family", "program", "truth", "systems", "seconds", "gigabytes",
@@ -217,7 +226,7 @@ Experiment read_experiment_file(const fs::path& path) {
     experiment.program = texts(*program, f.name("program"));
     experiment.program[0] = fs::absolute(path.parent_path() / experiment.program[0]).lexically_normal().string();
   }
-  if (!experiment.family.empty() + !experiment.program.empty() + root["nodes"].IsDefined() != 1)
+  if (!experiment.family.empty() + !experiment.program.empty() + tree.has_value() != 1)
     value.fail(
         "problems come from `nodes` of this file, from a `program` that prints a tree, or from a `family`: "
         "give one of them");
@@ -234,27 +243,12 @@ Experiment read_experiment_file(const fs::path& path) {
     if (!experiment.family.empty()) nodes->fail("a family has no nodes: leave `nodes` out");
     experiment.nodes = texts(*nodes, f.name("nodes"));
   }
-  if (experiment.family.empty()) {
-    if (root["nodes"].IsDefined()) {
-      const Tree tree = parse_tree(experiment.text, path.string());
-      if (experiment.nodes.empty()) experiment.nodes = {tree.nodes[tree.result].name};
-      if (experiment.nodes == std::vector<std::string>{"all"}) {
-        experiment.nodes = boolean_nodes(tree);
-        if (experiment.nodes.empty())
-          f.find("nodes")->fail("no union, intersection or difference of this tree has a name");
-      }
-      try {
-        for (const std::string& node : experiment.nodes) tree.find(node);
-      } catch (const InputError& error) {
-        f.find("nodes")->fail(error.what());
-      }
-    } else if (experiment.nodes.empty()) {
-      value.fail("say which `nodes` of the trees that the program prints are problems");
-    }
-  }
+  if (tree) choose_nodes(*tree, f.find("nodes"), experiment);
+  else if (experiment.family.empty() && experiment.nodes.empty())
+    value.fail("say which `nodes` of the trees that the program prints are problems");
   if (const Value* truth = f.find("truth")) read_claims(*truth, experiment);
   if (const Value* systems = f.find("systems"))
-    for (const Value& v : one_or_more_of(*systems, f.name("systems"))) read_system(v, experiment);
+    for (const Value& v : one_or_more(*systems, f.name("systems"))) read_system(v, experiment);
   if (f.has("seconds")) experiment.seconds = limit_of(f, "seconds");
   if (f.has("gigabytes")) experiment.gigabytes = limit_of(f, "gigabytes");
   if (const Value* runs = f.find("runs"))
@@ -297,8 +291,8 @@ Tree tree_of(const Experiment& experiment, const Values& values) {
 }
 
 template <class Integer>
-Integer whole(const Experiment& experiment, const std::string& name, const std::string& text, std::int64_t low,
-              std::int64_t high) {
+Integer whole_number(const Experiment& experiment, const std::string& name, const std::string& text,
+                     std::int64_t low, std::int64_t high) {
   const std::optional<Rational> value = parse_rational(text);
   if (!value || value->get_den() != 1 || *value < low || *value > high)
     throw std::runtime_error(experiment.name + ": `" + name + "` is a whole number from " + std::to_string(low) +
@@ -320,7 +314,25 @@ std::string name_of(const Experiment& experiment, const Experiment::Named& probl
   return name;
 }
 
+Claimed claimed_of(const Experiment& experiment, const Tree& tree, const Values& values) {
+  const std::string& node = values.at(std::string(kNode));
+  const auto it = experiment.claims.find(node);
+  if (it == experiment.claims.end()) return {};
+  const Claim& claim = it->second;
+  if (!claim.node.empty()) return {{}, tree_model(tree, tree.find(claim.node), tree.find(node))};
+  ParameterValues numbers = tree.parameters;
+  for (const auto& [name, value] : values)
+    if (const auto number = parse_rational(value)) numbers[name] = *number;
+  return {evaluate_expression(claim.volume, numbers), {}};
+}
+
 }  // namespace
+
+std::string digest(const std::string& text) {
+  std::uint64_t mix = 14695981039346656037u;
+  for (const char c : text) mix = (mix ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return std::to_string(mix);
+}
 
 const Parameter* Experiment::parameter(const std::string& wanted) const {
   const auto it =
@@ -380,38 +392,23 @@ Problem Experiment::make(const Named& named) const {
 }
 
 void Experiment::check(const Named& named) const {
-  roles(named);
+  const ProblemId id = roles(named);
   if (is_folder()) {
     make(named);
   } else if (!family.empty()) {
-    check_problem(roles(named));
+    check_problem(id);
   } else {
-    const Tree tree = tree_of(*this, named.values);
-    check_tree_problem(tree, tree.find(named.values.at(std::string(kNode))));
-    const auto claim = claims.find(named.values.at(std::string(kNode)));
-    if (claim != claims.end() && !claim->second.node.empty()) claimed_result(named);
-    claimed_volume(named);
     if (named.name.size() > kLongestName)
       throw std::runtime_error(path + ": the name of a problem has more than 200 letters: " + named.name);
+    const Tree tree = tree_of(*this, named.values);
+    check_tree_problem(tree, tree.find(named.values.at(std::string(kNode))));
+    claimed_of(*this, tree, named.values);
   }
 }
 
-std::optional<Rational> Experiment::claimed_volume(const Named& named) const {
-  const auto node = named.values.find(std::string(kNode));
-  const auto claim = node == named.values.end() ? claims.end() : claims.find(node->second);
-  if (claim == claims.end() || claim->second.volume.empty()) return {};
-  ParameterValues values = tree_of(*this, named.values).parameters;
-  for (const auto& [name, value] : named.values)
-    if (const auto number = parse_rational(value)) values[name] = *number;
-  return evaluate_expression(claim->second.volume, values);
-}
-
-std::optional<Model> Experiment::claimed_result(const Named& named) const {
-  const auto node = named.values.find(std::string(kNode));
-  const auto claim = node == named.values.end() ? claims.end() : claims.find(node->second);
-  if (claim == claims.end() || claim->second.node.empty()) return {};
-  const Tree tree = tree_of(*this, named.values);
-  return tree_model(tree, tree.find(claim->second.node), tree.find(node->second));
+Claimed Experiment::claimed(const Named& named) const {
+  if (claims.empty()) return {};
+  return claimed_of(*this, tree_of(*this, named.values), named.values);
 }
 
 ProblemId Experiment::roles(const Named& named) const {
@@ -422,11 +419,11 @@ ProblemId Experiment::roles(const Named& named) const {
   };
   id.operation = value("operation");
   if (const std::string size = value("size"); !size.empty())
-    id.size = whole<long>(*this, "size", size, 0, 1'000'000'000);
+    id.size = whole_number<long>(*this, "size", size, 0, 1'000'000'000);
   if (const std::string k = value("k"); !k.empty() && k != "exact")
-    id.distance = whole<int>(*this, "k", k, 0, 300);
+    id.distance = whole_number<int>(*this, "k", k, 0, 300);
   if (const std::string seed = value("seed"); !seed.empty())
-    id.seed = whole<unsigned>(*this, "seed", seed, 0, 1'000'000'000);
+    id.seed = whole_number<unsigned>(*this, "seed", seed, 0, 1'000'000'000);
   return id;
 }
 

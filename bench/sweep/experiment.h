@@ -41,6 +41,12 @@ struct ProgramSystem {
   friend bool operator==(const ProgramSystem&, const ProgramSystem&) = default;
 };
 
+/// What a claim says of a problem.
+struct Claimed {
+  std::optional<Rational> volume;
+  std::optional<Model> result;
+};
+
 struct Experiment {
   std::string name;  ///< of the file without its ending; of letters, digits, `.`, `_` and `-`
   std::string title;
@@ -72,9 +78,8 @@ struct Experiment {
   Problem make(const Named& problem) const;
   /// Throws as `make` does for what costs little to tell.
   void check(const Named& problem) const;
-  /// Of the node and the claimed one. Throws as `make` does.
-  std::optional<Rational> claimed_volume(const Named& problem) const;
-  std::optional<Model> claimed_result(const Named& problem) const;
+  /// Throws as `make` does.
+  Claimed claimed(const Named& problem) const;
   /// How rows tell what parameters are: an operation, a size (0: none), a distance k (none; nobody: `exact`), a
   /// seed.
   ProblemId roles(const Named& problem) const;
@@ -93,6 +98,9 @@ GivenValues given_values(const std::string& text);
 /// fault of a file.
 Experiment read_experiment(const std::string& name, const std::vector<GivenValues>& given,
                            std::set<std::string>& used);
+/// A number that tells texts apart (FNV-1a of 64 bits).
+std::string digest(const std::string& text);
+
 /// Of this source, sorted.
 std::vector<std::string> experiment_names();
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "bench/cases/value_model.h"
 #include "kernel/base/union_find.h"
 #include "kernel/selection/manifold.h"
 #include "kernel/selection/measure.h"
@@ -114,18 +115,6 @@ void count_non_manifold(const Complex& complex, const CellSet& set, const Simpli
 }
 
 }  // namespace
-
-Selection as_one(const CellSet& set) {
-  Selection selection;
-  const auto fill = [](const auto& cells, auto& out) {
-    for (const auto cell : cells) out.emplace_back(cell, 1);
-  };
-  fill(set.vertices, selection.vertices);
-  fill(set.edges, selection.edges);
-  fill(set.faces, selection.faces);
-  fill(set.regions, selection.regions);
-  return selection;
-}
 
 BoundarySurface boundary_surface(const Complex& complex, const std::vector<RegionId>& solid) {
   return BoundaryWalk(complex, solid).surface();

@@ -16,9 +16,6 @@ struct BoundarySurface {
 /// `solid`: ascending, all bounded.
 BoundarySurface boundary_surface(const Complex& complex, const std::vector<RegionId>& solid);
 
-/// All cells as one component.
-Selection as_one(const CellSet& set);
-
 /// Of a closed set of bounded cells.
 Facts facts_of(const Complex& complex, const CellSet& set);
 

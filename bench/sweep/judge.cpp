@@ -5,6 +5,7 @@
 #include <map>
 
 #include "bench/cases/soup_of.h"
+#include "bench/cases/value_model.h"
 #include "bench/sweep/facts.h"
 #include "csg/operators/boolean.h"
 #include "csg/operators/group.h"
@@ -35,7 +36,7 @@ Group united(const Complex& complex, const std::vector<Group>& groups, const std
   return all;
 }
 
-CellSet point_set(const Complex& complex, const Group& group) { return support(selection_of(complex, group)); }
+CellSet set_of_group(const Complex& complex, const Group& group) { return support(selection_of(complex, group)); }
 
 /// The exact result by the tables.
 CellSet exact_set(const Complex& complex, const std::vector<Group>& groups, const Problem& problem,
@@ -45,7 +46,7 @@ CellSet exact_set(const Complex& complex, const std::vector<Group>& groups, cons
     value = boolean_operation(complex, boolean_op(problem.steps[i]), Dominance::equal, value,
                               united(complex, groups, operands[i + 1]))
                 .group;
-  return point_set(complex, value);
+  return set_of_group(complex, value);
 }
 
 /// Vertices that are used and lie where another used one lies.
@@ -355,7 +356,7 @@ Judgement judge(const Problem& problem, const Model& result, double rounding) {
   Comparison c{
       complex,         exact_set(complex, groups, problem, operands), {}, found, rounding, extent_of(problem),
       problem.solids()};
-  for (const LeafId leaf : found) c.found = unite(c.found, point_set(complex, groups[leaf.index()]));
+  for (const LeafId leaf : found) c.found = unite(c.found, set_of_group(complex, groups[leaf.index()]));
   j.truth = facts_of(complex, c.exact);
   j.facts = facts_of(complex, c.found);
 

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -124,21 +125,21 @@ std::string why(const ChildResult& child, double limit) {
   return "ended without a result";
 }
 
-using Judge = Judgement(const Problem&, const Model&, double);
+/// What a process says within the limits of judging, or why it says nothing.
+struct Told {
+  Reply reply;
+  std::string reason;
+};
 
-Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, double rounding,
-                 const std::string& model) {
-  const Limits limits = judging_limits(setup.limits(name));
+/// `work` gives the head and writes what follows it.
+Told told(const Setup& setup, const std::string& problem, const std::function<Json(std::ostream&)>& work) {
+  const Limits limits = judging_limits(setup.limits(problem));
   const ChildResult child = run_child(
       [&] {
+        std::ostringstream rest;
         try {
-          std::istringstream in(model);
-          const Judgement j = judge(setup.make(name), read_model(in), rounding);
-          Json out{{"verdict", to_string(j.verdict)}, {"stage", j.stage},   {"message", j.message},
-                   {"truth", to_json(j.truth)},       {"excess", j.excess}, {"missing", j.missing},
-                   {"duplicates", j.duplicates}};
-          if (j.facts) out["facts"] = to_json(*j.facts);
-          return out.dump() + "\n";
+          const Json head = work(rest);
+          return json_text(head) + "\n" + rest.str();
         } catch (const std::bad_alloc&) {
           throw;
         } catch (const std::exception& error) {
@@ -146,18 +147,36 @@ Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, doub
         }
       },
       limits);
-  const Json head = child.end == End::done ? reply_of(child.text).head : Json();
-  if (head.is_null()) return {{}, "judging: " + why(child, limits.seconds)};
-  if (head.contains("error")) return {{}, "judging: " + head["error"].get<std::string>()};
+  Told told;
+  if (child.end == End::done) told.reply = reply_of(child.text);
+  const Json& head = told.reply.head;
+  if (head.is_null()) told.reason = why(child, limits.seconds);
+  else if (head.contains("error")) told.reason = head["error"].get<std::string>();
+  return told;
+}
+
+using Judge = Judgement(const Problem&, const Model&, double);
+
+Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, double rounding,
+                 const std::string& model) {
+  const auto [reply, reason] = told(setup, name, [&](std::ostream&) {
+    std::istringstream in(model);
+    const Judgement j = judge(setup.make(name), read_model(in), rounding);
+    Json out{{"verdict", to_string(j.verdict)}, {"stage", j.stage},   {"message", j.message},
+             {"truth", to_json(j.truth)},       {"excess", j.excess}, {"missing", j.missing},
+             {"duplicates", j.duplicates}};
+    if (j.facts) out["facts"] = to_json(*j.facts);
+    return out;
+  });
+  if (!reason.empty()) return {{}, "judging: " + reason};
+  const Json& head = reply.head;
   Judgement j;
   j.verdict = parse_verdict(head.at("verdict").get<std::string>()).value();
   head.at("stage").get_to(j.stage);
   head.at("message").get_to(j.message);
-  const auto part = [&](const char* key) {  // what is not finite has no other form
-    return head.at(key).is_null() ? std::numeric_limits<double>::quiet_NaN() : head.at(key).get<double>();
-  };
-  j.excess = part("excess");
-  j.missing = part("missing");
+  const JsonFields in(head, "the judgement");
+  j.excess = in.number_or_nan("excess");
+  j.missing = in.number_or_nan("missing");
   head.at("duplicates").get_to(j.duplicates);
   j.truth = facts_of_json(head.at("truth").get<std::string>());
   if (head.contains("facts")) j.facts = facts_of_json(head["facts"].get<std::string>());
@@ -171,40 +190,21 @@ Judged judged(const Setup& setup, const std::string& name, double rounding, cons
   return by_volume.judgement && by_volume.judgement->verdict == Verdict::wrong ? by_volume : compared;
 }
 
-std::string digest_of(const Problem& problem) {
-  std::ostringstream text;
-  for (const Model& operand : problem.operands) write_model(text, operand);
-  std::uint64_t mix = 14695981039346656037u;
-  for (const char c : text.str()) mix = (mix ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return std::to_string(mix);
-}
-
 /// Sizes of a problem, by a process of its own: this one stays small.
 Json described(const Setup& setup, const std::string& name) {
-  const Limits limits = judging_limits(setup.limits(name));
-  const ChildResult child = run_child(
-      [&] {
-        try {
-          const Problem problem = setup.make(name);
-          const auto& steps = problem.steps;
-          const bool mixed = std::any_of(steps.begin(), steps.end(), [&](Operation o) { return o != steps[0]; });
-          return Json{{"operands", problem.operands.size()},
-                      {"digest", digest_of(problem)},
-                      {"triangles", problem.triangle_count()},
-                      {"operation", mixed ? "fold" : to_string(steps.at(0))}}
-                     .dump() +
-                 "\n";
-        } catch (const std::bad_alloc&) {
-          throw;
-        } catch (const std::exception& error) {
-          return json_text(Json{{"error", error.what()}}) + "\n";
-        }
-      },
-      limits);
-  const Json head = child.end == End::done ? reply_of(child.text).head : Json();
-  if (head.is_null()) throw ProblemError(name + " could not be made: " + why(child, limits.seconds));
-  if (head.contains("error")) throw ProblemError(name + " could not be made: " + head["error"].get<std::string>());
-  return head;
+  const auto [reply, reason] = told(setup, name, [&](std::ostream&) {
+    const Problem problem = setup.make(name);
+    std::ostringstream operands;
+    for (const Model& operand : problem.operands) write_model(operands, operand);
+    const auto& steps = problem.steps;
+    const bool mixed = std::any_of(steps.begin(), steps.end(), [&](Operation o) { return o != steps[0]; });
+    return Json{{"operands", problem.operands.size()},
+                {"digest", digest(operands.str())},
+                {"triangles", problem.triangle_count()},
+                {"operation", mixed ? "fold" : to_string(steps.at(0))}};
+  });
+  if (!reason.empty()) throw ProblemError(name + " could not be made: " + reason);
+  return reply.head;
 }
 
 void describe(const Setup& setup, SweepRow& row) {
@@ -284,37 +284,21 @@ const System& Setup::system(const std::string& name) const {
 namespace {
 
 /// What the experiment claims of a problem: a judgement of the point set of another node, or a volume.
-struct Claimed {
+struct ClaimedTruth {
   std::optional<Judgement> node;
-  std::optional<std::string> volume;
+  std::string volume;  ///< empty: none
   std::string reason;  ///< why there is nothing that was to be there
 };
 
-Claimed claimed(const Setup& setup, const std::string& problem) {
-  const ChildResult child = run_child(
-      [&] {
-        std::ostringstream out;
-        try {
-          const Experiment& experiment = setup.experiment_of(problem);
-          const std::optional<Model> model = experiment.claimed_result(setup.planned(problem).problem);
-          const std::optional<Rational> volume = experiment.claimed_volume(setup.planned(problem).problem);
-          out << Json{{"node", model.has_value()}, {"volume", volume ? cnrg::to_string(*volume) : ""}}.dump()
-              << '\n';
-          if (model) write_model(out, *model);
-        } catch (const std::bad_alloc&) {
-          throw;
-        } catch (const std::exception& error) {
-          return json_text(Json{{"error", error.what()}}) + "\n";
-        }
-        return out.str();
-      },
-      judging_limits(setup.limits(problem)));
-  const Reply reply = child.end == End::done ? reply_of(child.text) : Reply();
-  Claimed claim;
-  if (reply.head.is_null()) claim.reason = why(child, judging_limits(setup.limits(problem)).seconds);
-  else if (reply.head.contains("error")) claim.reason = reply.head["error"].get<std::string>();
-  if (!claim.reason.empty()) return claim;
-  if (const std::string volume = reply.head["volume"]; !volume.empty()) claim.volume = volume;
+ClaimedTruth claimed_truth(const Setup& setup, const std::string& problem) {
+  const auto [reply, reason] = told(setup, problem, [&](std::ostream& out) {
+    const Claimed claimed = setup.experiment_of(problem).claimed(setup.planned(problem).problem);
+    if (claimed.result) write_model(out, *claimed.result);
+    return Json{{"node", claimed.result.has_value()},
+                {"volume", claimed.volume ? cnrg::to_string(*claimed.volume) : ""}};
+  });
+  if (!reason.empty()) return {{}, {}, reason};
+  ClaimedTruth claim{{}, reply.head["volume"], {}};
   if (!reply.head["node"].get<bool>()) return claim;
   const Judged judgement = judged(setup, problem, 0, reply.rest);
   claim.node = judgement.judgement;
@@ -324,48 +308,27 @@ Claimed claimed(const Setup& setup, const std::string& problem) {
 
 /// Of the exact result; of nothing, with an empty volume, if they cannot be had within the limits.
 Facts exact_facts_of(const Setup& setup, const std::string& problem) {
-  const ChildResult child = run_child(
-      [&] {
-        try {
-          return to_json(exact_facts(setup.make(problem)));
-        } catch (const std::bad_alloc&) {
-          throw;
-        } catch (const std::exception&) {
-          return std::string();
-        }
-      },
-      judging_limits(setup.limits(problem)));
-  if (child.end == End::done && !child.text.empty()) return facts_of_json(child.text);
+  const auto [reply, reason] =
+      told(setup, problem, [&](std::ostream&) { return Json::parse(to_json(exact_facts(setup.make(problem)))); });
+  if (reason.empty()) return facts_of_json(reply.head.dump());
   Facts none;
   none.volume.clear();
   return none;
 }
 
 /// Whether Nef polyhedra have our result, compared by themselves. Nothing, with the reason, if they cannot say.
-std::optional<bool> agrees_with_nef(const Setup& setup, const std::string& problem, std::string& reason) {
+std::optional<bool> agrees_with_nef(const Setup& setup, const std::string& problem, std::string& why_not) {
   const Run ours = run(setup, problem, setup.system("ours"));
   if (!ours.answered()) {
-    reason = "ours has no result";
+    why_not = "ours has no result";
     return {};
   }
-  const Limits limits = judging_limits(setup.limits(problem));
-  const ChildResult child = run_child(
-      [&] {
-        try {
-          std::istringstream in(ours.reply.rest);
-          const bool agrees = setup.system("nef").agrees(setup.make(problem), read_model(in));
-          return Json{{"agrees", agrees}}.dump() + "\n";
-        } catch (const std::bad_alloc&) {
-          throw;
-        } catch (const std::exception& error) {
-          return json_text(Json{{"error", error.what()}}) + "\n";
-        }
-      },
-      limits);
-  const Json head = child.end == End::done ? reply_of(child.text).head : Json();
-  if (head.contains("agrees")) return head["agrees"].get<bool>();
-  reason = head.is_null() ? why(child, limits.seconds) : head["error"].get<std::string>();
-  return {};
+  const auto [reply, reason] = told(setup, problem, [&](std::ostream&) {
+    std::istringstream in(ours.reply.rest);
+    return Json{{"agrees", setup.system("nef").agrees(setup.make(problem), read_model(in))}};
+  });
+  why_not = reason;
+  return reason.empty() ? std::optional<bool>(reply.head["agrees"].get<bool>()) : std::nullopt;
 }
 
 }  // namespace
@@ -408,22 +371,22 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
     truth.confirmed = "Nef-by-us";
     add_reason("nef", "did not compare by itself: " + reason);
   }
-  const Claimed claim = claimed(setup, problem);
+  const ClaimedTruth claim = claimed_truth(setup, problem);
   const std::string who = "the truth that " + setup.experiment_of(problem).path + " claims";
   if (!claim.reason.empty()) return disagrees(who, claim.reason);
   if (claim.node && !is_same(claim.node->verdict)) return disagrees(who, claim.node->message);
-  if (claim.volume) {
+  if (!claim.volume.empty()) {
     if (truth.confirmed == "none") truth.facts = exact_facts_of(setup, problem);
     const std::string& exact = truth.facts.volume;
     if (exact.empty()) add_reason(who, "our own volume could not be had within the limits");
-    else if (exact != *claim.volume)
-      return disagrees(who, "the volume is " + number_text(*parse_rational(*claim.volume), "") + ", ours " +
+    else if (exact != claim.volume)
+      return disagrees(who, "the volume is " + number_text(*parse_rational(claim.volume), "") + ", ours " +
                                 number_text(*parse_rational(exact), ""));
   }
   if (truth.confirmed == "none" && claim.node) {
     truth.facts = claim.node->truth;
     truth.confirmed = "node";
-  } else if (truth.confirmed == "none" && claim.volume && !truth.facts.volume.empty()) {
+  } else if (truth.confirmed == "none" && !claim.volume.empty() && !truth.facts.volume.empty()) {
     truth.confirmed = "formula";
   }
   if (truth.confirmed != "none") return truth;
