@@ -396,7 +396,11 @@ void Experiment::check(const Named& named) const {
   if (is_folder()) {
     make(named);
   } else if (!family.empty()) {
-    check_problem(id);
+    try {
+      check_problem(id);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(path + ": " + error.what());
+    }
   } else {
     if (named.name.size() > kLongestName)
       throw std::runtime_error(path + ": the name of a problem has more than 200 letters: " + named.name);

@@ -184,6 +184,8 @@ TEST_CASE("faults of experiments have a place and a remedy", "[experiments]") {
   CHECK_THAT(with("systems: [{name: a/b, program: /bin/true}]"), Contains("is no name of a system"));
   CHECK_THAT(with("sizes: 3"), Contains("unknown key `sizes`"));
   CHECK_THAT(fault("x-experiment: {title: t}\n"), Contains("give one of them"));
+  CHECK_THAT(fault("x-experiment: {title: t, family: turnd}\n"),
+             Contains("mine.yaml: no family of problems is called 'turnd'"));
   CHECK_THAT(fault("x-experiment: {title: t, family: turned, values: {n: 3}}\n"), Contains("and no `n`"));
   CHECK_THAT(fault("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n"), Contains("no union, intersection"));
   CHECK_THAT(fault("x-experiment: {title: t, program: /bin/false, nodes: a}\n"),
