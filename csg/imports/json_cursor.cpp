@@ -30,19 +30,46 @@ const Cursor& Cursor::object() const {
   return *this;
 }
 
-const Cursor& Cursor::only(std::initializer_list<const char*> keys) const {
-  object();
-  for (std::size_t i = 0; i < value_->count; ++i) {
-    const Value& key = json().key(*value_, i);
-    if (std::any_of(keys.begin(), keys.end(), [&](const char* known) { return json().is_key(key, known); }))
-      continue;
-    std::string list;
-    for (const char* known : keys) (list += list.empty() ? "" : ", ") += known;
-    Cursor(*file_, key)
-        .fail("no member of results is called " + in_quotes(json().written(key)) + " here; remove it (there are " +
-              list + ")");
+std::string Cursor::shown() const {
+  constexpr std::size_t kMost = 12;
+  if (value_->kind() == Kind::text) return in_quotes(json().written(*value_));
+  const bool list = value_->kind() == Kind::list;
+  if (!list && value_->kind() != Kind::object) return std::string(json().written(*value_));
+  std::string all;
+  for (std::size_t i = 0; i < value_->count && i <= kMost; ++i) {
+    all += i == 0 ? "" : ", ";
+    if (i == kMost) all += "...";
+    else if (list) all += at(i).shown();
+    else all += json().decoded(json().key(*value_, i)) + ": " + Cursor(*file_, json().value(*value_, i)).shown();
   }
-  return *this;
+  return (list ? "[" : "{") + all + (list ? "]" : "}");
+}
+
+void Cursor::require_same(const Cursor& made, std::initializer_list<const char*> but) const {
+  static const std::string kBy = "by the cells of the file ";
+  const auto require = [&](bool same) {
+    if (!same) refuse(kBy + "this is " + made.shown());
+  };
+  require(value_->kind() == made.value_->kind());
+  if (value_->kind() == Kind::list) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (i == made.size()) at(i).refuse(kBy + "nothing stands here");
+      at(i).require_same(made.at(i), but);
+    }
+    if (size() < made.size()) refuse(kBy + made.at(size()).shown() + " stands behind the last entry");
+  } else if (value_->kind() == Kind::object) {
+    made.each_member([&](const std::string& key, const Cursor&) { member(key.c_str()); });
+    each_member([&](const std::string& key, const Cursor& value) {
+      if (std::find(but.begin(), but.end(), key) != but.end()) return;
+      if (!made.has(key.c_str()))
+        value.fail("no member of results is called " + in_quotes(key) + " here; remove it");
+      value.require_same(made.member(key.c_str()), but);
+    });
+  } else if (value_->kind() == Kind::text) {
+    require(text() == made.text());
+  } else {
+    require(json().written(*value_) == made.json().written(*made.value_));
+  }
 }
 
 Cursor Cursor::member(const char* key) const {

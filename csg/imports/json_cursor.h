@@ -41,8 +41,8 @@ class Cursor {
   bool is_null() const { return value_->kind() == Kind::null; }
   /// Of a list.
   std::size_t size() const { return value_->count; }
-  /// An object with no other members than these.
-  const Cursor& only(std::initializer_list<const char*> keys) const;
+  /// A value that says the same as `made`, which the cells of the file make; members of these names apart.
+  void require_same(const Cursor& made, std::initializer_list<const char*> but) const;
   /// A member that must be there.
   Cursor member(const char* key) const;
   bool has(const char* key) const { return find(key) != nullptr; }
@@ -73,6 +73,8 @@ class Cursor {
   Cursor(const JsonFile& file, const Value& value) : file_(&file), value_(&value) {}
   const JsonDocument& json() const { return file_->document; }
   const Cursor& object() const;
+  /// Its text, shortened.
+  std::string shown() const;
   const Value* find(const char* key) const {
     return value_->kind() == Kind::object ? json().member(*value_, key) : nullptr;
   }

@@ -12,7 +12,7 @@ namespace {
 
 Transform read_placement(const Cursor& placement) {
   Transform t;
-  const Cursor rows = placement.only({"linear", "offset"}).member("linear");
+  const Cursor rows = placement.member("linear");
   rows.array_of(3, "a matrix has three rows");
   for (std::size_t k = 0; k < 3; ++k) t.linear[k] = rows.at(k).point();
   t.offset = placement.member("offset").point();
@@ -64,12 +64,11 @@ using SeeMaterial = std::function<void(const std::string&, const Cursor&)>;
 std::variant<LinearGrade, DistanceGrade, BlendGrade> read_along(const Cursor& one) {
   if (one.has("linear") == one.has("distance")) one.refuse("a grade has `linear` or `distance`");
   if (one.has("distance")) {
-    const Cursor distance = one.member("distance").only({"to", "points", "vertices", "segments", "triangles"});
+    const Cursor distance = one.member("distance");
     SharedTarget target = read_target(distance);
     return DistanceGrade{distance.member("to").text(), std::move(target)};
   }
-  const LinearGrade linear{one.member("linear").only({"from", "to"}).member("from").point(),
-                           one.member("linear").member("to").point()};
+  const LinearGrade linear{one.member("linear").member("from").point(), one.member("linear").member("to").point()};
   if (linear.from == linear.to) one.member("linear").refuse("`from` and `to` are one point");
   return linear;
 }
@@ -79,7 +78,7 @@ Grade read_grade(const Cursor& one, const std::string& own, const SeeMaterial& m
   const Cursor stops = one.member("stops");
   if (stops.array().size() == 0) stops.refuse("a stop is needed here");
   for (std::size_t k = 0; k < stops.size(); ++k) {
-    const Rational at = stops.at(k).only({"at", "mixture"}).member("at").rational();
+    const Rational at = stops.at(k).member("at").rational();
     if (k > 0 && at <= grade.stops.back().at) stops.refuse("stops are ascending");
     const Cursor mixture = stops.at(k).member("mixture");
     mixture.each_member([&](const std::string& name, const Cursor& part) {
@@ -119,14 +118,10 @@ void check_nested(const PlacedGrade& placed, const Cursor& list) {
 }
 
 void read_nested(const Cursor& list, const SeeMaterial& material, PlacedGrade& placed) {
-  if (list.array().size() == 0) list.refuse("without nested grades there is no such member");
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const Cursor one = list.at(i).only({"material", "linear", "distance", "stops"});
+  for (std::size_t i = 0; i < list.array().size(); ++i) {
+    const Cursor one = list.at(i);
     const Cursor name = one.member("material");
     material(name.text(), name);
-    if (!placed.nested.empty() && !(placed.nested.rbegin()->first < name.text())) {
-      name.refuse("nested grades are in the order of their names, and each stands once");
-    }
     placed.nested.emplace(name.text(), read_grade(one, name.text(), material));
   }
   check_nested(placed, list);
@@ -135,8 +130,7 @@ void read_nested(const Cursor& list, const SeeMaterial& material, PlacedGrade& p
 using Grades = std::vector<std::shared_ptr<const PlacedGrade>>;
 
 BlendGrade::Side read_side(const Cursor& side, const Cursor& list, const Grades& before,
-                           const SeeMaterial& material, const std::function<void(Index)>& inner) {
-  side.only({"material", "grade", "boundary"});
+                           const SeeMaterial& material) {
   const Cursor name = side.member("material");
   material(name.text(), name);
   BlendGrade::Side out{RegionMaterial(name.text()), nullptr};
@@ -145,17 +139,15 @@ BlendGrade::Side read_side(const Cursor& side, const Cursor& list, const Grades&
     if (list.at(grade).member("material").text() != name.text()) {
       side.member("grade").refuse("this grade is of another material");
     }
-    inner(grade);
     out.material = RegionMaterial(name.text(), before[grade]);
   }
-  out.boundary = read_target(side.member("boundary").only({"points", "vertices", "segments", "triangles"}));
+  out.boundary = read_target(side.member("boundary"));
   return out;
 }
 
 }  // namespace
 
-std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root, const SeeMaterial& material,
-                                                            const std::function<void(Index)>& inner) {
+std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root, const SeeMaterial& material) {
   Grades grades;
   if (!root.has("grades")) return grades;
   const Cursor list = root.member("grades");
@@ -166,13 +158,11 @@ std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root, 
     PlacedGrade placed;
     placed.placement = read_placement(one.member("placement"));
     if (one.has("blend")) {
-      one.only({"material", "placement", "blend"});
       const Cursor sides = one.member("blend");
       sides.array_of(2, "two materials blend");
-      placed.grade.along = BlendGrade{read_side(sides.at(0), list, grades, material, inner),
-                                      read_side(sides.at(1), list, grades, material, inner)};
+      placed.grade.along = BlendGrade{read_side(sides.at(0), list, grades, material),
+                                      read_side(sides.at(1), list, grades, material)};
     } else {
-      one.only({"material", "placement", "linear", "distance", "stops", "nested"});
       placed.grade = read_grade(one, name.text(), material);
       if (one.has("nested")) read_nested(one.member("nested"), material, placed);
     }

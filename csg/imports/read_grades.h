@@ -12,10 +12,8 @@
 namespace cnrg::result {
 
 /// The entries of `grades` in their order; none where the file has no such member. Throws LeafFileError
-/// for what is wrong in them. `material` is called with each name of one and its place, `inner` with the number of
-/// each entry that a blend is of.
+/// for what is wrong in them. `material` is called with each name of one and its place.
 std::vector<std::shared_ptr<const PlacedGrade>> read_grades(
-    const Cursor& root, const std::function<void(const std::string&, const Cursor&)>& material,
-    const std::function<void(Index)>& inner);
+    const Cursor& root, const std::function<void(const std::string&, const Cursor&)>& material);
 
 }  // namespace cnrg::result

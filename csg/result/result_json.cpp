@@ -88,7 +88,7 @@ void append_quoted(std::string& text, double value) {
 
 class JsonWriter {
  public:
-  explicit JsonWriter(const ResultView& view) : view_(view), flat_(flatten(view)) {}
+  JsonWriter(const ResultView& view, FlatComplex flat) : view_(view), flat_(std::move(flat)) {}
 
   std::string run() {
     text_ = "{\n\"format\": \"cnrg result\",\n\"version\": 1,\n\"node\": " + json_quoted(view_.node) +
@@ -404,6 +404,9 @@ class JsonWriter {
 
 }  // namespace
 
-std::string result_json(const ResultView& view) { return JsonWriter(view).run(); }
+std::string result_json(const ResultView& view) { return result_json(view, flatten(view)); }
+std::string result_json(const ResultView& view, FlatComplex flat) {
+  return JsonWriter(view, std::move(flat)).run();
+}
 
 }  // namespace cnrg

@@ -4,11 +4,13 @@
 
 #include <string>
 
-#include "csg/result/result_view.h"
+#include "csg/result/flat.h"
 
 namespace cnrg {
 
 /// The text of a `.json` (csg/FORMATS.md, Exact JSON). Parameters are those of the view.
 std::string result_json(const ResultView& view);
+/// The same with other flattened cells than those of the view, for one that reads what they say.
+std::string result_json(const ResultView& view, FlatComplex flat);
 
 }  // namespace cnrg

@@ -3,8 +3,8 @@
 // A file lists cells, and then says of them what follows from where they are: which region is on which side, what
 // bounds it, its volume, triangles, which cells are wires. A reader that trusts these takes an edge that was moved
 // through a face for one edge, and a region without faces for nothing. So the cells of the file are refined by
-// themselves and flattened as for a file; each cell that is listed stays a cell. Then the file is what would be
-// written: the first member that differs is an error. Nothing is told twice how files are written.
+// themselves, each cell that is listed stays a cell, and they are written again: the first value that differs is
+// an error. Nothing is told twice how files are written.
 //
 // What a file says and its cells cannot contradict is taken as it is: which component a cell is of (as long as a
 // group stays a group), features, names, parameters u and v, and where cells came from. Which of two diagonals
@@ -13,7 +13,8 @@
 
 #include "csg/imports/leaf_file.h"
 #include "csg/leaves/prepare_shapes.h"
-#include "csg/result/flat.h"
+#include "csg/result/result_data.h"
+#include "csg/result/result_json.h"
 #include "csg/transfer/leaf_value.h"
 #include "csg/transfer/marked_cells.h"
 #include "csg/transfer/result_triangles.h"
@@ -22,7 +23,6 @@
 #include "kernel/base/union_find.h"
 #include "kernel/complex/builder.h"
 #include "kernel/exact/exact_vectors.h"
-#include "kernel/selection/measure.h"
 
 namespace cnrg {
 namespace result {
@@ -32,17 +32,6 @@ using Piece = CellMap::Piece;
 using Loop = FlatComplex::Loop;
 
 std::string words(const char* kind, Index number) { return std::string(kind) + " " + std::to_string(number); }
-template <class List>
-std::string words(const List& list) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (i == 12) return text + ", ...]";
-    text += (i == 0 ? "" : ", ");
-    if constexpr (requires { list[i].size(); }) text += words(list[i]);
-    else text += std::to_string(list[i]);
-  }
-  return text + "]";
-}
 
 /// The cells of the file as a complex; an error at the first face that is not planar, or whose sides are not.
 std::shared_ptr<const Complex> complex_of(const Cursor& root, const StoredValue& stored) {
@@ -69,8 +58,13 @@ std::shared_ptr<const Complex> complex_of(const Cursor& root, const StoredValue&
 
 class Check {
  public:
-  Check(const Cursor& root, const StoredValue& stored)
-      : root_(root), stored_(stored), cells_(stored.cells), made_(complex_of(root, stored)), c_(*made_) {
+  Check(const Cursor& root, const ResultFile& file)
+      : root_(root),
+        file_(file),
+        stored_(file.value),
+        cells_(stored_.cells),
+        made_(complex_of(root, stored_)),
+        c_(*made_) {
     for (Index i = 0; i < cells_.faces.size(); ++i)
       for_each_facet(cells_.faces[i], [&](auto&&...) { face_of_facet_.push_back(i); });
   }
@@ -87,26 +81,33 @@ class Check {
     const NodeValue value =
         leaf_value(c_, LeafId(0), leaf_groups(c_).front(), stored_, map, stored_.components, std::identity());
     const MarkedCells marks = marks_of(map);
-    const SimplifiedComplex simplified =
-        simplify(c_, selection_of(c_, value), value.features(), SimplifyMode::features, &marks);
-    ResultView view;
-    view.complex = &c_;
-    view.value = &value;
-    view.simplified = &simplified;
-    flat_ = flatten(view, Flattening::cells);
-    compare(facets);
+    Result::Data data;
+    data.complex = made_;
+    data.value = with_leaves(value);
+    data.simplified = std::make_shared<const SimplifiedComplex>(
+        simplify(c_, selection_of(c_, value), value.features(), SimplifyMode::features, &marks));
+    data.parameters = names_of_patches();
+    data.name(file_.names);
+    const ResultView view = data.view(true);
+    FlatComplex flat = flatten(view, Flattening::cells);
+    take_what_is_told(flat);
+    const std::vector<FlatComplex::Face> faces = flat.faces;
+    const JsonFile again{"", JsonDocument(result_json(view, std::move(flat)))};
+    root_.require_same(Cursor(again), {"triangles", "volume_bound"});
+    for (Index i = 0, first = 0; i < faces.size(); ++i) {
+      require_triangles(c_, stored_.points, faces[i], facets.data() + first, at("faces", i));
+      first += Index(std::max<std::size_t>(faces[i].facets.size(), 1));
+    }
   }
 
  private:
   const Cursor& root_;
+  const ResultFile& file_;
   const StoredValue& stored_;
   const FlatComplex& cells_;
   const std::shared_ptr<const Complex> made_;
   const Complex& c_;
   std::vector<Index> face_of_facet_;
-  FlatComplex flat_;
-
-  // --- before the cells are flattened
 
   /// A component is one region, in one piece but for faces that are inside of it; features are of entities.
   void require_group() const {
@@ -230,140 +231,48 @@ class Check {
     return at(kLists[piece.dimension], piece.number);
   }
 
-  // --- what was flattened, and the file
+  // --- what is written again
 
-  template <class Stated, class Made>
-  static void same(const Cursor& at, const Stated& stated, const Made& made) {
-    if (!std::equal(stated.begin(), stated.end(), made.begin(), made.end()))
-      at.refuse("the cells of the file make " + words(made) + " here");
-  }
-  static void same(const Cursor& at, Index stated, Index made, const char* kind) {
-    if (stated != made) at.refuse(words(kind, made) + " is meant by the cells of the file");
-  }
-  static void same(const Cursor& at, bool made, const char* yes, const char* no) {
-    if (at.boolean() != made) at.refuse(made ? yes : no);
-  }
-  static void same_loops(const Cursor& at, const std::vector<Loop>& stated, const std::vector<Loop>& made) {
-    if (stated != made) at.member("loops").refuse("the loops that the cells of the file make are " + words(made));
-  }
-  template <class Points>
-  static void same_isolated(const Cursor& at, const Points& stated, const Points& made) {
-    if (at.has("isolated") || !made.empty()) same(at.member("isolated"), stated, made);
-  }
-
-  /// Calls `see` for each cell of a list, which must have as many.
-  template <class Cells, class See>
-  void each(const char* kind, const Cells& cells, const See& see) const {
-    const Cursor list = root_.member(kind);
-    for (Index i = 0; i < list.size(); ++i) {
-      if (i == cells.size()) list.at(i).refuse("this cell is no part of the result and bounds none");
-      see(list.at(i), cells[i], i);
+  /// Components came from the leaves that the file names.
+  std::shared_ptr<const NodeValue> with_leaves(const NodeValue& value) const {
+    const auto name = [&](auto& components) {
+      for (std::size_t i = 0; i < components.size(); ++i) components[i].leaves = file_.leaves_of[i];
+    };
+    if (value.is_group()) {
+      Group group = value.group();
+      name(group.regions);
+      return std::make_shared<const NodeValue>(c_, std::move(group));
     }
-    if (list.size() < cells.size()) list.refuse("a cell is missing behind the last one");
+    Components components = value.components();
+    name(components.attributes);
+    return std::make_shared<const NodeValue>(std::move(components));
   }
 
-  void compare(const std::vector<PlacedFacet>& facets) const {
-    for (Index p = 0; p < stored_.points.size(); ++p) {
-      if (p < flat_.points.size() && flat_.points[p].value() == p) continue;
-      at("points", p)
-          .refuse("this point is inside of a straight edge or of a face, and no vertex; it is left out");
-    }
-    each("vertices", flat_.vertices, [&](const Cursor& at, const FlatComplex::Vertex& made, Index i) {
-      same(at.member("point"), cells_.vertices[i].point, made.point, "point");
-      compare_state(at, cells_.vertices[i], made);
-      compare_region(at, made.free, made.region);
+  /// Those of the file, as names of each leaf.
+  std::shared_ptr<const SurfaceParameters> names_of_patches() const {
+    const auto names = std::make_shared<LeafParameters>();
+    for (const auto& [patch, name] : stored_.patches) names->name_patch(patch, name);
+    const PlacedParameters placed{[names] { return names; }};
+    return std::make_shared<const SurfaceParameters>(
+        c_, std::vector<PlacedParameters>(file_.names.leaves.size(), placed), LeafPlaces());
+  }
+
+  /// Cells that are more or fewer than those of the file show when they are written.
+  void take_what_is_told(FlatComplex& flat) const {
+    const auto take = [](auto& cells, const auto& told, const auto& more) {
+      for (std::size_t i = 0; i < std::min(cells.size(), told.size()); ++i) {
+        cells[i].origin = told[i].origin;
+        more(cells[i], told[i]);
+      }
+    };
+    const auto nothing = [](auto&, const auto&) {};
+    take(flat.vertices, cells_.vertices, nothing);
+    take(flat.edges, cells_.edges, nothing);
+    take(flat.faces, cells_.faces, [](FlatComplex::Face& face, const FlatComplex::Face& told) {
+      face.patch = told.patch;
+      face.cells = told.cells;
     });
-    each("edges", flat_.edges, [&](const Cursor& at, const FlatComplex::Edge& made, Index i) {
-      same(at.member("points"), cells_.edges[i].points, made.points);
-      same(at.member("closed"), made.closed, "this edge has no vertex and is closed", "this edge has ends");
-      compare_state(at, cells_.edges[i], made);
-      same(at.member("wire"), made.wire, "no face has this edge on its boundary",
-           "a face has this edge on its boundary");
-      compare_region(at, made.wire, made.region);
-    });
-    each("faces", flat_.faces, [&](const Cursor& at, const FlatComplex::Face& made, Index i) {
-      const FlatComplex::Face& face = cells_.faces[i];
-      compare_face(at, face, made);
-      compare_state(at, face, made);
-      const auto first = std::lower_bound(face_of_facet_.begin(), face_of_facet_.end(), i);
-      require_triangles(c_, stored_.points, face, facets.data() + (first - face_of_facet_.begin()), at);
-    });
-    each("regions", flat_.regions,
-         [&](const Cursor& at, const FlatComplex::Region& made, Index i) { compare_region(at, made, i); });
-  }
-
-  template <class Cell>
-  static void compare_state(const Cursor& at, const Cell& stated, const Cell& made) {
-    same(at.member("component"), stated.component, made.component, "component");
-    same(at.member("entity"), made.entity, "the regions around this cell are not all of its component",
-         stated.component == 0 ? "a cell that is no part of the result is no entity"
-                               : "this cell is in the interior of a region of its component");
-    if constexpr (requires { made.feature; }) {
-      if (made.feature != stated.feature)
-        at.member("feature").refuse("a cell that is no part of the result is no feature");
-    }
-  }
-
-  /// The member `region` of a cell that no face bounds or holds; other cells have none.
-  void compare_region(const Cursor& at, bool wanted, Index made) const {
-    if (wanted && made != kNone) {
-      same(at.member("region"), at.member("region").number(cells_.regions.size(), "region"), made, "region");
-    } else if (at.has("region")) {
-      at.member("region").refuse("faces are around this cell, and say which regions are");
-    }
-  }
-
-  static void compare_face(const Cursor& at, const FlatComplex::Face& stated, const FlatComplex::Face& made) {
-    same_loops(at, stated.loops, made.loops);
-    same_isolated(at, stated.isolated, made.isolated);
-    same(at.member("regions"), stated.regions, made.regions);
-    const bool flat = stated.facets.empty();
-    if (flat != made.facets.empty())
-      at.refuse(flat ? "this face is not flat, and has facets" : "this face is flat, and has no facets");
-    if (flat) return;
-    const Cursor facets = at.member("facets");
-    for (std::size_t k = 0; k < facets.size(); ++k) {
-      if (k == made.facets.size()) facets.at(k).refuse("this facet is none");
-      same_loops(facets.at(k), stated.facets[k].loops, made.facets[k].loops);
-      same_isolated(facets.at(k), stated.facets[k].isolated, made.facets[k].isolated);
-    }
-    if (facets.size() < made.facets.size()) facets.refuse("a facet is missing behind the last one");
-  }
-
-  void compare_region(const Cursor& at, const FlatComplex::Region& made, Index i) const {
-    same(at.member("component"), cells_.regions[i].component, made.component, "component");
-    same(at.member("bounded"), made.bounded, "this region has bounds", "this region reaches infinity");
-    const Cursor shells = at.member("shells").array();
-    for (std::size_t s = 0; s < shells.size() || s < made.shells.size(); ++s) {
-      if (s == shells.size()) shells.refuse("a shell is missing, of " + words("face", made.shells[s][0] / 2));
-      if (s == made.shells.size()) shells.at(s).refuse("the faces bound this region in fewer shells");
-      compare_shell(shells.at(s).array(), made.shells[s]);
-    }
-    const Cursor volume = at.member("volume");
-    if (volume.is_null() == made.bounded)
-      volume.refuse(made.bounded ? "a bounded region has a volume"
-                                 : "the volume of a region without bounds is null");
-    if (!made.bounded) return;
-    const Rational inside = *cnrg::volume(c_, made.cells);
-    const std::string text = to_string(inside);
-    if (volume.rational() != inside) {
-      volume.refuse("the volume inside of its shells is " + (text.size() > 40 ? to_decimal(inside) : text));
-    }
-  }
-
-  void compare_shell(const Cursor& shell, const std::vector<Index>& made) const {
-    for (std::size_t k = 0; k < shell.size() || k < made.size(); ++k) {
-      const auto wanted = [&] {
-        return words("face", made[k] / 2) + (made[k] % 2 == 0 ? ", its front" : ", its back");
-      };
-      if (k == shell.size()) shell.refuse("a side is missing: " + wanted());
-      const Cursor side = shell.at(k).only({"face", "side"});
-      if (k == made.size()) side.refuse("this side is not of this shell");
-      const Index face = side.member("face").number(cells_.faces.size(), "face");
-      const std::string which = side.member("side").text();
-      if (which != "front" && which != "back") side.member("side").refuse("`front` or `back` is needed here");
-      if (2 * face + (which == "back") != made[k]) side.refuse("here in this shell is " + wanted());
-    }
+    take(flat.regions, cells_.regions, nothing);
   }
 };
 
@@ -386,9 +295,15 @@ std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
 std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name) {
   const result::JsonFile file = result::parsed(text, name);
   const result::Cursor root(file);
-  StoredValue stored = result::read_value(root);
-  result::Check(root, stored).run();
-  return leaf_of(std::move(stored));
+  result::ResultFile read = result::read_file(root);
+  result::Check(root, read).run();
+  const auto forget_origins = [](auto& cells) {  // their leaves are not at hand
+    for (auto& cell : cells) cell.origin.leaves = {}, cell.origin.cells = {};
+  };
+  FlatComplex& cells = read.value.cells;
+  forget_origins(cells.vertices), forget_origins(cells.edges);
+  forget_origins(cells.faces), forget_origins(cells.regions);
+  return leaf_of(std::move(read.value));
 }
 
 }  // namespace cnrg

@@ -48,8 +48,15 @@ StoredValue store(const ResultView& view, FlatComplex cells);
 
 namespace result {
 
-/// Throws LeafFileError for what is missing, of another type or out of range, and for what refers to nothing.
-StoredValue read_value(const Cursor& root);
+/// What a file says: the value with origins of the leaves that the file names, and what it names.
+struct ResultFile {
+  StoredValue value;
+  ResultNames names;
+  std::vector<std::vector<LeafId>> leaves_of;  ///< by component
+};
+
+/// Throws LeafFileError for what is missing, of another type or out of range.
+ResultFile read_file(const Cursor& root);
 
 /// Walks of a planar face without its slits, the outer one first; nothing if these are all of it.
 std::optional<std::vector<FlatComplex::Loop>> without_slits(const std::vector<RationalPoint>& points,
