@@ -6,7 +6,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "csg/result/relabel.h"
+#include "csg/result/flat_drawing.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/distance.h"

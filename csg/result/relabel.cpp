@@ -508,40 +508,6 @@ class FromAllLeaves : public ComponentSources {
 
 }  // namespace
 
-void require_bounds(const FlatComplex& flat, const char* why, const char* otherwise) {
-  const auto on_frame = [&](const FlatComplex::Loop& loop) {
-    return std::any_of(loop.begin(), loop.end(), [&](Index p) {
-      return std::binary_search(flat.frame_points.begin(), flat.frame_points.end(), p);
-    });
-  };
-  const bool reached =
-      std::any_of(flat.faces.begin(), flat.faces.end(),
-                  [&](const auto& face) { return std::any_of(face.loops.begin(), face.loops.end(), on_frame); }) ||
-      std::any_of(flat.edges.begin(), flat.edges.end(), [&](const auto& e) { return on_frame(e.points); });
-  if (reached) {
-    throw InputError(
-        std::string(why) +
-        ", and only one whose faces and lines have bounds can be moved; cut the node with a box first "
-        "(`intersection`, or `product` where it is not closed)" +
-        otherwise);
-  }
-}
-
-NumberedDrawing drawing_of_cells(const FlatComplex& flat) {
-  NumberedDrawing drawing;
-  drawing.points = flat.points;
-  for (Index f = 0; f < flat.faces.size(); ++f) {
-    for (const auto& t : flat.faces[f].triangles) drawing.triangles.push_back({t, f});
-  }
-  for (Index e = 0; e < flat.edges.size(); ++e) {
-    for_each_segment(flat.edges[e], [&](Index a, Index b) { drawing.pieces.push_back({{a, b}, e}); });
-  }
-  for (const auto& v : flat.vertices) {
-    if (v.free) drawing.isolated.push_back(v.point);
-  }
-  return drawing;
-}
-
 ResultView Relabelled::shown(ResultView view) const {
   view.complex = complex.get();
   view.value = &value;

@@ -41,9 +41,6 @@ struct Relabelled {
   ResultView shown(ResultView view) const;
 };
 
-/// All cells of a flattened result, by their numbers there.
-NumberedDrawing drawing_of_cells(const FlatComplex& flat);
-
 /// `drawing` is that of the cells of `flat`, which `view` flattens to. `raw`: the view shows unsimplified cells.
 /// Nothing if moving has changed nothing but digits, every region, wire and point staying where it is
 /// (MovedDrawing::plain, too): then the result itself will do. Throws Stopped, as the watch asks.
@@ -53,9 +50,5 @@ std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& fla
 /// The cells of components of a complex that `relabel` made: facets of one face are one. `features` stay.
 SimplifiedComplex simplify_relabelled(const Complex& complex, const Components& components,
                                       const Features& features, SimplifyMode mode);
-
-/// Throws InputError if a face or line reaches the frame of unbounded leaves: `why` it must not, as the beginning
-/// of the message.
-void require_bounds(const FlatComplex& flat, const char* why, const char* otherwise);
 
 }  // namespace cnrg

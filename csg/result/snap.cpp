@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "csg/result/flat_drawing.h"
 #include "csg/result/relabel.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "csg/result/part_text.h"
-#include "csg/result/relabel.h"
+#include "csg/result/flat_drawing.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
 #include "csg/text/table.h"

@@ -157,12 +157,6 @@ class CarriedGroup::Maker {
     }
   }
 
-  // What held a cell and was removed: all that held it, less what the carried cells around it still tell.
-
-  void add_labels(RegionId r, std::vector<LeafCell>& out) const {
-    if (class_of_[r] == 0) return;
-    for (const Label& label : complex_.labels(r)) out.push_back({label.leaf, 3, label.region});
-  }
   void add_cover(FaceId f, std::vector<LeafCell>& out) const {
     if (marks_.faces[f] == 0) return;
     for (const Cover& x : complex_.cover(f)) {
@@ -177,8 +171,29 @@ class CarriedGroup::Maker {
         out.push_back({complex_.wires[w].leaf, 1, complex_.wires[w].leaf_edge});
     }
   }
+  /// What held a cell and was removed: all that held it, less what the carried cells around it still tell.
   template <class IdT>
-  Index without(IdT cell, std::vector<LeafCell> carried) {
+  Index gone(IdT cell) {
+    std::vector<LeafCell> carried;
+    std::vector<FaceId> faces;
+    std::vector<RegionId> regions;
+    if constexpr (std::is_same_v<IdT, FaceId>) {
+      faces = {cell};
+      regions = {complex_.face_regions[cell][0], complex_.face_regions[cell][1]};
+    } else {
+      complex_.star_faces(cell, faces);
+      complex_.star_regions(cell, regions);
+    }
+    if constexpr (std::is_same_v<IdT, EdgeId>) add_wires(cell, carried);
+    if constexpr (std::is_same_v<IdT, VertexId>) {
+      for (const EdgeId e : complex_.vertex_edges[cell]) add_wires(e, carried);
+      for (const LeafId leaf : complex_.isolated_leaves[cell]) carried.push_back({leaf, 0, 0});
+    }
+    for (const FaceId f : faces) add_cover(f, carried);
+    for (const RegionId r : regions) {
+      if (class_of_[r] == 0) continue;
+      for (const Label& label : complex_.labels(r)) carried.push_back({label.leaf, 3, label.region});
+    }
     sort_unique(carried);
     const std::vector<LeafCell> held = leaf_cells(complex_, cell, all_);
     std::vector<LeafCell> gone;
@@ -186,34 +201,6 @@ class CarriedGroup::Maker {
     const auto [number, fresh] = lists_of_gone_(gone);
     if (fresh) out_.gone_.push_back(std::move(gone));
     return number;
-  }
-  Index gone(FaceId f) {
-    std::vector<LeafCell> carried;
-    add_cover(f, carried);
-    for (const RegionId r : complex_.face_regions[f]) add_labels(r, carried);
-    return without(f, std::move(carried));
-  }
-  Index gone(EdgeId e) {
-    std::vector<LeafCell> carried;
-    std::vector<RegionId> around;
-    for (const FaceUse& use : complex_.edge_uses[e]) add_cover(use.face, carried);
-    add_wires(e, carried);
-    complex_.star_regions(e, around);
-    for (const RegionId r : around) add_labels(r, carried);
-    return without(e, std::move(carried));
-  }
-  Index gone(VertexId v) {
-    std::vector<LeafCell> carried;
-    std::vector<RegionId> around;
-    for (const EdgeId e : complex_.vertex_edges[v]) {
-      for (const FaceUse& use : complex_.edge_uses[e]) add_cover(use.face, carried);
-      add_wires(e, carried);
-    }
-    for (const FaceId f : complex_.vertex_faces[v]) add_cover(f, carried);
-    for (const LeafId leaf : complex_.isolated_leaves[v]) carried.push_back({leaf, 0, 0});
-    complex_.star_regions(v, around);
-    for (const RegionId r : around) add_labels(r, carried);
-    return without(v, std::move(carried));
   }
 
   /// The facets around an edge along a curved surface or a curve that are not carried: what curve it is a piece

@@ -16,6 +16,10 @@ namespace {
 using Index = CellMap::Index;
 constexpr const char* kAgain = "; write the file again with `cnrg eval -o`";
 
+[[noreturn]] void refuse_group(const std::string& fault) {
+  throw InputError("the result calls itself a group but " + fault + kAgain);
+}
+
 [[noreturn]] void refuse_overlap(const CellMap::Piece& a, const CellMap::Piece& b) {
   static constexpr const char* kCells[] = {"vertices", "edges", "faces"};
   throw InputError("the cells of the result overlap: " + std::string(kCells[a.dimension]) + " " +
@@ -250,10 +254,11 @@ void keep_numbers(const Components& components, Group& group) {
   for (std::size_t i = 0; i < group.cells.size(); ++i) {
     const Component stated = components.selection.regions[i].second;
     Component& made = number[group.cells[i].second];
-    require((made == 0 || made == stated) && stated <= regions.size(), "leaf_value: a component is no region");
+    if ((made != 0 && made != stated) || stated > regions.size())
+      refuse_group("one region is of several components");
     made = group.cells[i].second = stated;
   }
-  require(group.regions.size() == regions.size(), "leaf_value: a component is in several pieces");
+  if (group.regions.size() != regions.size()) refuse_group("a component is not one region");
   for (std::size_t i = 1; i < number.size(); ++i) regions[number[i] - 1] = std::move(group.regions[i - 1]);
   group.regions = std::move(regions);
 }
@@ -282,10 +287,8 @@ NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, co
   if (held != nullptr) made.list_held(components.selection, *held);
   if (!stored.group) return components;
   const CellSet missing = missing_boundary(complex, components);
-  if (!missing.empty()) {
-    throw InputError("the result calls itself a group but is not closed: " + std::to_string(missing.size()) +
-                     " cells of its boundary are missing" + kAgain);
-  }
+  if (!missing.empty())
+    refuse_group("is not closed: " + std::to_string(missing.size()) + " cells of its boundary are missing");
   Group group = group_of(complex, components);
   keep_numbers(components, group);
   group.dominance = stored.dominances[0];

@@ -20,7 +20,6 @@
 #include "csg/transfer/result_triangles.h"
 #include "kernel/base/leaf_words.h"
 #include "kernel/base/limits.h"
-#include "kernel/base/union_find.h"
 #include "kernel/complex/builder.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -64,22 +63,15 @@ class Check {
         stored_(file.value),
         cells_(stored_.cells),
         made_(complex_of(root, stored_)),
-        c_(*made_) {
-    for (Index i = 0; i < cells_.faces.size(); ++i)
-      for_each_facet(cells_.faces[i], [&](auto&&...) { face_of_facet_.push_back(i); });
-  }
+        c_(*made_) {}
 
   void run() {
-    if (stored_.group) require_group();
     std::vector<VertexId> points;
     for (Index p = 0; p < stored_.points.size(); ++p)
       points.emplace_back(p);  // all distinct: they keep their numbers
     const CellMap map(c_, {part_of(LeafId(0), stored_, points)});
     require_apart(map);
-    const std::vector<PlacedFacet> facets = place_facets();
-    require_one_place(facets);
-    const NodeValue value =
-        leaf_value(c_, LeafId(0), leaf_groups(c_).front(), stored_, map, stored_.components, std::identity());
+    const NodeValue value = value_on(map);
     const MarkedCells marks = marks_of(map);
     Result::Data data;
     data.complex = made_;
@@ -94,8 +86,10 @@ class Check {
     const std::vector<FlatComplex::Face> faces = flat.faces;
     const JsonFile again{"", JsonDocument(result_json(view, std::move(flat)))};
     root_.require_same(Cursor(again), {"triangles", "volume_bound"});
+    const std::vector<PlacedFacet> facets = place_facets();
     for (Index i = 0, first = 0; i < faces.size(); ++i) {
-      require_triangles(c_, stored_.points, faces[i], facets.data() + first, at("faces", i));
+      require_triangles(c_, faces[i], facets.data() + first, at("faces", i));
+      require_cells(stored_.points, faces[i], at("faces", i));
       first += Index(std::max<std::size_t>(faces[i].facets.size(), 1));
     }
   }
@@ -107,40 +101,6 @@ class Check {
   const FlatComplex& cells_;
   const std::shared_ptr<const Complex> made_;
   const Complex& c_;
-  std::vector<Index> face_of_facet_;
-
-  /// A component is one region, in one piece but for faces that are inside of it; features are of entities.
-  void require_group() const {
-    UnionFind sets(cells_.regions.size());
-    for (const FlatComplex::Face& face : cells_.faces) {
-      const auto [front, back] = face.regions;
-      const Index c = face.component;
-      if (c != 0 && cells_.regions[front].component == c && cells_.regions[back].component == c)
-        sets.unite(front, back);
-    }
-    std::vector<Index> first(stored_.components.size() + 1, kNone);
-    for (Index i = 0; i < cells_.regions.size(); ++i) {
-      const Index c = cells_.regions[i].component;
-      if (c == 0) continue;
-      if (first[c] == kNone) first[c] = i;
-      if (sets.find(i) == sets.find(first[c])) continue;
-      at("regions", i)
-          .member("component")
-          .refuse("in a group a component is one region, and " + words("region", first[c]) + " is of this one");
-    }
-    for (Index c = 1; c < first.size(); ++c) {
-      if (first[c] == kNone)
-        at("components", c - 1).refuse("in a group a component is a region, and none is of this one");
-    }
-    const auto require_entities = [&](const char* kind, const auto& cells) {
-      for (Index i = 0; i < cells.size(); ++i) {
-        if (cells[i].feature && cells[i].component != stored_.components.size() + 1)
-          at(kind, i).member("feature").refuse("only entities of a group are features");
-      }
-    };
-    require_entities("vertices", cells_.vertices);
-    require_entities("edges", cells_.edges);
-  }
 
   /// Cells meet in points of the file only, and none lies on another one.
   void require_apart(const CellMap& map) const {
@@ -162,66 +122,37 @@ class Check {
     cell(b).refuse("this cell lies on " + words(a.dimension == 1 ? "edge" : "vertex", a.number));
   }
 
-  /// Every facet is one face.
+  /// The face that each facet of the file has become.
   std::vector<PlacedFacet> place_facets() const {
-    std::vector<PlacedFacet> facets(face_of_facet_.size());
+    std::vector<PlacedFacet> facets(c_.sources.size());
     for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
-      const auto covers = c_.cover(f);
-      const Index k = covers[0].source.value(), face = face_of_facet_[k];
-      if (covers.size() > 1) {
-        const Index other = face_of_facet_[covers[1].source.index()];
-        at("faces", face)
-            .refuse(other == face ? "facets of this face lie on each other"
-                                  : "this face and " + words("face", other) + " lie on each other");
-      }
-      if (facets[k].cell.valid()) at("faces", face).refuse("this face falls into several pieces");
-      facets[k] = {f, covers[0].same};
-    }
-    for (Index k = 0; k < facets.size(); ++k) {
-      if (!facets[k].cell.valid()) at("faces", face_of_facet_[k]).refuse("a face without area");
+      const Cover& cover = c_.cover(f)[0];
+      facets[cover.source.index()] = {f, cover.same};
     }
     return facets;
   }
 
-  /// A region of the file is one of the complex.
-  void require_one_place(const std::vector<PlacedFacet>& facets) const {
-    std::vector<RegionId> place(cells_.regions.size());
-    for (Index k = 0; k < facets.size(); ++k) {
-      const Index face = face_of_facet_[k];
-      for (unsigned side = 0; side < 2; ++side) {
-        const RegionId r = c_.region(HalfFace(facets[k].cell, facets[k].same ? side : 1 - side));
-        RegionId& known = place[cells_.faces[face].regions[side]];
-        if (known.valid() && known != r)
-          at("faces", face).member("regions").at(side).refuse("this side does not look into that region");
-        known = r;
-      }
-    }
-    if (facets.empty() && !place.empty()) place[0] = RegionId(0);  // all of space
-    for (Index i = 0; i < place.size(); ++i) {
-      if (!place[i].valid()) at("regions", i).refuse("no side of a face looks into this region");
+  NodeValue value_on(const CellMap& map) const {
+    try {
+      return leaf_value(c_, LeafId(0), leaf_groups(c_).front(), stored_, map, stored_.components, std::identity());
+    } catch (const InputError& error) {
+      root_.member("components").fail(error.what());
     }
   }
 
   /// Each active cell stays one; what is no part of the result unites as it would before it is written.
   MarkedCells marks_of(const CellMap& map) const {
     MarkedCells marks(c_);
-    const auto mark = [&](auto& list, auto id, const Piece& piece, Index component) {
-      if (component != 0) list[id] = piece.number + 1;
+    const auto mark = [](auto& list, auto id, std::span<const Piece> pieces, int dimension, const auto& cells) {
+      for (const Piece& piece : pieces) {
+        if (piece.dimension == dimension && cells[piece.number].component != 0) list[id] = piece.number + 1;
+      }
     };
     for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
-      map.for_each_piece(
-          c_, f, [&](const Piece& piece) { mark(marks.faces, f, piece, cells_.faces[piece.number].component); });
+      map.for_each_piece(c_, f, [&](const Piece& piece) { mark(marks.faces, f, {&piece, 1}, 2, cells_.faces); });
     }
-    for (const EdgeId e : IdRange<EdgeId>(c_.edge_count())) {
-      for (const Piece& piece : map.pieces(e)) {
-        if (piece.dimension == 1) mark(marks.edges, e, piece, cells_.edges[piece.number].component);
-      }
-    }
-    for (const VertexId v : c_.vertices) {
-      for (const Piece& piece : map.pieces(v)) {
-        if (piece.dimension == 0) mark(marks.vertices, v, piece, cells_.vertices[piece.number].component);
-      }
-    }
+    for (const EdgeId e : IdRange<EdgeId>(c_.edge_count())) mark(marks.edges, e, map.pieces(e), 1, cells_.edges);
+    for (const VertexId v : c_.vertices) mark(marks.vertices, v, map.pieces(v), 0, cells_.vertices);
     return marks;
   }
 

@@ -2,8 +2,6 @@
 // which of two diagonals halves a rectangle is left to who writes.
 #pragma once
 
-#include <vector>
-
 #include "csg/transfer/stored_value.h"
 #include "kernel/complex/complex.h"
 
@@ -15,9 +13,11 @@ struct PlacedFacet {
   bool same = true;
 };
 
-/// `face` is what the file says of a face, `placed` its facets, `at` its place in the file, whose points have
-/// their numbers in the complex. Throws LeafFileError.
-void require_triangles(const Complex& complex, const std::vector<RationalPoint>& points,
-                       const FlatComplex::Face& face, const PlacedFacet* placed, const Cursor& at);
+/// `face` is what the cells of the file make of a face, `placed` its facets, `at` its place in the file, whose
+/// points have their numbers in the complex. Throws LeafFileError.
+void require_triangles(const Complex& complex, const FlatComplex::Face& face, const PlacedFacet* placed,
+                       const Cursor& at);
+/// Each facet lies in the cells of its patch.
+void require_cells(const std::vector<RationalPoint>& points, const FlatComplex::Face& face, const Cursor& at);
 
 }  // namespace cnrg::result

@@ -11,6 +11,7 @@
 #include <map>
 #include <utility>
 
+#include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/parameters.h"
 #include "csg/result/file_numbers.h"
 #include "csg/transfer/stored_value.h"
@@ -22,14 +23,10 @@ namespace {
 using Index = StoredValue::Index;
 using Loop = FlatComplex::Loop;
 
-/// Twice the vector area of a loop: along the normal of the side from which it is counter-clockwise.
 RationalPoint area(const std::vector<RationalPoint>& points, const Loop& loop) {
-  RationalPoint sum{0, 0, 0};
-  const RationalPoint& o = points[loop[0]];
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    sum = sum + cross(points[loop[i]] - o, points[loop[i + 1]] - o);
-  }
-  return sum;
+  std::vector<RationalPoint> corners;
+  for (const Index p : loop) corners.push_back(points[p]);
+  return area_vector(corners);
 }
 
 bool has_slit(const Loop& walk) {

@@ -491,7 +491,7 @@ TEST_CASE("what a file says and its cells do not is refused at the first cell") 
                for (auto& edge : json["edges"]) edge["wire"] = true, edge["region"] = 0;
                for (auto& region : json["regions"]) region["shells"] = Json::array();
              }),
-             Contains("/regions/1: no side of a face looks into this region"));
+             Contains("/components: the result calls itself a group but a component is not one region"));
   CHECK_THAT(put("/faces", Json::array()), Contains("error: "));
   // The ends of the wire are points 8 and 9: through the box, onto a face, through the sheet.
   REQUIRE(good["points"][8] == Json{"2", "2", "5"});
@@ -557,7 +557,7 @@ TEST_CASE("a region of a file is in one piece") {
   std::ofstream(dir / "one.json") << json.dump();
   CHECK_THROWS_WITH(prepare_result({dir / "one.json"}), Catch::Contains("/faces/") &&
                                                             Catch::Contains("/regions/") &&
-                                                            Catch::Contains("does not look into that region"));
+                                                            Catch::Contains("by the cells of the file this is 2"));
 }
 
 TEST_CASE("components have the numbers of their file, also beside leaves that cut them") {
