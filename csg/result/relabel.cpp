@@ -425,30 +425,28 @@ class Labeller {
     const LeafId result(exact_.leaf_count);
     sources_.leaf_regions = exact_.leaf_regions;
     std::vector<std::vector<std::pair<SourceId, bool>>> of_face;  // on the front of the face of the result, or not
-    std::vector<std::pair<Soup::Face, bool>> on;
-    const auto order = [](const auto& a, const auto& b) {
-      return std::tie(a.first.leaf, a.first.leaf_face, a.first.patch, a.second) <
-             std::tie(b.first.leaf, b.first.leaf_face, b.first.patch, b.second);
-    };
     const std::vector<char> bent = find_bent();
     for (Index i = 0; i < flat_.faces.size(); ++i) {
-      on.clear();
       // With the same on both sides a face tells no side, and then it does not matter which one is its front.
       const bool flipped = flat_.faces[i].regions[0] != simplified_.faces[i].regions[0];
+      std::map<std::tuple<LeafId, Index, Index, bool>, std::uint32_t> on;  // with the number of the surface
       for (const HalfFace cell : simplified_.faces[i].cells) {
         for (const Cover& cover : exact_.cover(cell.face())) {
           const Soup::Face& source = exact_.sources[cover.source];
-          if (source.leaf == exact_.frame) continue;
-          on.push_back({{source.leaf, source.leaf_face, source.patch, 0, 0, source.surface},
-                        (cover.same == (cell.side() == 0)) != flipped});
+          const bool same = (cover.same == (cell.side() == 0)) != flipped;
+          if (source.leaf != exact_.frame)
+            on[{source.leaf, source.leaf_face, source.patch, same}] = source.surface;
         }
       }
-      std::sort(on.begin(), on.end(), order);
-      on.erase(std::unique(on.begin(), on.end(), [&](const auto& a, const auto& b) { return !order(a, b); }),
-               on.end());
-      on.push_back({{result, i, i, 0, 0, bent[i] ? exact_.surface_count + 1 + i : 0}, true});
       auto& numbers = of_face.emplace_back();
-      for (const auto& [face, same] : on) numbers.emplace_back(sources_.sources.push_back(face), same);
+      const auto add = [&](const Soup::Face& face, bool same) {
+        numbers.emplace_back(sources_.sources.push_back(face), same);
+      };
+      for (const auto& [key, surface] : on) {
+        const auto& [leaf, leaf_face, patch, same] = key;
+        add({leaf, leaf_face, patch, 0, 0, surface}, same);
+      }
+      add({result, i, i, 0, 0, bent[i] ? exact_.surface_count + 1 + i : 0}, true);
     }
     DistinctLists<SourceSetId, Cover> covers;
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {

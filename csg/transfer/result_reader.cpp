@@ -336,10 +336,8 @@ class Reader {
       walks.push_back(read_loop(loop, 2, "this face"));
       if (walks.back().front() == walks.back().back()) loop.refuse("a loop does not repeat its first point");
     });
-    if (!needed) return walks;
-    if (walks.empty()) face.member("loops").refuse("a face needs a loop");
-    const auto loops = without_slits(value_.points, walks);
-    if (loops && loops->empty()) face.refuse("a face without area");
+    if (needed && std::none_of(walks.begin(), walks.end(), [](const Loop& walk) { return walk.size() > 2; }))
+      face.member("loops").refuse("a face without area");
     return walks;
   }
 

@@ -3,15 +3,13 @@
 // against the cells that they make (result_check.cpp); and the leaf made from them, here.
 //
 // Edges are wires where the faces alone would not give the same edge again:
-//   * A face is handed to the soup without its slits (edges that it walks in both directions): loops of the soup
-//     enclose by parity.
+//   * A face walks a slit in both directions.
 //   * A bent chain is one edge because it is one curve (kernel/selection/curve.h), and a wire is one.
 //   * Two edges that meet in a corner of curved faces might become one curve: a wire along one of them parts them.
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/parameters.h"
 #include "csg/result/file_numbers.h"
 #include "csg/transfer/stored_value.h"
@@ -22,45 +20,6 @@ namespace {
 
 using Index = StoredValue::Index;
 using Loop = FlatComplex::Loop;
-
-RationalPoint area(const std::vector<RationalPoint>& points, const Loop& loop) {
-  std::vector<RationalPoint> corners;
-  for (const Index p : loop) corners.push_back(points[p]);
-  return area_vector(corners);
-}
-
-bool has_slit(const Loop& walk) {
-  std::vector<std::pair<Index, Index>> steps;
-  for (std::size_t i = 0; i < walk.size(); ++i) {
-    steps.push_back(std::minmax(walk[i], walk[i + 1 < walk.size() ? i + 1 : 0]));
-  }
-  std::sort(steps.begin(), steps.end());
-  return std::adjacent_find(steps.begin(), steps.end()) != steps.end();
-}
-
-/// Splits a walk at edges that it walks in both directions: they nest like parentheses, since the face is
-/// planar, and each closed part between them is a loop of its own.
-void split_at_slits(const Loop& walk, std::vector<Loop>& loops) {
-  using Step = std::pair<Index, Index>;
-  const std::size_t n = walk.size();
-  std::set<Step> steps;
-  for (std::size_t i = 0; i < n; ++i) steps.insert({walk[i], walk[(i + 1) % n]});
-  std::vector<std::pair<Step, Loop>> open{{Step{}, {}}};
-  for (std::size_t i = 0; i < n; ++i) {
-    const Step step{walk[i], walk[(i + 1) % n]};
-    if (!steps.contains({step.second, step.first})) {
-      open.back().second.push_back(step.first);
-    } else if (open.size() > 1 && open.back().first == Step{step.second, step.first}) {
-      if (open.back().second.size() >= 3) loops.push_back(std::move(open.back().second));
-      open.pop_back();
-    } else {
-      open.push_back({step, {}});
-    }
-  }
-  for (auto& [step, loop] : open) {
-    if (loop.size() >= 3) loops.push_back(std::move(loop));
-  }
-}
 
 /// Of each edge, whether it is a wire of the soup.
 std::vector<char> find_wires(const StoredValue& value) {
@@ -128,28 +87,6 @@ class StoredLeaf : public PreparedLeaf {
 
 }  // namespace
 
-std::optional<std::vector<Loop>> result::without_slits(const std::vector<RationalPoint>& points,
-                                                       const std::vector<Loop>& walks) {
-  if (std::none_of(walks.begin(), walks.end(), has_slit)) return {};
-  RationalPoint normal{0, 0, 0};
-  std::vector<Loop> loops;
-  for (const Loop& walk : walks) {
-    normal = normal + area(points, walk);
-    split_at_slits(walk, loops);
-  }
-  std::size_t outer = 0;
-  Rational most = 0;
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    const Rational extent = dot(normal, area(points, loops[i]));
-    if (extent > most) {
-      most = extent;
-      outer = i;
-    }
-  }
-  if (!loops.empty()) std::swap(loops[0], loops[outer]);
-  return loops;
-}
-
 LeafId result::add_to(Soup& soup, const StoredValue& value, const Transform& transform, Fill fill) {
   const LeafId leaf = soup.add_leaf(fill);
   const bool mirrored = sgn(transform.determinant()) < 0;
@@ -164,8 +101,8 @@ LeafId result::add_to(Soup& soup, const StoredValue& value, const Transform& tra
     const FlatComplex::Face& face = value.cells.faces[i];
     for_each_facet(face, [&](const std::vector<Loop>& walks, auto&&...) {
       rings.clear();
-      const std::optional<std::vector<Loop>> loops = without_slits(value.points, walks);
-      for (const Loop& loop : loops ? *loops : walks) {
+      for (const Loop& loop : walks) {
+        if (loop.size() < 3) continue;  // a slit alone: its edge is a wire
         auto& ring = rings.emplace_back();
         for (const Index p : loop) ring.push_back(ids[p]);
         if (mirrored) std::reverse(ring.begin(), ring.end());

@@ -58,10 +58,6 @@ struct ResultFile {
 /// Throws LeafFileError for what is missing, of another type or out of range.
 ResultFile read_file(const Cursor& root);
 
-/// Walks of a planar face without its slits, the outer one first; nothing if these are all of it.
-std::optional<std::vector<FlatComplex::Loop>> without_slits(const std::vector<RationalPoint>& points,
-                                                            const std::vector<FlatComplex::Loop>& walks);
-
 /// Adds the cells as a leaf; point i of the value is point i of the leaf, and facets are its faces in their order.
 /// `fill` is `sides`, or `none` for a leaf without regions.
 LeafId add_to(Soup& soup, const StoredValue& value, const Transform& transform, Fill fill);
