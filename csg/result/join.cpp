@@ -7,9 +7,9 @@
 #include <span>
 #include <tuple>
 
+#include "csg/result/flat_drawing.h"
 #include "csg/result/join_drawing.h"
 #include "csg/result/part_text.h"
-#include "csg/result/flat_drawing.h"
 #include "csg/result/relabel.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"

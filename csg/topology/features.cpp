@@ -6,8 +6,8 @@
 #include <numbers>
 #include <set>
 
-#include "csg/result/part_text.h"
 #include "csg/result/flat_drawing.h"
+#include "csg/result/part_text.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
 #include "csg/text/table.h"
