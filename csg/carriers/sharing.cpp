@@ -77,6 +77,7 @@ std::vector<std::uint32_t> sharing_groups(const std::vector<LeafInstance>& insta
   }
   for (const std::uint32_t i : others) groups.unite(others.front(), i);
   for (const std::uint32_t i : flat) {
+    if (boxes.empty() && !touchable) break;
     if (touchable) groups.unite(others.front(), i);
     const auto* const geometry = dynamic_cast<const GeometryLeaf*>(instances[i].leaf.get());
     const Box reach = geometry != nullptr ? leaf_box(*geometry, *instances[i].transform) : Box();

@@ -18,7 +18,7 @@ bool can_be_followed(const Node& node) {
 }
 
 std::optional<ChainOutcome> evaluate_chain(const Complex& complex, std::span<const ChainNode> chain, bool totals,
-                                           const LeafOrder& order) {
+                                           const LeafOrder& order, Removed removed) {
   std::vector<PartedGroup> operands;
   std::vector<Dominance> dominances;
   PartedGroup left;  // the value so far: its dominance alone, and whether materials may decide
@@ -39,7 +39,7 @@ std::optional<ChainOutcome> evaluate_chain(const Complex& complex, std::span<con
     if (of.node->dominance) left.dominance = *of.node->dominance;
   }
   FoldInSteps fold = boolean_fold_in_steps(complex, boolean_op(chain.front().node->op), dominances,
-                                           std::move(operands), totals, order);
+                                           std::move(operands), totals, order, removed);
   ChainOutcome out;
   auto step = fold.steps.begin();
   for (const ChainNode& of : chain) {

@@ -42,6 +42,6 @@ struct ChainOutcome {
 /// what is equal is decided by materials, or `totals` cannot be told. Operands stay as they are. `order` is that
 /// of the leaves below the last node, which is that below each node before it.
 std::optional<ChainOutcome> evaluate_chain(const Complex& complex, std::span<const ChainNode> chain, bool totals,
-                                           const LeafOrder& order);
+                                           const LeafOrder& order, Removed removed);
 
 }  // namespace cnrg

@@ -76,7 +76,7 @@ struct NodeRow {
   std::string operator_name;
   std::array<std::size_t, 4> cells{};      ///< active cells by dimension, simplified
   std::array<std::size_t, 4> raw_cells{};  ///< active cells by dimension, as the refinement has them
-  Removals removals;                       ///< cells that rows of the tables removed
+  Removals removals;                       ///< cells that rows of the tables removed; uncounted with Rows::none
   std::size_t removed() const { return removals.total(); }
   bool is_group = true;
   std::size_t components = 0;  ///< how many components; not filled for a group

@@ -79,6 +79,7 @@ PartedGroup group_operand(const Complex& complex, const Node& node, const Operan
 struct StepRules {
   const Transform& placement;
   const LeafOrder& order;
+  Removed removed = Removed::counted;
 };
 
 /// One step of a Boolean node.
@@ -91,7 +92,7 @@ FoldResult step_of(const Complex& complex, const Node& node, const StepRules& ru
       return boolean_by_materials(complex, boolean_op(node.op), std::move(left), std::move(right), rules.order);
     default:
       return boolean_fold(complex, boolean_op(node.op), std::span(&dominance, 1),
-                          {std::move(left), std::move(right)}, rules.order);
+                          {std::move(left), std::move(right)}, rules.order, rules.removed);
   }
 }
 
@@ -122,7 +123,8 @@ StepOutcome boolean_of(const Complex& complex, const Node& node, const StepRules
       std::any_of(values.begin(), values.end(), [](const PartedGroup& value) { return value.ranked; });
   const bool alike = std::find(dominances.begin(), dominances.end(), Dominance::equal) != dominances.end();
   if (!node.blend && !(ranked && alike && !node.dominant)) {
-    FoldResult result = boolean_fold(complex, boolean_op(node.op), dominances, std::move(values), rules.order);
+    FoldResult result =
+        boolean_fold(complex, boolean_op(node.op), dominances, std::move(values), rules.order, rules.removed);
     return {std::move(result.group), std::move(result.removals), std::move(result.conflicts)};
   }
   StepOutcome outcome;
@@ -166,7 +168,7 @@ StepOutcome side_of(const Complex& complex, const Node& node, std::span<const Op
   const Group right = part_of(complex, side, surface, operands[0].name, left, operands[1].name, place.transform);
   const Dominance dominance = Dominance::left;
   FoldResult cut = boolean_fold(complex, BooleanOp::intersect, std::span(&dominance, 1),
-                                {std::move(block), parted(complex, right)}, place.order);
+                                {std::move(block), parted(complex, right)}, place.order, place.removed);
   if (see) see({BooleanOp::intersect, dominance, left, right, whole(cut.group), 1, StepRule::operands});
   return {std::move(cut.group), std::move(cut.removals), std::move(cut.conflicts)};
 }
@@ -414,8 +416,8 @@ Topological topological(Operator op) {
 }
 
 StepOutcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                        const LeafOrder& order) {
-  return boolean_of(complex, node, {{}, order}, operands);
+                        const LeafOrder& order, Removed removed) {
+  return boolean_of(complex, node, {{}, order, removed}, operands);
 }
 
 StepOutcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
@@ -425,8 +427,9 @@ StepOutcome operate(const Complex& complex, const Node& node, const RegionMateri
     case Operator::unite:
     case Operator::intersect:
     case Operator::subtract:
-      outcome = validate ? validated_boolean(complex, node, {place.placement, place.order}, operands)
-                         : boolean_of(complex, node, {place.placement, place.order}, operands);
+      outcome = validate
+                    ? validated_boolean(complex, node, {place.placement, place.order, place.removed}, operands)
+                    : boolean_of(complex, node, {place.placement, place.order, place.removed}, operands);
       break;
     case Operator::sum:
     case Operator::product:

@@ -44,6 +44,7 @@ struct NodePlace {
   SharedTransform transform;
   SharedTransform placement;  ///< the same without its own: of mixtures that it makes itself (`blend`)
   LeafOrder order;            ///< of the leaves below it
+  Removed removed = Removed::counted;
 };
 
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material`
@@ -55,7 +56,7 @@ StepOutcome operate(const Complex& complex, const Node& node, const RegionMateri
 
 /// The first operands of an intersection as one: the fold of these alone, without the node's attributes.
 StepOutcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                        const LeafOrder& order);
+                        const LeafOrder& order, Removed removed);
 
 BooleanOp boolean_op(Operator op);
 /// The dominance that the node states for a step; if it states none, the operand with the greater number

@@ -243,7 +243,8 @@ class Scopes {
     const Node& node = tree_.nodes[instance.node];
     try {
       return operate(*scope.complex, node, x_.grades.on(instance, node.material), operands_of(scope, id),
-                     x_.options.validate, {instance.transform, x_.grades.placement(instance), order_below(id)});
+                     x_.options.validate,
+                     {instance.transform, x_.grades.placement(instance), order_below(id), removed()});
     } catch (const FaultAt& e) {
       throw TreeError(file_of(node), e.at(), e.what());
     } catch (const InputError& e) {
@@ -254,6 +255,8 @@ class Scopes {
   const std::string& file_of(const Node& node) const { return node.selector ? node.selector->file : tree_.file; }
 
   LeafOrder order_below(InstanceId id) const { return x_.leaves.numbers().order_below(instances_, id); }
+
+  Removed removed() const { return x_.options.rows == Rows::none ? Removed::uncounted : Removed::counted; }
 
   void make_values(Scope& scope, std::span<const InstanceId> roots, bool top) {
     std::optional<Steps> steps;
@@ -351,7 +354,7 @@ class Scopes {
       }
     }
     std::optional<ChainOutcome> outcome =
-        evaluate_chain(*scope.complex, nodes, x_.options.rows == Rows::all, order_below(chain.back()));
+        evaluate_chain(*scope.complex, nodes, x_.options.rows == Rows::all, order_below(chain.back()), removed());
     if (!outcome) {
       for (const InstanceId id : chain) make_value(scope, id, roots, top);
       return;
@@ -398,7 +401,7 @@ class Scopes {
         operands.push_back({&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, {}});
       StepOutcome outcome = [&] {
         try {
-          return first_steps(*scope.complex, node, operands, order_below(id));
+          return first_steps(*scope.complex, node, operands, order_below(id), removed());
         } catch (const InputError& e) {
           throw TreeError(tree_.file, node.operator_at, e.what());
         }

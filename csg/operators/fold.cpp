@@ -26,12 +26,13 @@ bool can_tally(const Complex& complex, const std::vector<PartedGroup>& operands)
 class Fold {
  public:
   Fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-       std::vector<PartedGroup> operands, const LeafOrder& order, bool tallies = false)
+       std::vector<PartedGroup> operands, const LeafOrder& order, Removed removed, bool tallies = false)
       : complex_(complex),
         op_(op),
         dominances_(dominances),
         operands_(std::move(operands)),
         order_(order),
+        removed_(removed),
         tallies_(tallies),
         busy_(operands_.size()),
         steps_(dominances.size()) {}
@@ -77,7 +78,7 @@ class Fold {
     };
     std::uint32_t operand = next->operand;
     if (operand > 0) tally(cluster, operand);
-    TableEngine engine(complex_, op_, take(operand), order_, tallies_);
+    TableEngine engine(complex_, op_, take(operand), order_, removed_, tallies_);
     while (true) {
       // An intersection with an operand that has no part here leaves nothing.
       if (op_ == BooleanOp::intersect && !engine.empty()) ++operand;
@@ -139,6 +140,7 @@ class Fold {
     const std::size_t step = step_of(operand);
     const bool dominant = roles(op_, dominances_[step]).dominant;
     for (const PartRef& part : operands_[operand].parts) {
+      if (removed_ == Removed::uncounted) break;
       const auto& cells = part->counts(complex_).simplified;
       for (int dimension = 0; dimension <= 2; ++dimension) {
         const std::size_t row = table_row(op_, dominant, dimension, outside(operand));
@@ -204,6 +206,7 @@ class Fold {
   std::span<const Dominance> dominances_;
   std::vector<PartedGroup> operands_;
   const LeafOrder& order_;
+  Removed removed_;
   bool tallies_;
   std::vector<Parts> busy_;  // by operand: its parts in clusters
   std::vector<FoldStep> steps_;
@@ -212,8 +215,8 @@ class Fold {
 }  // namespace
 
 FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-                        std::vector<PartedGroup> operands, const LeafOrder& order) {
-  Fold fold(complex, op, dominances, std::move(operands), order);
+                        std::vector<PartedGroup> operands, const LeafOrder& order, Removed removed) {
+  Fold fold(complex, op, dominances, std::move(operands), order, removed);
   FoldResult out;
   out.group = fold.run();
   for (FoldStep& step : fold.steps()) {
@@ -224,13 +227,14 @@ FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Do
 }
 
 FoldInSteps boolean_fold_in_steps(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-                                  std::vector<PartedGroup> operands, bool totals, const LeafOrder& order) {
+                                  std::vector<PartedGroup> operands, bool totals, const LeafOrder& order,
+                                  Removed removed) {
   std::optional<Totals> sums;
   if (totals && can_tally(complex, operands)) sums = Totals();
   if (sums) {
     for (const PartRef& part : operands[0].parts) sums->add(complex, *part.get());
   }
-  Fold fold(complex, op, dominances, std::move(operands), order, sums.has_value());
+  Fold fold(complex, op, dominances, std::move(operands), order, removed, sums.has_value());
   FoldInSteps out;
   out.group = fold.run();
   for (FoldStep& step : fold.steps()) {

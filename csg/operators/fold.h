@@ -26,7 +26,8 @@ struct FoldResult {
 /// where there is one. The value, removals and conflicts are those of `boolean_operation` step by step. Move in
 /// operands that are not needed any more: their lists are used again.
 FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-                        std::vector<PartedGroup> operands, const LeafOrder& order = {});
+                        std::vector<PartedGroup> operands, const LeafOrder& order = {},
+                        Removed removed = Removed::counted);
 
 /// What became of the value in one step.
 struct StepOfFold {
@@ -44,6 +45,7 @@ struct FoldInSteps {
 /// The same, told step by step. With `totals` the sums over the value after each step are known, unless something
 /// is said of single cells, the space has a frame, a region has no bounds, or a merged face would be one-sided.
 FoldInSteps boolean_fold_in_steps(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-                                  std::vector<PartedGroup> operands, bool totals, const LeafOrder& order = {});
+                                  std::vector<PartedGroup> operands, bool totals, const LeafOrder& order = {},
+                                  Removed removed = Removed::counted);
 
 }  // namespace cnrg

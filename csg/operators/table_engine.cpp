@@ -46,9 +46,11 @@ enum class Who : std::uint8_t { held = kHeld, next = kNext };
 
 class TableEngine::State {
  public:
-  State(const Complex& complex, BooleanOp op, Operands first, const LeafOrder& order, bool tallies)
+  State(const Complex& complex, BooleanOp op, Operands first, const LeafOrder& order, Removed removed,
+        bool tallies)
       : complex_(complex),
         op_(op),
+        counts_removed_(removed == Removed::counted),
         faces_(complex.face_count()),
         edges_(complex.edge_count()),
         vertices_(complex.points.size()),
@@ -67,7 +69,7 @@ class TableEngine::State {
     decide(faces_, 2, next, &Group::faces);
     decide(edges_, 1, next, &Group::edges);
     decide(vertices_, 0, next, &Group::vertices);
-    removed_.count(next, step.removed);
+    if (counts_removed_) removed_.count(next, step.removed);
     regions_.update(roles_, next, step.conflicts);
     CellSet changed;
     if (tally_) changed = what_changes(next);
@@ -186,7 +188,7 @@ class TableEngine::State {
       const Condition condition = table_rows()[row].condition;
       if (condition == Condition::never || bounds_kept(cell) || !holds(condition, cell)) return;
       marks.flags[cell] |= kRemoved;
-      removed_.add(cell, row);
+      if (counts_removed_) removed_.add(cell, row);
     };
     for (const Group* part : next) {
       for (const IdT cell : part->*entities) decide_one(cell);
@@ -405,6 +407,7 @@ class TableEngine::State {
 
   const Complex& complex_;
   const BooleanOp op_;
+  const bool counts_removed_;
   EntityMarks<FaceId> faces_;
   EntityMarks<EdgeId> edges_;
   EntityMarks<VertexId> vertices_;
@@ -422,8 +425,8 @@ class TableEngine::State {
 };
 
 TableEngine::TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts,
-                         const LeafOrder& order, bool tallies)
-    : state_(std::make_unique<State>(complex, op, parts, order, tallies)) {}
+                         const LeafOrder& order, Removed removed, bool tallies)
+    : state_(std::make_unique<State>(complex, op, parts, order, removed, tallies)) {}
 TableEngine::~TableEngine() = default;
 
 void TableEngine::step(Dominance dominance, std::span<const Group* const> parts, FoldStep& step) {

@@ -35,7 +35,7 @@ class TableEngine {
   /// step says what it changes in the sums over the value (tally.h); nothing may be said of any cell. `order` is
   /// that of the leaves below the node.
   TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts, const LeafOrder& order,
-              bool tallies = false);
+              Removed removed = Removed::counted, bool tallies = false);
   ~TableEngine();
   /// One step with the next operand, given as its parts, which may be none; what it did is added to `step`.
   void step(Dominance dominance, std::span<const Group* const> parts, FoldStep& step);

@@ -137,6 +137,9 @@ bool holds_for_lower(Condition condition, const Lower& cell) {
   }
 }
 
+/// Whether steps count the cells that rows of the tables remove; that may cost more than the steps.
+enum class Removed : std::uint8_t { counted, uncounted };
+
 /// How many cells (pair_refinement.h) the rows removed: (row, count), in the order in which rows first removed.
 class Removals {
  public:

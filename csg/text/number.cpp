@@ -66,7 +66,7 @@ std::string number_text(const Rational& value, std::string_view elsewhere) {
   if (bits_of(value) <= 4 * kPrinted) {
     std::string exact = to_string(value);
     if (exact.size() <= kReadable) return exact;
-    if (exact.size() <= kPrinted) return exact + " (" + to_decimal(value) + ")";
+    if (exact.size() <= kPrinted) return to_decimal(value) + " (" + exact + ")";
   }
   const bool whole = value.get_den() == 1;
   const std::size_t digits = digits_of(value.get_num()) + (whole ? 0 : digits_of(value.get_den()));

@@ -24,7 +24,7 @@ struct NumberText {
 };
 NumberText read_number(std::string_view text, std::size_t most = kMostDigits);
 
-/// An exact number for people: a decimal stands behind a fraction that is too long to be read, and in place of one
+/// An exact number for people: a decimal stands before a fraction that is too long to be read, and in place of one
 /// that would fill the screen, with its digits counted; `elsewhere` goes behind these: where the fraction is.
 std::string number_text(const Rational& value, std::string_view elsewhere);
 

@@ -44,6 +44,13 @@ class FacePoints {
   }
 
   using Bounds = std::array<std::array<double, 2>, 2>;  // of each axis
+  /// Around `bounds`, at the cost of no exact number.
+  Bounds outer_bounds(VertexId p) const {
+    const PointView view = table_.view(in_table(p));
+    Bounds out;
+    for (std::size_t k = 0; k < 2; ++k) out[k] = around(view.lo[axis(k)], view.hi[axis(k)]);
+    return out;
+  }
   /// The doubles next to the exact value, or this, if it is one.
   const Bounds& bounds(VertexId p) {
     bounds_.resize(in_table_.size());
@@ -60,18 +67,25 @@ class FacePoints {
   }
 
  private:
+  std::size_t axis(std::size_t k) const { return static_cast<std::size_t>(k == 0 ? axes_.u : axes_.v); }
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static std::array<double, 2> around(double low, double high) {
+    if (low == high) return {low, low};
+    return {std::nextafter(low, -kInfinity), std::nextafter(high, kInfinity)};
+  }
   Bounds find_bounds(VertexId v) const {
-    const std::array<int, 2> axis{axes_.u, axes_.v};
+    const PointView view = table_.view(v);
+    std::optional<RationalPoint> exact;
     Bounds out;
-    const double* xyz = table_.doubles(v);
-    const RationalPoint exact = xyz != nullptr ? RationalPoint() : table_.rational(v);
     for (std::size_t k = 0; k < 2; ++k) {
-      const auto i = static_cast<std::size_t>(axis[k]);
-      const double near = xyz != nullptr ? xyz[i] : to_double(exact[i]);
+      const std::size_t i = axis(k);
+      out[k] = {view.lo[i], view.lo[i]};
+      if (view.lo[i] == view.hi[i]) continue;
+      if (!exact) exact = table_.rational(v);
+      const double near = to_double((*exact)[i]);
       out[k] = {near, near};
-      if (xyz != nullptr || from_double(near) == exact[i]) continue;
-      constexpr double kInfinity = std::numeric_limits<double>::infinity();
-      out[k] = {std::nextafter(near, -kInfinity), std::nextafter(near, kInfinity)};
+      if (from_double(near) != (*exact)[i])
+        out[k] = {std::nextafter(near, -kInfinity), std::nextafter(near, kInfinity)};
     }
     return out;
   }
@@ -161,20 +175,24 @@ using Tds = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base
                                                  MarkedFace<VertexTraits>>;
 using Triangulation = CGAL::Constrained_triangulation_2<VertexTraits, Tds, CGAL::No_constraint_intersection_tag>;
 
-/// True if the last point certainly lies inside the circle through the counter-clockwise a, b, c.
+/// True if the last point certainly lies inside the circle through the counter-clockwise a, b, c: as `bounds` of
+/// the four say.
 bool certainly_in_circle(FacePoints& points, const Triangle& t, VertexId d) {
   using enclosure::Interval;
-  const FacePoints::Bounds bounds[4] = {points.bounds(t[0]), points.bounds(t[1]), points.bounds(t[2]),
-                                        points.bounds(d)};
-  enclosure::RoundOutward rounding;
-  constexpr std::size_t u = 0, v = 1;
-  const auto at = [&](int i, std::size_t axis) { return Interval(bounds[i][axis][0], bounds[i][axis][1]); };
-  const Interval du = at(3, u), dv = at(3, v);
-  const Interval au = at(0, u) - du, av = at(0, v) - dv, bu = at(1, u) - du, bv = at(1, v) - dv;
-  const Interval cu = at(2, u) - du, cv = at(2, v) - dv;
-  const Interval lift_a = au * au + av * av, lift_b = bu * bu + bv * bv, lift_c = cu * cu + cv * cv;
-  const Interval det = lift_a * (bu * cv - bv * cu) - lift_b * (au * cv - av * cu) + lift_c * (au * bv - av * bu);
-  return det.inf() > 0;
+  const auto determinant = [&](const auto& bounds_of) {
+    const FacePoints::Bounds bounds[4] = {bounds_of(t[0]), bounds_of(t[1]), bounds_of(t[2]), bounds_of(d)};
+    enclosure::RoundOutward rounding;
+    constexpr std::size_t u = 0, v = 1;
+    const auto at = [&](int i, std::size_t axis) { return Interval(bounds[i][axis][0], bounds[i][axis][1]); };
+    const Interval du = at(3, u), dv = at(3, v);
+    const Interval au = at(0, u) - du, av = at(0, v) - dv, bu = at(1, u) - du, bv = at(1, v) - dv;
+    const Interval cu = at(2, u) - du, cv = at(2, v) - dv;
+    const Interval lift_a = au * au + av * av, lift_b = bu * bu + bv * bv, lift_c = cu * cu + cv * cv;
+    return lift_a * (bu * cv - bv * cu) - lift_b * (au * cv - av * cu) + lift_c * (au * bv - av * bu);
+  };
+  const Interval wide = determinant([&](VertexId p) { return points.outer_bounds(p); });
+  if (wide.inf() > 0 || wide.sup() <= 0) return wide.inf() > 0;  // that of less wide bounds lies in it
+  return determinant([&](VertexId p) { return points.bounds(p); }).inf() > 0;
 }
 
 /// Lawson's flips over the edges that are not in `walked`. Corners of a circle that are rounded lie on no circle,

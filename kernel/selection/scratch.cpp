@@ -13,8 +13,8 @@
 namespace cnrg {
 namespace {
 
-constexpr std::size_t kKept = 48;      // blocks; an operator has about twenty at a time
-constexpr std::size_t kFewPages = 16;  // blocks up to here are kept in any case
+constexpr std::size_t kKept = 48;       // blocks; an operator has about twenty at a time
+constexpr std::size_t kFewPages = 128;  // blocks up to here are kept in any case
 
 struct FreeBlocks {
   struct Entry {

@@ -22,7 +22,7 @@ namespace cnrg {
 /// Zeroed bytes; once released they serve the next block of the same thread. Whoever writes calls `touch` first.
 class ZeroedBlock {
  public:
-  static constexpr std::size_t kPage = 4096;
+  static constexpr std::size_t kPage = 512;
 
   /// Throws std::bad_alloc.
   explicit ZeroedBlock(std::size_t bytes);

@@ -138,7 +138,7 @@ TEST_CASE("files with grades that cannot be are refused", "[app][blend][errors]"
   CHECK_THAT(refused([&](auto& f) {
                for (auto& m : f["materials"]) m["dominance"] = "0";
              }),
-             Contains("a dominance of 0 is left out"));
+             Contains("no member of results is called 'dominance' here"));
 }
 
 }  // namespace

@@ -393,8 +393,7 @@ result: m
     w.write("back.yaml", "cnrg: 1\nnodes:\n  r: {mesh: {file: " + file + "}}\nresult: r\n");
     o = w.run("eval back.yaml -o back.json");
     CHECK(o.status == 0);
-    const std::string volume = row(o.out, "r").back();
-    CHECK_THAT(volume, StartsWith(file == "m.stl" ? "44739243/33554432" : "(1.33333333333"));
+    CHECK_THAT(o.out, Contains(file == "m.stl" ? "  44739243/33554432" : "  1.33333333333 ("));
   }
   Outcome o = w.run("eval t.yaml --node thin --binary -o thin.stl");
   CHECK(o.status == 2);
@@ -487,7 +486,7 @@ result: a
   CHECK(row(w.run("eval t.yaml").out, "a").back() == "2");
   const Outcome fine = w.run("eval t.yaml --finer 25");
   CHECK(fine.status == 0);
-  CHECK_THAT(row(fine.out, "a").back(), StartsWith("(3.139525976"));  // 50 sin(2 pi / 100)
+  CHECK_THAT(fine.out, Contains("  3.139525976"));  // 50 sin(2 pi / 100)
   // Between the square and the circle.
   CHECK_THAT(w.run("locate t.yaml", "0.6 0.6 0.5\n").out, Catch::Matches("3 (r[0-9]+|-) 0\n"));
   CHECK_THAT(w.run("locate t.yaml --finer 3", "0.6 0.6 0.5\n").out, Catch::Matches("3 r[0-9]+ 1 a\n"));

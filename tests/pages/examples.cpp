@@ -3,6 +3,7 @@
 #include "tests/pages/examples.h"
 
 #include <algorithm>
+#include <iterator>
 #include <regex>
 #include <sstream>
 
@@ -13,27 +14,15 @@ using Lines = std::vector<std::string>;
 
 constexpr const char* kPrompt = "$ ";
 constexpr const char* kAnything = "...";
-constexpr std::size_t kLongDenominator = 12;  // digits
 const char* const kSeconds = "[0-9]+\\.[0-9]{3}";
 // A row of time that is of no node: it has no name and no volume.
 const char* const kStage = "( +(?:leaves|refinement|crossings|results)\\b.* {2})( *)([0-9]+\\.[0-9]{3})()";
 
-/// The words of a line without what is free. Of a number with two parts the fraction stays, unless it is long.
+/// The words of a line without what is free, and without the fraction behind a decimal.
 Lines words_of(const std::string& whole) {
-  const std::string line = whole.substr(0, whole.find(" (the fraction has "));
-  static const std::regex fraction("-?[0-9]+/([0-9]+)"), seconds(kSeconds);
-  std::istringstream stream(line);
-  Lines words;
-  bool after_short = false, after_long = false;
-  for (std::string word; stream >> word;) {
-    const bool decimal = word.starts_with("(") && word.ends_with(")");
-    if (decimal && after_long) words.back() = word.substr(1, word.size() - 2);
-    else if (!(decimal && after_short)) words.push_back(word);
-    std::smatch match;
-    const bool is_fraction = std::regex_match(word, match, fraction);
-    after_long = is_fraction && match.str(1).size() >= kLongDenominator;
-    after_short = is_fraction && !after_long;
-  }
+  static const std::regex fraction(" \\(-?[0-9]+(/[0-9]+)?\\)$"), seconds(kSeconds);
+  std::istringstream stream(std::regex_replace(whole.substr(0, whole.find(" (the fraction has ")), fraction, ""));
+  Lines words{std::istream_iterator<std::string>(stream), {}};
   // Before the volume, and how far that may be off.
   const std::size_t last = words.size() > 3 && words[words.size() - 2].starts_with("±") ? 3 : 2;
   const bool time = words.size() > last && std::regex_match(words[words.size() - last], seconds);

@@ -144,13 +144,13 @@ void check_examples(const Page& page) {
 
 TEST_CASE("lines are compared word by word", "[pages]") {
   const Lines printed{"node  op   regions  seconds  volume", "a  box  1  0.000  8",
-                      "b  cone  2  0.125  1/123456789012 (8.1e-12)", "c  box  1  0.001  1/2 (0.5)"};
+                      "b  cone  2  0.125  8.1e-12 (1/123456789012)", "c  box  1  0.001  1/2"};
   const std::string any = "...";
   CHECK(is_shown(printed, printed));
   CHECK(is_shown({any, "a box 1 9.999 8", "b cone 2 0.000 8.1e-12", "c box 1 0.000 1/2"}, printed));
   CHECK(is_shown({any, "b cone 2 0.000 8.1e-12", any}, printed));
-  CHECK(is_shown({"a 1 0.000 ±0.25 0.5"}, {"a 1 9.999  ±0.25  1/1000000000000 (0.5)"}));
-  CHECK_FALSE(is_shown({"a 1 0.000 ±0.25 0.5"}, {"a 1 0.000  ±0.26  1/1000000000000 (0.5)"}));
+  CHECK(is_shown({"a 1 0.000 ±0.25 0.5"}, {"a 1 9.999  ±0.25  0.5 (1/1000000000000)"}));
+  CHECK_FALSE(is_shown({"a 1 0.000 ±0.25 0.5"}, {"a 1 0.000  ±0.26  0.5 (1/1000000000000)"}));
   CHECK(is_shown({printed[0], any, printed[3]}, printed));
   CHECK(is_shown({any}, {}));
   CHECK(is_shown({}, {}));
@@ -161,7 +161,7 @@ TEST_CASE("lines are compared word by word", "[pages]") {
   CHECK_FALSE(is_shown({any, " a box 1 0.000 8", any}, printed));
   CHECK_FALSE(is_shown({any, "a box 2 0.000 8", any}, printed));
   CHECK_FALSE(is_shown({any, "b cone 2 0.000 8.2e-12", any}, printed));
-  CHECK_FALSE(is_shown({any, "c box 1 0.000 1/3 (0.5)"}, printed));
+  CHECK_FALSE(is_shown({any, "c box 1 0.000 1/3"}, printed));
   CHECK_FALSE(is_shown({any, "c box 1 0.000 1/2", any, "a box 1 0.000 8"}, printed));
   CHECK_FALSE(is_shown({any, "a box 1 0.000 8"}, printed));
 }
@@ -179,11 +179,11 @@ TEST_CASE("stages of an evaluation have times, too", "[pages]") {
 }
 
 TEST_CASE("a page can be brought up to date", "[pages]") {
-  const Lines printed{"seconds  volume", "a   12.345  8", "b    0.100  1/3 (0.333333333333)", "note"};
+  const Lines printed{"seconds  volume", "a   12.345  8", "b    0.100  0.333333333333 (1/3)", "note"};
   CHECK(corrected({}, printed) ==
-        Lines{"seconds  volume", "a    0.000  8", "b    0.000  1/3 (0.333333333333)", "note"});
-  CHECK(corrected({"seconds volume", "b 0.000 1/3"}, printed) ==
-        Lines{"seconds volume", "a    0.000  8", "b 0.000 1/3", "note"});
+        Lines{"seconds  volume", "a    0.000  8", "b    0.000  0.333333333333 (1/3)", "note"});
+  CHECK(corrected({"seconds volume", "b 0.000 0.333333333333"}, printed) ==
+        Lines{"seconds volume", "a    0.000  8", "b 0.000 0.333333333333", "note"});
   CHECK(corrected({"seconds volume", "..."}, printed) == Lines{"seconds volume", "..."});
 }
 
