@@ -17,7 +17,7 @@ namespace cnrg::app {
 namespace {
 
 int list_features(const CheckArguments& arguments) {
-  const Tree tree = tree_of_any(arguments.tree, arguments.reading, arguments.finer);
+  const Tree tree = tree_of(arguments);
   const NodeId node = node_of(tree, arguments.node);
   print(unused_nodes(tree, {tree.result, node}), false);
   EvaluateOptions options;

@@ -23,19 +23,12 @@ Input read_input(const std::string& path, const std::string& node, const char* o
                  const CompareArguments& arguments, std::set<std::string>& unknown) {
   ReadOptions reading = arguments.reading;
   reading.unknown = &unknown;
-  Input input{tree_of_any(path, reading, arguments.finer), {}};
+  Input input{tree_of(path, reading, arguments.finer), {}};
   input.node = node_of(input.tree, node, option);
   return input;
 }
 
 }  // namespace
-
-Tree tree_of_any(const std::string& path, const ReadOptions& reading, int finer) {
-  if (path == kStandardInputWord) return tree_of(path, reading, finer);
-  Tree tree = tree_of_file(path, reading);
-  make_finer(tree, finer);
-  return tree;
-}
 
 int run_compare(const CompareArguments& arguments) {
   if (arguments.a == kStandardInputWord && arguments.b == kStandardInputWord) {

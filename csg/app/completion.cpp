@@ -155,14 +155,12 @@ std::string value_cases(const CommandText& command) {
   return out;
 }
 
-/// Trees end in .yaml or .json; what `cnrg compare` takes may be any file.
 std::string argument_cases(const CommandText& command) {
   std::string out;
   std::size_t i = 0;
   for (const OptionText& option : command.options) {
     if (!option.positional) continue;
-    const std::string endings = option.names[0] == "TREE" ? " .yaml .yml .json" : "";
-    out += "    '" + command.name + " " + std::to_string(i++) + "') _cnrg_files \"$word\"" + endings + " ;;\n";
+    out += "    '" + command.name + " " + std::to_string(i++) + "') _cnrg_files \"$word\" ;;\n";
   }
   return out;
 }

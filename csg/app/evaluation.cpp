@@ -15,6 +15,7 @@
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/text/input_file.h"
 #include "csg/tree/read_from_input.h"
+#include "csg/tree/tree_of_file.h"
 
 namespace cnrg::app {
 namespace {
@@ -43,7 +44,7 @@ void limit_threads(int threads) {
 }
 
 Tree tree_of(const std::string& path, const ReadOptions& reading, int finer) {
-  Tree tree = path == kStandardInputWord ? read_tree_from_input(reading) : read_tree(path, reading);
+  Tree tree = path == kStandardInputWord ? read_tree_from_input(reading) : tree_of_file(path, reading);
   make_finer(tree, finer);
   return tree;
 }

@@ -11,11 +11,9 @@
 
 namespace cnrg::app {
 
-/// Reads a tree file, or for `-` standard input, and makes its curved leaves as fine as asked for.
+/// Reads a tree file, or for `-` standard input, and makes its curved leaves as fine as asked for. An exact
+/// result, a mesh or a CAD model is a tree of one leaf.
 Tree tree_of(const std::string& path, const ReadOptions& reading, int finer);
-
-/// The same; another file (an exact result, a mesh, a CAD model) is a tree of one leaf.
-Tree tree_of_any(const std::string& path, const ReadOptions& reading, int finer);
 
 /// The tree of a command.
 template <class Arguments>

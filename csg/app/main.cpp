@@ -74,7 +74,9 @@ void add_fineness(CLI::App* sub, Arguments& arguments) {
 /// What all commands have that read a tree.
 template <class Arguments>
 void add_tree(CLI::App* sub, Arguments& arguments,
-              const char* what = "Tree file (YAML or JSON); `-` for standard input") {
+              const char* what =
+                  "Tree (YAML or JSON), exact result, mesh or CAD model; `-` for a tree on "
+                  "standard input") {
   sub->add_option("TREE", arguments.tree, what)->required()->check(name_fault);
   add_fineness(sub, arguments);
 }
@@ -294,7 +296,7 @@ int run(int argc, char** argv) {
   CheckArguments check;
   sub = program.add_subcommand(
       "check", "Reads and validates a tree file without evaluating it; with --features, lists what is small");
-  add_tree(sub, check, "Tree file (YAML or JSON); `-` for standard input; with --features any model");
+  add_tree(sub, check);
   sub->add_flag(
          "--features", check.features,
          "List the smallest distances between what does not touch, lengths of edges and angles, with places "
@@ -309,7 +311,7 @@ int run(int argc, char** argv) {
 
   LocateArguments locate;
   sub = program.add_subcommand("locate", "Reads points `x y z` and prints `dim cell component name` for each");
-  add_tree(sub, locate, "Tree file (YAML or JSON)");
+  add_tree(sub, locate, "Tree (YAML or JSON), exact result, mesh or CAD model");
   sub->add_option("--node", locate.node, "Node to look into; the result without it")
       ->type_name("N")
       ->check(name_fault);

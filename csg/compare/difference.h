@@ -28,8 +28,4 @@ struct Difference {
 Difference difference(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b,
                       const CompareOptions& options = {});
 
-/// A tree with one leaf: a mesh, a CAD model or a result, read from a file as the leaf of that kind would. Any
-/// other file is read as a tree. Throws what `read_tree` throws.
-Tree tree_of_file(const std::string& path, const ReadOptions& options = {});
-
 }  // namespace cnrg

@@ -5,6 +5,7 @@
 #include "csg/formats/formats.h"
 #include "csg/leaves/leaf.h"
 #include "csg/result/result_data.h"
+#include "csg/tree/tree_of_file.h"
 
 namespace cnrg {
 

@@ -3,12 +3,7 @@
 #include "csg/compare/together.h"
 
 #include <algorithm>
-#include <filesystem>
 
-#include "csg/compare/difference.h"
-#include "csg/imports/mesh_file.h"
-#include "csg/text/file.h"
-#include "csg/text/input_file.h"
 #include "csg/tree/dag.h"
 #include "csg/tree/selector.h"
 
@@ -95,44 +90,6 @@ class Joiner {
   Dag dag_;
 };
 
-/// A tree may be JSON, too. What tells it from a result is the first key: those of a result are others, but for
-/// `materials`, which is a list there.
-bool is_result(const std::string& path) {
-  constexpr std::size_t kEnough = 4096;
-  const std::string whole = read_file(path);
-  const std::string text(without_mark(whole).substr(0, kEnough));
-  const std::size_t open = text.find_first_not_of(" \t\r\n");
-  if (open == std::string::npos || text[open] != '{') return false;
-  const std::size_t quote = text.find_first_not_of(" \t\r\n", open + 1);
-  if (quote == std::string::npos || text[quote] != '"') return false;
-  const std::size_t end = text.find('"', quote + 1);
-  if (end == std::string::npos) return false;
-  const std::string key = text.substr(quote + 1, end - quote - 1);
-  if (key == "materials") {
-    const std::size_t value = text.find_first_not_of(" \t\r\n:", end + 1);
-    return value != std::string::npos && text[value] == '[';
-  }
-  return key != "cnrg" && key != "nodes" && key != "result" && key != "weld";
-}
-
-/// The leaf, and the key that a tree has for it.
-std::optional<std::pair<Shape, const char*>> shape_of(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (is_mesh_file(path)) {
-    MeshShape mesh;
-    mesh.file = path;
-    return std::pair(Shape(mesh), "mesh");
-  }
-  if (extension == ".step" || extension == ".stp" || extension == ".brep") {
-    CadShape cad;
-    cad.format = extension == ".brep" ? CadShape::Format::brep : CadShape::Format::step;
-    cad.file = path;
-    return std::pair(Shape(cad), cad.name());
-  }
-  if (extension == ".json" && is_result(path)) return std::pair(Shape(ResultShape{path}), "cnrg");
-  return std::nullopt;
-}
-
 }  // namespace
 
 std::string unused_mark(const Tree& a, const Tree& b) {
@@ -152,33 +109,6 @@ Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, co
   joiner.add(a, node_a, 0);
   joiner.add(b, node_b, 1);
   return joiner.take(a.file);
-}
-
-Tree tree_of_file(const std::string& path, const ReadOptions& options) {
-  auto found = shape_of(path);
-  if (!found) return read_tree(path, options);
-  for (const auto& [name, text] : options.parameters) {
-    if (options.unknown != nullptr) options.unknown->insert(name);
-  }
-  if (!options.parameters.empty() && options.unknown == nullptr)
-    throw InputError("the parameter `" + options.parameters.begin()->first + "`: " + path +
-                     " is no tree and has none");
-  return tree_of_leaf(path, std::filesystem::path(path).stem().string(), found->second, std::move(found->first));
-}
-
-Tree tree_of_leaf(const std::string& file, const std::string& name, const std::string& key, Shape shape) {
-  Tree tree;
-  tree.file = file;
-  Node node;
-  node.name = name;
-  node.operator_name = key;
-  node.shape = std::move(shape);
-  Dag dag;
-  tree.result = dag.add_node();
-  tree.names.emplace(node.name, tree.result);
-  tree.nodes.push_back(std::move(node));
-  tree.dag = std::make_shared<const Dag>(std::move(dag));
-  return tree;
 }
 
 }  // namespace cnrg

@@ -22,7 +22,4 @@ struct Together {
 /// The trees must have no `weld`.
 Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const std::string& mark);
 
-/// A tree with one node, that leaf.
-Tree tree_of_leaf(const std::string& file, const std::string& name, const std::string& key, Shape shape);
-
 }  // namespace cnrg

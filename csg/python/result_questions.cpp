@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "csg/tree/tree_of_file.h"
 #include "numbers.h"
 #include "results.h"
 #include "views.h"

@@ -476,6 +476,30 @@ TEST_CASE("uncertain crossings of curved surfaces are told, and an error if that
   CHECK(w.run("eval box.yaml --certify --quiet").err.empty());
 }
 
+TEST_CASE("a mesh and a result stand for trees of one leaf") {
+  const Workshop w;
+  w.write("t.yaml", "cnrg: 1\nnodes:\n  part: {box: {min: [0, 0, 0], max: [1, 2, 3]}}\nresult: part\n");
+  REQUIRE(w.run("eval t.yaml -o part.off -o part.json").status == 0);
+  for (const char* extension : {"off", "json"}) {
+    CAPTURE(extension);
+    const std::string file = "part." + std::string(extension);
+    CHECK(row(w.run("eval " + file).out, "part").back() == "6");
+    CHECK(w.run("check " + file).out == file + ": 1 node, a leaf; no faults\n");
+    CHECK(w.run("mesh " + file + " -o part.msh --quiet").status == 0);
+    CHECK(w.run("compare t.yaml " + file).status == 0);
+    CHECK(w.run("view " + file + " -o part.html").status == 0);
+    CHECK_THAT(w.run("eval " + file + " -D R=1").err, Contains("the parameter `R`: " + file + " is no tree"));
+  }
+  // Whatever a tree in JSON begins with, it is a tree.
+  for (const char* first : {"\"parameters\": {\"R\": 1}", "\"x-mine\": 1", "\"materials\": {}", "\"cnrg\": 1"}) {
+    w.write("tree.json", "{" + std::string(first) +
+                             ", \"nodes\": {\"p\": {\"points\": [[0, 0, 0]]}}, \"result\": \"p\"" +
+                             (first == std::string("\"cnrg\": 1") ? "}" : ", \"cnrg\": 1}"));
+    INFO(first);
+    CHECK(w.run("eval tree.json").status == 0);
+  }
+}
+
 TEST_CASE("every command that reads a tree can make its curved leaves finer", "[app]") {
   const Workshop w;
   w.write("t.yaml", R"(cnrg: 1

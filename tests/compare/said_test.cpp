@@ -3,6 +3,7 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
+#include "csg/tree/tree_of_file.h"
 #include "tests/app/program.h"
 #include "tests/catch.h"
 #include "tests/compare/trees.h"
