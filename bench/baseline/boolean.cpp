@@ -46,8 +46,9 @@ const char* to_string(Stage stage) {
 }
 
 template <class N>
-Model evaluate(const Model& a, const Model& b, Operation operation, const N& epsilon) {
-  auto scene = staged(Stage::input, [&] { return read_operands(a, b, operation, epsilon); });
+Model evaluate(const Model& a, const Model& b, Operation operation, const N& epsilon,
+               const Departures& departures) {
+  auto scene = staged(Stage::input, [&] { return read_operands(a, b, operation, epsilon, departures); });
   staged(Stage::reduction, [&] { reduce(scene); });
   staged(Stage::classification, [&] { classify(scene); });
   staged(Stage::null_edges, [&] { insert_null_edges(scene); });
@@ -56,19 +57,21 @@ Model evaluate(const Model& a, const Model& b, Operation operation, const N& eps
   return staged(Stage::output, [&] { return write_result(scene, faces); });
 }
 
-template Model evaluate(const Model&, const Model&, Operation, const double&);
-template Model evaluate(const Model&, const Model&, Operation, const Rational&);
+template Model evaluate(const Model&, const Model&, Operation, const double&, const Departures&);
+template Model evaluate(const Model&, const Model&, Operation, const Rational&, const Departures&);
 
-Model step_double(const Model& a, const Model& b, Operation operation, double epsilon) {
-  return evaluate<double>(a, b, operation, epsilon);
+Model step_double(const Model& a, const Model& b, Operation operation, double epsilon,
+                  const Departures& departures) {
+  return evaluate<double>(a, b, operation, epsilon, departures);
 }
 
-Model boolean_double(const Model& a, const Model& b, Operation operation, double epsilon) {
-  return triangulated(step_double(a, b, operation, epsilon));
+Model boolean_double(const Model& a, const Model& b, Operation operation, double epsilon,
+                     const Departures& departures) {
+  return triangulated(step_double(a, b, operation, epsilon, departures));
 }
 
-Model boolean_exact(const Model& a, const Model& b, Operation operation) {
-  return evaluate<Rational>(a, b, operation, 0);
+Model boolean_exact(const Model& a, const Model& b, Operation operation, const Departures& departures) {
+  return evaluate<Rational>(a, b, operation, 0, departures);
 }
 
 }  // namespace cnrg::bench::mantyla

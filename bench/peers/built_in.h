@@ -7,7 +7,7 @@ namespace cnrg::bench {
 
 System our_system();
 System our_tree_system();
-System mantyla_double_system(double epsilon = 1e-10);
+System mantyla_double_system();
 System mantyla_exact_system();
 System nef_system();
 System corefinement_system();

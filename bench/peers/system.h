@@ -59,9 +59,11 @@ struct System {
 /// They do nothing to operands, but for occt-rescaled and openscad-rescaled, whose `guarantee` says what.
 std::vector<System> systems();
 
-/// `mantyla-double:1e-8`: that baseline with another epsilon, which is its rounding, too. Nothing for other names.
-/// Throws std::runtime_error for what is no epsilon.
-std::optional<System> system_with_epsilon(const std::string& name);
+/// `mantyla-double:1e-8`: that baseline with another epsilon, which is its rounding, too; `mantyla-double-arcs` or
+/// `mantyla-exact-arcs`: without that departure (bench/baseline/departures.h); `mantyla-published` and
+/// `mantyla-published-exact`: without all of them; `mantyla-published:1e-6+arcs+checks`. Nothing for other names.
+/// Throws std::runtime_error for what is no epsilon, and rules that are none or change nothing.
+std::optional<System> mantyla_variant(const std::string& name);
 
 /// The system with operands multiplied by a power of two that makes their largest coordinate 2^exponent or more;
 /// its results are divided by it, and its time is that of the system alone. Its title says so.

@@ -118,12 +118,12 @@ TEST_CASE("the baseline has the epsilon that its name says") {
   // Boxes that overlap by 1/1000 of their size: one system takes that for a contact.
   const Problem problem =
       pair_of(box({0, 0, 0}, {1, 1, 1}), Operation::intersect, box({Rational(999) / 1000, 0, 0}, {2, 1, 1}));
-  CHECK(volume(bench::system_with_epsilon("mantyla-double:1e-6")->evaluate(problem).model) > 0);
-  CHECK(volume(bench::system_with_epsilon("mantyla-double:1e-2")->evaluate(problem).model) == 0);
-  CHECK(bench::system_with_epsilon("mantyla-double:1e-6")->rounding == 1e-6);
-  CHECK_FALSE(bench::system_with_epsilon("mantyla-exact"));
+  CHECK(volume(bench::mantyla_variant("mantyla-double:1e-6")->evaluate(problem).model) > 0);
+  CHECK(volume(bench::mantyla_variant("mantyla-double:1e-2")->evaluate(problem).model) == 0);
+  CHECK(bench::mantyla_variant("mantyla-double:1e-6")->rounding == 1e-6);
+  CHECK_FALSE(bench::mantyla_variant("mantyla-exact"));
   for (const char* none : {"mantyla-double:", "mantyla-double:0", "mantyla-double:1", "mantyla-double:x"})
-    CHECK_THROWS_AS(bench::system_with_epsilon(none), std::runtime_error);
+    CHECK_THROWS_AS(bench::mantyla_variant(none), std::runtime_error);
 }
 
 TEST_CASE("systems take operands as they are, but for those that say so") {
