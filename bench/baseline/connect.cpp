@@ -60,10 +60,12 @@ class Connection {
         loose.erase(found);
         scene_.joints.push_back({forward ? k : other, forward ? other : k, {}, {}});
         join(scene_.joints.back());
-        for (const std::uint32_t pair : {other, k})
-          for (int solid = 0; joined_[pair] == 2 && solid < 2; ++solid) cut(pair, solid);
+        for (int solid = 0; solid < 2; ++solid) {
+          if (joined_[other] == 2) cut(other, solid);
+          if (joined_[k] == 2 && k != other) cut(k, solid);
+        }
       }
-    check_loose(loose.size());
+    check_loose(std::count_if(loose.begin(), loose.end(), [](const End& end) { return end.forward; }));
   }
 
   /// Ends of both kinds in the same face of A and of B.
@@ -82,7 +84,7 @@ class Connection {
            (!topology_.is_outer(topology_.loop(h)) || !topology_.is_outer(topology_.loop(g)));
   }
 
-  void check_loose(std::size_t loose) const {
+  void check_loose(std::ptrdiff_t loose) const {
     if (loose > 0 && scene_.departures.checks)
       fail_connecting(std::to_string(loose) + " of " + std::to_string(joined_.size()) +
                       " null edges stay loose ahead");
@@ -114,7 +116,7 @@ class Connection {
     std::map<std::pair<FaceId, FaceId>, std::vector<std::uint32_t>> ends;
     const auto count = static_cast<std::uint32_t>(scene_.null_pairs.size());
     for (std::uint32_t k = 0; k < count; ++k) ends[faces(k, false)].push_back(k);
-    std::size_t loose = 0;
+    std::ptrdiff_t loose = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
       const auto key = faces(k, true);
       const auto group = ends.find(key);

@@ -11,7 +11,7 @@ namespace cnrg::bench::mantyla {
 
 /// All on: the baseline. All off: the published algorithm.
 struct Departures {
-  bool sides = true, single = true, arcs = true, overlap = true;
+  bool sides = true, single = true, arcs = true;
   bool pairs = true, order = true;
   bool nearest = true, rings = true;
   bool curves = true, shells = true;
@@ -25,15 +25,13 @@ struct Departure {
   const char* ours;
 };
 
-inline constexpr std::array<Departure, 11> kDepartures = {{
+inline constexpr std::array<Departure, 10> kDepartures = {{
     {"sides", &Departures::sides, "an edge in a face, between an IN and an OUT edge of its vertex, is IN",
      "its side depends on the operation and the solid"},
     {"single", &Departures::single, "an edge of B inside of a sector of A is OUT in a union, else IN",
      "it is IN in a union, else OUT, as where it lies on an edge of A"},
     {"arcs", &Departures::arcs, "two vertices are compared by pairs of sectors, which overwrite their neighbours",
      "by parts of arcs of sectors, from points where the neighbourhoods meet"},
-    {"overlap", &Departures::overlap, "without arcs: all pairs of coplanar sectors count as overlapping",
-     "those that overlap do"},
     {"pairs", &Departures::pairs, "crossings of a vertex make null edges two by two, as they were found",
      "along the arcs that the result keeps"},
     {"order", &Departures::order, "null edges in one corner are told apart by the convexity of edges",

@@ -98,7 +98,10 @@ struct Scene {
   std::vector<Joint> joints;
   std::array<std::vector<NullFace>, 2> null_faces;  ///< by solid, in the order in which they closed
 
-  const Vec<N>& point(VertexId v) const { return points.at(static_cast<std::size_t>(v)); }
+  const Vec<N>& point(VertexId v) const {
+    require(static_cast<std::size_t>(v) < points.size(), "a vertex that is killed");
+    return points[static_cast<std::size_t>(v)];
+  }
   const Plane<N>& plane(FaceId f) const { return surfaces.at(topology.face(f).surface); }
   /// After mev: gives its new vertex a place.
   void place(VertexId v, const Vec<N>& p) {

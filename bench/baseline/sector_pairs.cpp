@@ -45,20 +45,11 @@ class PairClassifier {
            strictly_within(scene_.metric, p, s);
   }
 
-  bool overlap(const Sector<N>& a, const Sector<N>& b) const {
-    const Metric<N>& metric = scene_.metric;
-    const auto inside = [&](const Sector<N>& s, const Sector<N>& t) {
-      return strictly_within(metric, s.from, t) || strictly_within(metric, s.to, t);
-    };
-    const auto same = [&](const Vec<N>& p, const Vec<N>& q) { return same_direction(metric, p, q); };
-    return inside(a, b) || inside(b, a) || (same(a.from, b.from) && same(a.to, b.to)) ||
-           (same(a.from, b.to) && same(a.to, b.from));
-  }
-
-  /// The line of two sectors; null for coplanar ones. Whether they have it in common.
+  /// The line of two sectors; null for coplanar ones. Whether they have it in common. Coplanar ones always do, as in
+  /// the archive: where they are apart, their neighbours have no line in common that could be overwritten.
   bool meet(const Sector<N>& a, const Sector<N>& b, Vec<N>& direction) const {
     const Vec<N> line = cross(a.normal, b.normal);
-    if (scene_.metric.null_unit(line)) return !scene_.departures.overlap || overlap(a, b);
+    if (scene_.metric.null_unit(line)) return true;
     for (const int turned : {1, -1}) {
       direction = Metric<N>::direction(line * N(turned));
       if (within(direction, a) && within(direction, b)) return true;
