@@ -114,7 +114,8 @@ class Finish {
 
   /// Marks the faces of all shells on the kept side of the other operand.
   void choose_shells() {
-    if (!scene_.departures.shells && scene_.null_pairs.empty()) fail_finishing("no intersection of the boundaries");
+    if (!scene_.departures.shells && scene_.null_pairs.empty())
+      fail_finishing("no intersection of the boundaries");
     const std::vector<std::uint32_t> shells = topology_.shells();
     const std::map<std::uint32_t, Side> sides = sides_by_curves(shells);
     kept_.assign(topology_.face_ids(), false);

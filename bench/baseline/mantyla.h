@@ -1,6 +1,7 @@
 // Mäntylä's Boolean set operations on boundary models after mantyla1986 and mantyla1988, chapters 12 to 15:
 // half-edge solids and Euler operators, reduction, vertex neighbourhood classification, null edges, connecting,
-// finishing. It departs from the book where boolean.cpp says so. The exact kernel of this project takes no part.
+// finishing. Departures from the published algorithm are switches (departures.h), all on unless somebody says
+// otherwise. The exact kernel of this project takes no part.
 #pragma once
 
 #include <stdexcept>
@@ -35,7 +36,8 @@ class Failure : public std::runtime_error {
 
 /// a op b in double with one epsilon for all comparisons, as a part of the largest coordinate of both operands.
 /// Operands' coordinates are rounded to doubles, faces of the result cut into triangles. An empty result has no
-/// faces; where the result touches itself points are there twice. Throws Failure.
+/// faces; where the result touches itself points are there twice. Throws Failure. Without the departure `checks` a
+/// result may be no solid.
 Model boolean_double(const Model& a, const Model& b, Operation operation, double epsilon = 1e-10,
                      const Departures& departures = {});
 

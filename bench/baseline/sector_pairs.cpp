@@ -45,8 +45,8 @@ class PairClassifier {
            strictly_within(scene_.metric, p, s);
   }
 
-  /// The line of two sectors; null for coplanar ones. Whether they have it in common. Coplanar ones always do, as in
-  /// the archive: where they are apart, their neighbours have no line in common that could be overwritten.
+  /// The line of two sectors; null for coplanar ones. Whether they have it in common. Coplanar ones always do, as
+  /// in the archive: where they are apart, their neighbours have no line in common that could be overwritten.
   bool meet(const Sector<N>& a, const Sector<N>& b, Vec<N>& direction) const {
     const Vec<N> line = cross(a.normal, b.normal);
     if (scene_.metric.null_unit(line)) return true;

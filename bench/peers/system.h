@@ -38,6 +38,13 @@ class Crash : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// How a system differs from another one: by one rule, which it has or has not.
+struct Variation {
+  std::string of;  ///< the other one's name; empty: it differs from none
+  std::string rule;
+  bool on = false;
+};
+
 struct System {
   std::string name;       ///< in options, rows and file names, such as `mantyla-double`
   std::string title;      ///< for people
@@ -53,6 +60,7 @@ struct System {
   /// Whether a model is the exact result, by code of the system alone; empty: it has none. Throws as `evaluate`.
   std::function<bool(const Problem&, const Model&)> agrees{};
   std::string executable{};  ///< of one that the command line names
+  Variation varies{};
 };
 
 /// Those built in, ours first: ours, ours-tree, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad.

@@ -32,17 +32,18 @@ Answer folded(const Problem& problem, Boolean boolean, Finish finish) {
 
 /// `kind`: what follows `mantyla-` in its name, rules and epsilon included.
 System mantyla_system(const std::string& kind, double rounding, std::function<Answer(const Problem&)> evaluate) {
-  return {.name = "mantyla-" + kind,
-          .title = "Mäntylä, " + kind,
-          .guarantee = kind.starts_with("published")
-                           ? "closed 2-manifolds of planar faces; the algorithm of the published programs"
-                           : "closed 2-manifolds of planar faces; gaps of the published programs closed, no repair "
-                             "of geometry",
-          .version = [] { return std::string(CNRG_VERSION); },
-          .rounding = rounding,
-          .regularized = true,
-          .absent = "",
-          .evaluate = std::move(evaluate)};
+  return {
+      .name = "mantyla-" + kind,
+      .title = "Mäntylä, " + kind,
+      .guarantee = kind.starts_with("published")
+                       ? "closed 2-manifolds of planar faces; the algorithm of the published programs"
+                       : "closed 2-manifolds of planar faces; gaps of the published programs closed, no repair "
+                         "of geometry",
+      .version = [] { return std::string(CNRG_VERSION); },
+      .rounding = rounding,
+      .regularized = true,
+      .absent = "",
+      .evaluate = std::move(evaluate)};
 }
 
 /// Rounding: the epsilon of its comparisons, within which points become one.
@@ -66,23 +67,36 @@ System in_fractions(const std::string& kind, const mantyla::Departures& departur
   });
 }
 
+const mantyla::Departure& departure_of(const std::string& word, const std::string& name) {
+  std::string known;
+  for (const mantyla::Departure& departure : mantyla::kDepartures) {
+    if (word == departure.name) return departure;
+    known += (known.empty() ? "" : ", ") + std::string(departure.name);
+  }
+  throw std::runtime_error("'" + name + "' has no rule '" + word + "'; rules are " + known);
+}
+
+struct Change {
+  const mantyla::Departure* departure;
+  bool on;
+};
+
 /// `+RULE` and `-RULE` after another; each changes something.
-void change_rules(mantyla::Departures& departures, const std::string& rules, const std::string& name) {
+std::vector<Change> change_rules(mantyla::Departures& departures, const std::string& rules,
+                                 const std::string& name) {
   static const std::regex rule("[+-][a-z]+");
+  std::vector<Change> changes;
   for (auto it = std::sregex_iterator(rules.begin(), rules.end(), rule); it != std::sregex_iterator(); ++it) {
     const std::string text = it->str(), word = text.substr(1);
     const bool on = text[0] == '+';
-    std::string known;
-    bool* value = nullptr;
-    for (const mantyla::Departure& departure : mantyla::kDepartures) {
-      known += (known.empty() ? "" : ", ") + std::string(departure.name);
-      if (word == departure.name) value = &(departures.*departure.rule);
-    }
-    if (value == nullptr) throw std::runtime_error("'" + name + "' has no rule '" + word + "'; rules are " + known);
-    if (*value == on)
+    const mantyla::Departure& departure = departure_of(word, name);
+    bool& value = departures.*departure.rule;
+    if (value == on)
       throw std::runtime_error("'" + name + "': the rule '" + word + "' is " + (on ? "on" : "off") + " already");
-    *value = on;
+    value = on;
+    changes.push_back({&departure, on});
   }
+  return changes;
 }
 
 double epsilon_of(const std::string& text, const std::string& name) {
@@ -103,16 +117,21 @@ std::optional<System> mantyla_variant(const std::string& name) {
   static const std::regex form("mantyla-(double|exact|published-exact|published)(:(.*?))?(([+-][a-z]+)*)");
   std::smatch parts;
   if (!std::regex_match(name, parts, form)) return {};
-  const std::string kind = parts[1];
-  if (kind == "double" && !parts[2].matched && parts[4].length() == 0) return {};  // one of `systems`
-  if (kind == "exact" && parts[4].length() == 0 && !parts[2].matched) return {};
+  const std::string kind = parts[1], rules = parts[4];
   const bool fractions = kind.ends_with("exact");
   if (fractions && parts[2].matched) throw std::runtime_error("'" + name + "': fractions have no epsilon");
   mantyla::Departures departures = kind.starts_with("published") ? mantyla::published() : mantyla::Departures();
-  change_rules(departures, parts[4], name);
+  const std::vector<Change> changes = change_rules(departures, rules, name);
   const std::string rest = name.substr(std::string("mantyla-").size());
-  return fractions ? in_fractions(rest, departures)
-                   : in_doubles(rest, parts[2].matched ? epsilon_of(parts[3], name) : kEpsilon, departures);
+  System system = fractions
+                      ? in_fractions(rest, departures)
+                      : in_doubles(rest, parts[2].matched ? epsilon_of(parts[3], name) : kEpsilon, departures);
+  for (const auto& [departure, on] : changes)
+    system.guarantee += std::string("; ") + departure->name + (on ? " on: " : " off: ") +
+                        (on ? departure->ours : departure->published);
+  if (changes.size() == 1)
+    system.varies = {name.substr(0, name.size() - rules.size()), changes[0].departure->name, changes[0].on};
+  return system;
 }
 
 }  // namespace cnrg::bench

@@ -121,9 +121,35 @@ TEST_CASE("the baseline has the epsilon that its name says") {
   CHECK(volume(bench::mantyla_variant("mantyla-double:1e-6")->evaluate(problem).model) > 0);
   CHECK(volume(bench::mantyla_variant("mantyla-double:1e-2")->evaluate(problem).model) == 0);
   CHECK(bench::mantyla_variant("mantyla-double:1e-6")->rounding == 1e-6);
-  CHECK_FALSE(bench::mantyla_variant("mantyla-exact"));
+  CHECK(bench::mantyla_variant("mantyla-published:1e-6")->rounding == 1e-6);
+  CHECK_FALSE(bench::mantyla_variant("mantyla-exacter"));
   for (const char* none : {"mantyla-double:", "mantyla-double:0", "mantyla-double:1", "mantyla-double:x"})
     CHECK_THROWS_AS(bench::mantyla_variant(none), std::runtime_error);
+}
+
+TEST_CASE("the baseline has the departures that its name says") {
+  // A box in a box: shells that no curve reaches.
+  const Problem problem = pair_of(box({0, 0, 0}, {3, 3, 3}), Operation::subtract, box({1, 1, 1}, {2, 2, 2}));
+  for (const std::string name : {"mantyla-published", "mantyla-published-exact", "mantyla-double-shells",
+                                 "mantyla-exact-shells", "mantyla-double:1e-8-arcs-shells"}) {
+    INFO(name);
+    const System without = bench::mantyla_variant(name).value(),
+                 with = bench::mantyla_variant("mantyla-published+shells").value();
+    CHECK(without.name == name);
+    CHECK_THROWS_AS(without.evaluate(problem), Refusal);
+    CHECK(volume(with.evaluate(problem).model) == 26);
+  }
+  const bench::Variation varies = bench::mantyla_variant("mantyla-double:1e-8-arcs")->varies;
+  CHECK(varies.of == "mantyla-double:1e-8");
+  CHECK(varies.rule == "arcs");
+  CHECK_FALSE(varies.on);
+  CHECK(bench::mantyla_variant("mantyla-published+arcs")->varies.on);
+  CHECK(bench::mantyla_variant("mantyla-published+arcs+checks")->varies.of.empty());
+  CHECK_THROWS_WITH(bench::mantyla_variant("mantyla-double-arc"),
+                    Catch::Contains("rules are sides, single, arcs"));
+  CHECK_THROWS_WITH(bench::mantyla_variant("mantyla-double+arcs"), Catch::Contains("'arcs' is on already"));
+  CHECK_THROWS_WITH(bench::mantyla_variant("mantyla-published-arcs"), Catch::Contains("'arcs' is off already"));
+  CHECK_THROWS_WITH(bench::mantyla_variant("mantyla-exact:1e-8"), Catch::Contains("no epsilon"));
 }
 
 TEST_CASE("systems take operands as they are, but for those that say so") {
