@@ -129,8 +129,11 @@ std::optional<System> mantyla_variant(const std::string& name) {
   for (const auto& [departure, on] : changes)
     system.guarantee += std::string("; ") + departure->name + (on ? " on: " : " off: ") +
                         (on ? departure->ours : departure->published);
-  if (changes.size() == 1)
-    system.varies = {name.substr(0, name.size() - rules.size()), changes[0].departure->name, changes[0].on};
+  if (changes.empty()) return system;
+  system.title = name;
+  const Change& last = changes.back();
+  const std::string of = name.substr(0, name.size() - 1 - std::string(last.departure->name).size());
+  system.varies = {of, last.departure->name, last.on};
   return system;
 }
 

@@ -14,23 +14,6 @@ namespace {
 
 using mantyla::Departures;
 
-/// `same`: the exact set; `wrong`: another one, or none; else the stage of the failure.
-std::string outcome(const Model& a, const Model& b, Operation operation, const Departures& departures) {
-  Model answer;
-  try {
-    answer = mantyla::boolean_exact(a, b, operation, departures);
-  } catch (const mantyla::Failure& failure) {
-    return to_string(failure.stage());
-  }
-  try {
-    return truth_of(a, b, operation, answer).same_set ? "same" : "wrong";
-  } catch (const std::exception&) {
-    return "wrong";  // its faces bound no solid
-  }
-}
-
-Model at(Model model, long x, long y, long z) { return placed(std::move(model), {1, 0, 0, 0}, 1, {x, y, z}); }
-
 Departures with(Departures departures, const std::string& name, bool on) {
   for (const mantyla::Departure& departure : mantyla::kDepartures)
     if (departure.name == name) departures.*departure.rule = on;
