@@ -90,14 +90,17 @@ void hunt_near(std::uint64_t usual) {
       } catch (const mantyla::Failure& failure) {
         ++verdicts["exact"][to_string(failure.stage())];
       }
-      try {
-        const Model answer = mantyla::boolean_double(a, b, operation);
-        const double error = to_double(Rational(volume_of(answer) - volume));
-        ++verdicts["double"][std::fabs(error) < 1e-9   ? "right"
-                             : std::fabs(error) < 1e-6 ? "within 1e-6"
-                                                       : "wrong"];
-      } catch (const mantyla::Failure& failure) {
-        ++verdicts["double"][to_string(failure.stage())];
+      for (const bool checks : {true, false}) {
+        mantyla::Departures departures;
+        departures.checks = checks;
+        auto& found = verdicts[checks ? "double" : "double, no checks"];
+        try {
+          const Model answer = mantyla::boolean_double(a, b, operation, 1e-10, departures);
+          const double error = to_double(Rational(volume_of(answer) - volume));
+          ++found[std::fabs(error) < 1e-9 ? "right" : std::fabs(error) < 1e-6 ? "within 1e-6" : "wrong"];
+        } catch (const mantyla::Failure& failure) {
+          ++found[to_string(failure.stage())];
+        }
       }
     }
     std::cout << "k " << k << ':';
