@@ -6,8 +6,8 @@
 //   live in one structure, so that moving faces to the result is choosing shells (finish.cpp);
 // - wide sectors are bisected at a vertex in a face, too, which the archive leaves to stubs;
 // - null edges are sorted however few there are, and joined null edges are kept in pairs, A's with B's;
-// - one epsilon, relative to the operands' size, serves all comparisons of doubles (the archive has floats, 1e-6 and
-//   1e-4 for the order); fractions have none;
+// - one epsilon, relative to the operands' size, serves all comparisons of doubles (the archive has floats, 1e-6
+//   and 1e-4 for the order); fractions have none;
 // - without `checks`, too, what the structure cannot do is refused in its stage, where the archive would crash or
 //   not end;
 // - edges that share both ends get a vertex in the middle (output.cpp); the last result in doubles is cut into
