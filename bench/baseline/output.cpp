@@ -273,6 +273,8 @@ Model triangulated(const Model& model) {
   Model result;
   result.points = model.points;
   for (const Model::Face& face : model.faces) {
+    for (const auto& loop : face.loops)
+      if (loop.size() < 3) fail_output("a loop of less than three edges");
     if (face.loops.size() == 1 && face.loops[0].size() == 3) {
       result.faces.push_back(face);
       continue;

@@ -63,7 +63,8 @@ struct System {
   Variation varies{};
 };
 
-/// Those built in, ours first: ours, ours-tree, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad.
+/// Those built in, ours first: ours, ours-tree, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad,
+/// mantyla-published, mantyla-published-exact.
 /// They do nothing to operands, but for occt-rescaled and openscad-rescaled, whose `guarantee` says what.
 std::vector<System> systems();
 

@@ -112,6 +112,12 @@ constexpr double kEpsilon = 1e-10;
 
 System mantyla_double_system() { return in_doubles("double", kEpsilon, {}); }
 System mantyla_exact_system() { return in_fractions("exact", {}); }
+std::vector<System> mantyla_published_systems() {
+  std::vector<System> both = {in_doubles("published", kEpsilon, mantyla::published()),
+                              in_fractions("published-exact", mantyla::published())};
+  for (System& system : both) system.if_named = true;
+  return both;
+}
 
 std::optional<System> mantyla_variant(const std::string& name) {
   static const std::regex form("mantyla-(double|exact|published-exact|published)(:(.*?))?(([+-][a-z]+)*)");

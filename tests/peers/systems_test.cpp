@@ -98,8 +98,8 @@ TEST_CASE("systems are named, ours first") {
     else WARN("left out: " << system.name << ": " << system.absent);
   }
   CHECK(names == std::vector<std::string>{"ours", "ours-tree", "mantyla-double", "mantyla-exact", "nef",
-                                          "corefinement", "occt", "occt-rescaled", "openscad",
-                                          "openscad-rescaled"});
+                                          "corefinement", "occt", "occt-rescaled", "openscad", "openscad-rescaled",
+                                          "mantyla-published", "mantyla-published-exact"});
 }
 
 TEST_CASE("two boxes that overlap, no coordinate of which is a double") {
