@@ -211,6 +211,7 @@ class Writer {
           const std::uint32_t middle = middle_of(h);
           if (middle != kNone) polygon.push_back(middle);
         }
+        if (polygon.size() < 3) fail_output("a loop of less than three edges");
       }
     }
     return std::move(model_);
@@ -273,8 +274,6 @@ Model triangulated(const Model& model) {
   Model result;
   result.points = model.points;
   for (const Model::Face& face : model.faces) {
-    for (const auto& loop : face.loops)
-      if (loop.size() < 3) fail_output("a loop of less than three edges");
     if (face.loops.size() == 1 && face.loops[0].size() == 3) {
       result.faces.push_back(face);
       continue;
