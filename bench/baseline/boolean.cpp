@@ -17,8 +17,9 @@
 //
 // What the method cannot do, and says: operands that are no 2-manifold, or whose faces are not planar (input); a
 // boundary that touches itself, as the result of an earlier Boolean may, where the other crosses it
-// (classification, null_edges). Exact arithmetic fails in another way in folds of many boxes:
-// connecting, in boxes-union-s100-kexact-r7. Doubles may fail in any stage where points are nearly within epsilon.
+// (classification, null_edges). Exact arithmetic fails in another way in folds of many boxes: connecting, in
+// `bench/run boxes -D seed=7 --one boxes-union-s100-kexact-r7 mantyla-exact`. Doubles may fail in any stage where
+// points are nearly within epsilon.
 #include "bench/baseline/mantyla.h"
 #include "bench/baseline/scene.h"
 
