@@ -55,7 +55,7 @@ void add_system(Setup& setup, System system) {
 void make_known(Setup& setup, const std::string& name) {
   const auto is_named = [&](const System& system) { return system.name == name; };
   if (std::any_of(setup.systems.begin(), setup.systems.end(), is_named)) return;
-  if (std::optional<System> system = system_with_epsilon(name)) setup.systems.push_back(std::move(*system));
+  if (std::optional<System> system = mantyla_variant(name)) setup.systems.push_back(std::move(*system));
   else setup.system(name);
 }
 

@@ -4,49 +4,19 @@
 // side of the book's table, a point between an IN and an OUT arc (an on-edge) to a side that depends on the
 // operation alone, or to the side of an on-sector next to it. So both ends of an edge are decided alike.
 //
-// The book keeps sides by pairs of sectors and overwrites those of neighbouring pairs, which is the same where
-// coplanar sectors end at common edges; parts of arcs are needed where they overlap in part.
+// Without the departure `arcs`: sector_pairs.cpp.
 #include <algorithm>
 #include <set>
 #include <utility>
 
-#include "bench/baseline/scene.h"
+#include "bench/baseline/sectors.h"
 
 namespace cnrg::bench::mantyla {
 namespace {
 
-/// A corner of a face at a vertex, less than half a turn wide, clockwise from `from` to `to`.
 template <class N>
-struct Sector {
-  Vec<N> from, to, normal;
-  HalfEdgeId half_edge;  ///< along `to`; none where `to` bisects a wide corner
-};
-
-[[noreturn]] void fail_classification(const char* what) { throw Failure(Stage::classification, what); }
-
-template <class N>
-std::vector<Sector<N>> neighbourhood(const Scene<N>& scene, VertexId vertex) {
-  const Topology& topology = scene.topology;
-  const std::vector<HalfEdgeId> star = topology.star(vertex);
-  const auto towards = [&](HalfEdgeId h) {
-    return Metric<N>::direction(scene.point(topology.target(h)) - scene.point(vertex));
-  };
-  std::vector<Sector<N>> sectors;
-  for (std::size_t k = 0; k < star.size(); ++k) {
-    const HalfEdgeId h = star[k];
-    Sector<N> sector{towards(star[(k + star.size() - 1) % star.size()]), towards(h),
-                     scene.plane(topology.face(h)).normal, h};
-    const int width = scene.metric.unit_sign(dot(sector.normal, cross(sector.to, sector.from)));
-    if (width <= 0) {
-      if (width == 0 && dot(sector.to, sector.from) > 0) fail_classification("a corner without an angle");
-      const Vec<N> middle =
-          Metric<N>::direction(width == 0 ? cross(sector.normal, sector.to) : (sector.from + sector.to) * N(-1));
-      sectors.push_back({sector.from, middle, sector.normal, kNo<HalfEdgeId>});
-      sector.from = middle;
-    }
-    sectors.push_back(sector);
-  }
-  return sectors;
+void check_class(const Scene<N>& scene, bool holds, const char* what) {
+  check(scene.departures, holds, Stage::classification, what);
 }
 
 /// Half of the curve at a point of it: the direction to the end of the arc, and its plane.
@@ -63,13 +33,6 @@ struct Meeting {
   std::array<bool, 2> at_edge;
 };
 
-/// Where a ray lies on a neighbourhood: start, inside or end of a sector.
-enum class Within : std::uint8_t { start, inside, end };
-struct Place {
-  std::size_t sector = 0;
-  Within within = Within::inside;
-};
-
 template <class N>
 class VertexVertexClassifier {
  public:
@@ -84,37 +47,29 @@ class VertexVertexClassifier {
   Crossing<N> run() {
     find_meetings();
     for (const Meeting<N>& meeting : meetings_) classify(meeting);
-    for (int solid = 0; solid < 2; ++solid) order(solid);
+    for (int solid = 0; solid < 2; ++solid)
+      crossing_.stars[solid] = star_of(sectors_[solid], places_[solid], crossing_.rays);
     return std::move(crossing_);
   }
 
  private:
-  bool same_direction(const Vec<N>& p, const Vec<N>& q) const {
-    return metric_.null_unit(cross(p, q)) && dot(p, q) > 0;
-  }
-
-  bool strictly_within(const Vec<N>& p, const Sector<N>& s) const {
-    return metric_.unit_sign(dot(s.normal, p)) == 0 && metric_.unit_sign(dot(s.normal, cross(p, s.from))) > 0 &&
-           metric_.unit_sign(dot(s.normal, cross(s.to, p))) > 0;
-  }
-
   /// The sector test: all points that the curves share, those of whole common arcs by their ends.
   void find_meetings() {
     const auto& [a, b] = sectors_;
     std::vector<bool> met_a(a.size(), false), met_b(b.size(), false);
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t j = 0; j < b.size(); ++j)
-        if (!met_a[i] && !met_b[j] && same_direction(a[i].to, b[j].to)) {
+        if (!met_a[i] && !met_b[j] && same_direction(metric_, a[i].to, b[j].to)) {
           met_a[i] = met_b[j] = true;
           meetings_.push_back({a[i].to, {i, j}, {true, true}});
         }
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t j = 0; j < b.size(); ++j) {
-        if (!met_a[i] && strictly_within(a[i].to, b[j])) {
+        if (!met_a[i] && strictly_within(metric_, a[i].to, b[j])) {
           met_a[i] = true;
           meetings_.push_back({a[i].to, {i, j}, {true, false}});
         }
-        if (!met_b[j] && strictly_within(b[j].to, a[i])) {
+        if (!met_b[j] && strictly_within(metric_, b[j].to, a[i])) {
           met_b[j] = true;
           meetings_.push_back({b[j].to, {i, j}, {false, true}});
         }
@@ -125,7 +80,7 @@ class VertexVertexClassifier {
         if (metric_.null_unit(line)) continue;
         for (const int turned : {1, -1}) {
           const Vec<N> p = Metric<N>::direction(line * N(turned));
-          if (strictly_within(p, a[i]) && strictly_within(p, b[j]))
+          if (strictly_within(metric_, p, a[i]) && strictly_within(metric_, p, b[j]))
             meetings_.push_back({p, {i, j}, {false, false}});
         }
       }
@@ -148,7 +103,7 @@ class VertexVertexClassifier {
         return {scene_.coplanar_side(solid, dot(half.normal, other[k].normal) > 0), true};
     }
     const int reflex = metric_.unit_sign(dot(other[0].normal, other[1].end));
-    if (above[0] == 0 && above[1] == 0) fail_classification("a sector is on the other boundary and is not");
+    check_class(scene_, above[0] != 0 || above[1] != 0, "a sector is on the other boundary and is not");
     const bool out = reflex > 0 ? above[0] >= 0 && above[1] >= 0 : above[0] > 0 || above[1] > 0;
     return {out ? Side::out : Side::in, false};
   }
@@ -165,37 +120,17 @@ class VertexVertexClassifier {
       enters[solid] = after == Side::in;
       places[solid] = {meeting.sector[solid], Within::inside};
       if (!crosses[solid] || !meeting.at_edge[solid]) continue;
-      if (before_on && after_on) fail_classification("an edge between two coplanar sectors of different sides");
-      const Side edge = before_on ? before : after_on ? after : scene_.edge_side(solid);
+      check_class(scene_, !before_on || !after_on, "an edge between two coplanar sectors of different sides");
+      const Side free = meeting.at_edge[1 - solid] ? scene_.edge_side(solid) : scene_.edge_in_sector(solid);
+      const Side edge = before_on ? before : after_on ? after : free;
       if (edge == before) places[solid] = {(meeting.sector[solid] + 1) % sectors_[solid].size(), Within::start};
       else places[solid].within = Within::end;
     }
-    if (crosses[0] != crosses[1])
-      fail_classification("one neighbourhood crosses the other, which does not cross it");
+    check_class(scene_, crosses[0] == crosses[1], "one neighbourhood crosses the other, which does not cross it");
     if (!crosses[0]) return;
-    if (enters[0] == enters[1]) fail_classification("both neighbourhoods enter each other in one direction");
+    check_class(scene_, enters[0] != enters[1], "both neighbourhoods enter each other in one direction");
     for (int solid = 0; solid < 2; ++solid) places_[solid].push_back(places[solid]);
     crossing_.rays.push_back({meeting.direction, enters[0]});
-  }
-
-  void order(int solid) {
-    const auto& sectors = sectors_[solid];
-    const auto& places = places_[solid];
-    std::vector<std::uint32_t> rays(crossing_.rays.size());
-    for (std::uint32_t r = 0; r < rays.size(); ++r) rays[r] = r;
-    std::stable_sort(rays.begin(), rays.end(), [&](std::uint32_t r, std::uint32_t t) {
-      if (places[r].sector != places[t].sector) return places[r].sector < places[t].sector;
-      if (places[r].within != places[t].within) return places[r].within < places[t].within;
-      if (places[r].within != Within::inside) return false;
-      return dot(sectors[places[r].sector].normal,
-                 cross(crossing_.rays[t].direction, crossing_.rays[r].direction)) > 0;
-    });
-    auto ray = rays.begin();
-    for (std::size_t k = 0; k < sectors.size(); ++k) {
-      for (; ray != rays.end() && places[*ray].sector == k; ++ray)
-        crossing_.stars[solid].push_back({kNo<HalfEdgeId>, *ray});
-      if (sectors[k].half_edge != kNo<HalfEdgeId>) crossing_.stars[solid].push_back({sectors[k].half_edge, 0});
-    }
   }
 
   const Scene<N>& scene_;
@@ -249,9 +184,10 @@ Crossing<N> classify_vertex_face(const Scene<N>& scene, const VertexFace& contac
   for (std::size_t k = 0; k < count; ++k) {
     if (with_sectors[k] != Side::on) continue;
     const Side left = with_sectors[before(k)], right = with_sectors[(k + 1) % count];
-    if (left == Side::on || right == Side::on)
-      fail_classification("a sector with both edges on a face whose plane it leaves");
-    sides[k] = left == right ? left : scene.edge_side(solid);
+    check_class(scene, left != Side::on && right != Side::on,
+                "a sector with both edges on a face whose plane it leaves");
+    const bool in_left = left == Side::in, in_right = right == Side::in;  // on: as if OUT
+    sides[k] = in_left == in_right ? (in_left ? Side::in : Side::out) : scene.edge_in_face(solid);
   }
   Crossing<N> crossing;
   crossing.vertices[contact.solid] = contact.vertex;
@@ -262,7 +198,7 @@ Crossing<N> classify_vertex_face(const Scene<N>& scene, const VertexFace& contac
     const std::size_t j = before(k);
     if (sides[j] != sides[k]) {
       const N hj = heights[j] < 0 ? N(-heights[j]) : heights[j], hk = heights[k] < 0 ? N(-heights[k]) : heights[k];
-      if (hj == 0 && hk == 0) fail_classification("two edges on a face that are on different sides");
+      check_class(scene, hj != 0 || hk != 0, "two edges on a face that are on different sides");
       const Vec<N> direction = Metric<N>::direction(sectors[j].to * hk + sectors[k].to * hj);
       star.push_back({kNo<HalfEdgeId>, static_cast<std::uint32_t>(crossing.rays.size())});
       crossing.rays.push_back({direction, (sides[k] == Side::in) == (solid == 0)});
@@ -275,30 +211,82 @@ Crossing<N> classify_vertex_face(const Scene<N>& scene, const VertexFace& contac
 
 /// Forward and backward rays take turns about a contact.
 template <class N>
-void check_turns(const Crossing<N>& crossing) {
+void check_turns(const Scene<N>& scene, const Crossing<N>& crossing) {
   for (const auto& star : crossing.stars) {
     std::vector<bool> forward;
     for (const StarItem& item : star)
       if (item.half_edge == kNo<HalfEdgeId>) forward.push_back(crossing.rays[item.ray].forward);
     for (std::size_t k = 0; k < forward.size(); ++k)
-      if (forward[k] == forward[(k + 1) % forward.size()])
-        fail_classification("a boundary enters the other twice in a row");
+      check_class(scene, forward[k] != forward[(k + 1) % forward.size()],
+                  "a boundary enters the other twice in a row");
   }
 }
 
 }  // namespace
 
 template <class N>
+std::vector<Sector<N>> neighbourhood(const Scene<N>& scene, VertexId vertex) {
+  const Topology& topology = scene.topology;
+  const std::vector<HalfEdgeId> star = topology.star(vertex);
+  const auto towards = [&](HalfEdgeId h) {
+    return Metric<N>::direction(scene.point(topology.target(h)) - scene.point(vertex));
+  };
+  std::vector<Sector<N>> sectors;
+  for (std::size_t k = 0; k < star.size(); ++k) {
+    const HalfEdgeId h = star[k];
+    Sector<N> sector{towards(star[(k + star.size() - 1) % star.size()]), towards(h),
+                     scene.plane(topology.face(h)).normal, h};
+    const int width = scene.metric.unit_sign(dot(sector.normal, cross(sector.to, sector.from)));
+    if (width <= 0) {
+      check_class(scene, width < 0 || dot(sector.to, sector.from) <= 0, "a corner without an angle");
+      const Vec<N> middle =
+          Metric<N>::direction(width == 0 ? cross(sector.normal, sector.to) : (sector.from + sector.to) * N(-1));
+      sectors.push_back({sector.from, middle, sector.normal, kNo<HalfEdgeId>});
+      sector.from = middle;
+    }
+    sectors.push_back(sector);
+  }
+  return sectors;
+}
+
+template <class N>
+std::vector<StarItem> star_of(const std::vector<Sector<N>>& sectors, const std::vector<Place>& places,
+                              const std::vector<Ray<N>>& rays) {
+  std::vector<std::uint32_t> sorted(rays.size());
+  for (std::uint32_t r = 0; r < sorted.size(); ++r) sorted[r] = r;
+  std::stable_sort(sorted.begin(), sorted.end(), [&](std::uint32_t r, std::uint32_t t) {
+    if (places[r].sector != places[t].sector) return places[r].sector < places[t].sector;
+    if (places[r].within != places[t].within) return places[r].within < places[t].within;
+    if (places[r].within != Within::inside) return false;
+    return dot(sectors[places[r].sector].normal, cross(rays[t].direction, rays[r].direction)) > 0;
+  });
+  std::vector<StarItem> star;
+  auto ray = sorted.begin();
+  for (std::size_t k = 0; k < sectors.size(); ++k) {
+    for (; ray != sorted.end() && places[*ray].sector == k; ++ray) star.push_back({kNo<HalfEdgeId>, *ray});
+    if (sectors[k].half_edge != kNo<HalfEdgeId>) star.push_back({sectors[k].half_edge, 0});
+  }
+  return star;
+}
+
+template <class N>
 void classify(Scene<N>& scene) {
   const auto add = [&](Crossing<N> crossing) {
     if (crossing.rays.empty()) return;
-    check_turns(crossing);
+    check_turns(scene, crossing);
     scene.crossings.push_back(std::move(crossing));
   };
   for (const VertexFace& contact : scene.vertex_faces) add(classify_vertex_face(scene, contact));
-  for (const VertexVertex& pair : scene.vertex_vertices) add(VertexVertexClassifier<N>(scene, pair).run());
+  for (const VertexVertex& pair : scene.vertex_vertices)
+    add(scene.departures.arcs ? VertexVertexClassifier<N>(scene, pair).run() : compare_pairs(scene, pair));
 }
 
+template std::vector<Sector<double>> neighbourhood(const Scene<double>&, VertexId);
+template std::vector<Sector<Rational>> neighbourhood(const Scene<Rational>&, VertexId);
+template std::vector<StarItem> star_of(const std::vector<Sector<double>>&, const std::vector<Place>&,
+                                       const std::vector<Ray<double>>&);
+template std::vector<StarItem> star_of(const std::vector<Sector<Rational>>&, const std::vector<Place>&,
+                                       const std::vector<Ray<Rational>>&);
 template void classify(Scene<double>&);
 template void classify(Scene<Rational>&);
 

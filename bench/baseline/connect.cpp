@@ -3,10 +3,10 @@
 // strips meet the null edge between them is cut, until each closed curve is one null face with two loops, OUT and
 // IN.
 //
-// An end is joined with the nearest end ahead of it on the line of its faces, found before anything is joined; the
-// book takes the first of the ends seen so far in the sorted order, which may be behind it where three or more
-// null edges are on one line. Rings go to the part of a face that a join needs them in, and all others at the end,
-// by their places.
+// An end is joined with the nearest end ahead of it on the line of its faces, found before anything is joined.
+// Without the departure `nearest` it is joined with the first of the ends seen so far in the sorted order, which
+// may be behind it where three or more null edges are on one line. Rings go to the part of a face that a join
+// needs them in, and all others at the end, by their places; without the departure `rings`, when a face is split.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -25,17 +25,78 @@ class Connection {
 
   void run() {
     sort_null_edges();
-    find_joints();
-    for (Joint& joint : scene_.joints) {
-      join(half(joint.from, 0, true), half(joint.to, 0, false), joint, 0);
-      join(half(joint.to, 1, false), half(joint.from, 1, true), joint, 1);
-    }
-    for (int solid = 0; solid < 2; ++solid)
-      for (const NullPair<N>& pair : scene_.null_pairs) cut(pair.edges[solid]);
-    settle_rings();
+    joined_.resize(scene_.null_pairs.size());
+    if (scene_.departures.nearest) join_nearest();
+    else join_in_order();
+    if (scene_.departures.rings) settle_rings();
   }
 
  private:
+  /// An end of a null pair.
+  struct End {
+    std::uint32_t pair;
+    bool forward;
+  };
+
+  void join_nearest() {
+    find_joints();
+    for (Joint& joint : scene_.joints) join(joint);
+    for (int solid = 0; solid < 2; ++solid)
+      for (std::uint32_t k = 0; k < joined_.size(); ++k)
+        if (joined_[k] == 2) cut(k, solid);
+  }
+
+  void join_in_order() {
+    std::vector<End> loose;
+    for (std::uint32_t k = 0; k < joined_.size(); ++k)
+      for (const bool forward : {true, false}) {
+        const End end{k, forward};
+        const auto found = std::find_if(loose.begin(), loose.end(), [&](const End& e) { return fit(e, end); });
+        if (found == loose.end()) {
+          loose.push_back(end);
+          continue;
+        }
+        const std::uint32_t other = found->pair;
+        loose.erase(found);
+        scene_.joints.push_back({forward ? k : other, forward ? other : k, {}, {}});
+        join(scene_.joints.back());
+        for (int solid = 0; solid < 2; ++solid) {
+          if (joined_[other] == 2) cut(other, solid);
+          if (joined_[k] == 2 && k != other) cut(k, solid);
+        }
+      }
+    check_loose(std::count_if(loose.begin(), loose.end(), [](const End& end) { return end.forward; }));
+  }
+
+  /// Ends of both kinds in the same face of A and of B.
+  bool fit(const End& e, const End& end) const {
+    if (e.forward == end.forward) return false;
+    for (int solid = 0; solid < 2; ++solid)
+      if (!can_meet(half(e.pair, solid, e.forward), half(end.pair, solid, end.forward))) return false;
+    return true;
+  }
+
+  /// In one face, or in parts of one with a ring that follows.
+  bool can_meet(HalfEdgeId h, HalfEdgeId g) const {
+    if (topology_.face(h) == topology_.face(g)) return true;
+    return scene_.departures.rings &&
+           topology_.face(topology_.face(h)).surface == topology_.face(topology_.face(g)).surface &&
+           (!topology_.is_outer(topology_.loop(h)) || !topology_.is_outer(topology_.loop(g)));
+  }
+
+  void check_loose(std::ptrdiff_t loose) const {
+    if (loose > 0 && scene_.departures.checks)
+      fail_connecting(std::to_string(loose) + " of " + std::to_string(joined_.size()) +
+                      " null edges stay loose ahead");
+  }
+
+  void join(Joint& joint) {
+    join(half(joint.from, 0, true), half(joint.to, 0, false), joint, 0);
+    join(half(joint.to, 1, false), half(joint.from, 1, true), joint, 1);
+    ++joined_[joint.from];
+    ++joined_[joint.to];
+  }
+
   /// The half of a pair's null edge at its forward or backward end.
   HalfEdgeId half(std::uint32_t pair, int solid, bool forward) const {
     const Edge& edge = topology_.edge(scene_.null_pairs.at(pair).edges[solid]);
@@ -55,7 +116,7 @@ class Connection {
     std::map<std::pair<FaceId, FaceId>, std::vector<std::uint32_t>> ends;
     const auto count = static_cast<std::uint32_t>(scene_.null_pairs.size());
     for (std::uint32_t k = 0; k < count; ++k) ends[faces(k, false)].push_back(k);
-    std::size_t loose = 0;
+    std::ptrdiff_t loose = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
       const auto key = faces(k, true);
       const auto group = ends.find(key);
@@ -67,8 +128,7 @@ class Connection {
       group->second.erase(std::find(group->second.begin(), group->second.end(), to));
       scene_.joints.push_back({k, to, {}, {}});
     }
-    if (loose > 0)
-      fail_connecting(std::to_string(loose) + " of " + std::to_string(count) + " null edges stay loose ahead");
+    check_loose(loose);
   }
 
   std::uint32_t nearest(std::uint32_t from, const std::pair<FaceId, FaceId>& faces,
@@ -105,7 +165,7 @@ class Connection {
 
   /// The strip between `head`, OUT to IN, and `tail`, IN to OUT. An edge that is there already is its side.
   void join(HalfEdgeId head, HalfEdgeId tail, Joint& joint, int solid) {
-    bring_together(head, tail);
+    if (scene_.departures.rings) bring_together(head, tail);
     bool parted = false;
     LoopId old_loop = topology_.loop(head);
     if (old_loop != topology_.loop(tail)) {
@@ -118,12 +178,27 @@ class Connection {
     if (!has_in) topology_.mef(tail, topology_.next(head));
     joint.in[solid] = topology_.next(head);
     joint.out[solid] = topology_.prev(head);
-    if (topology_.next(joint.in[solid]) != tail || topology_.prev(joint.out[solid]) != tail)
-      fail_connecting("a strip that does not close");
-    if (topology_.face(topology_.face(head)).loops.size() != 1) fail_connecting("a strip with rings");
+    check(scene_.departures, topology_.next(joint.in[solid]) == tail && topology_.prev(joint.out[solid]) == tail,
+          Stage::connecting, "a strip that does not close");
+    check(scene_.departures, topology_.face(topology_.face(head)).loops.size() == 1, Stage::connecting,
+          "a strip with rings");
     null_faces_.push_back(topology_.face(head));
-    if (parted && !has_in && !topology_.is_outer(old_loop))
-      turn_ring(topology_.loop(topology_.mate(joint.in[solid])), old_loop);
+    if (!parted || has_in) return;
+    const LoopId new_loop = topology_.loop(topology_.mate(joint.in[solid]));
+    if (!scene_.departures.rings) give_rings(topology_.loop(old_loop).face, topology_.loop(new_loop).face);
+    else if (!topology_.is_outer(old_loop)) turn_ring(new_loop, old_loop);
+  }
+
+  /// Rings whose first vertex is outside of the face that has them, to its other part.
+  void give_rings(FaceId from, FaceId to) {
+    const LoopId outer = topology_.face(from).loops.front();
+    const std::vector<Segment<N>> segments = segments_of_loop(outer);
+    const std::vector<LoopId> loops = topology_.face(from).loops;
+    for (std::size_t k = 1; k < loops.size(); ++k) {
+      const Vec<N>& p = scene_.point(topology_.origin(topology_.loop(loops[k]).start));
+      if (locate(scene_.metric, scene_.plane(from).normal, segments, p).where == Where::outside)
+        topology_.ringmv(loops[k], to);
+    }
   }
 
   /// A ring that was parted is a hole and an island, which is counter-clockwise and a face of its own.
@@ -134,10 +209,14 @@ class Connection {
     topology_.mfkrh(old_loop);
   }
 
-  void cut(EdgeId null_edge) {
-    const Edge edge = topology_.edge(null_edge);
-    if (topology_.loop(edge.first) == topology_.loop(edge.second)) topology_.kemr(edge.first);
-    else topology_.kef(edge.first);
+  void cut(std::uint32_t pair, int solid) {
+    const Edge edge = topology_.edge(scene_.null_pairs[pair].edges[solid]);
+    if (topology_.loop(edge.first) != topology_.loop(edge.second)) {
+      topology_.kef(edge.first);
+      return;
+    }
+    scene_.null_faces[solid].push_back({topology_.next(edge.first), topology_.next(edge.second)});
+    topology_.kemr(edge.first);
   }
 
   /// Rings of faces that were split, each into the smallest part that it lies in.
@@ -169,15 +248,20 @@ class Connection {
       best = face;
       best_area = area;
     }
-    if (best == kNo<FaceId>) fail_connecting("a ring in no part of its face");
-    if (best != topology_.loop(ring).face) topology_.ringmv(ring, best);
+    check(scene_.departures, best != kNo<FaceId>, Stage::connecting, "a ring in no part of its face");
+    if (best != kNo<FaceId> && best != topology_.loop(ring).face) topology_.ringmv(ring, best);
+  }
+
+  std::vector<Segment<N>> segments_of_loop(LoopId loop) const {
+    std::vector<Segment<N>> segments;
+    for (const HalfEdgeId h : topology_.cycle(loop))
+      segments.push_back({&scene_.point(topology_.origin(h)), &scene_.point(topology_.target(h))});
+    return segments;
   }
 
   /// By the first vertex or middle of an edge of the ring that is not on the outer loop.
   bool inside(LoopId ring, LoopId outer, const Vec<N>& normal) const {
-    std::vector<Segment<N>> segments;
-    for (const HalfEdgeId h : topology_.cycle(outer))
-      segments.push_back({&scene_.point(topology_.origin(h)), &scene_.point(topology_.target(h))});
+    const std::vector<Segment<N>> segments = segments_of_loop(outer);
     const std::vector<HalfEdgeId> all = topology_.cycle(ring);
     for (const bool middle : {false, true})
       for (const HalfEdgeId h : all) {
@@ -191,6 +275,7 @@ class Connection {
 
   Scene<N>& scene_;
   Topology& topology_;
+  std::vector<int> joined_;  ///< ends, by null pair
   std::vector<FaceId> null_faces_;
 };
 

@@ -15,7 +15,8 @@ class Finish {
   explicit Finish(Scene<N>& scene) : scene_(scene), topology_(scene.topology) {}
 
   std::vector<FaceId> run() {
-    find_curves();
+    if (scene_.departures.curves) find_curves();
+    else pair_null_faces();
     part_null_faces();
     choose_shells();
     if (scene_.operation == Operation::subtract) {
@@ -25,7 +26,7 @@ class Finish {
         scene_.surfaces[s].offset = -scene_.surfaces[s].offset;
       }
     }
-    for (const std::uint32_t j : curves_) glue(side(scene_.joints[j], 0), side(scene_.joints[j], 1));
+    for (const auto& curve : curves_) glue(side(curve, 0), start_of(curve));
     std::vector<FaceId> result;
     for (std::size_t f = 0; f < topology_.face_ids(); ++f) {
       const auto id = static_cast<FaceId>(f);
@@ -35,27 +36,53 @@ class Finish {
   }
 
  private:
-  HalfEdgeId side(const Joint& joint, int solid) const {
-    return scene_.kept(solid) == Side::out ? joint.out[solid] : joint.in[solid];
+  using Curve = std::array<NullFace, 2>;  ///< by solid
+
+  HalfEdgeId side(const Curve& curve, int solid) const {
+    return scene_.kept(solid) == Side::out ? curve[solid].out : curve[solid].in;
   }
 
-  /// One joint of each closed curve.
+  /// By one joint of each closed curve.
   void find_curves() {
+    const auto& joints = scene_.joints;
     std::map<std::uint32_t, std::uint32_t> after;  // by null pair: the joint that starts there
-    for (std::uint32_t j = 0; j < scene_.joints.size(); ++j) after[scene_.joints[j].from] = j;
-    std::vector<bool> seen(scene_.joints.size(), false);
-    for (std::uint32_t j = 0; j < scene_.joints.size(); ++j) {
+    for (std::uint32_t j = 0; j < joints.size(); ++j) after[joints[j].from] = j;
+    std::vector<bool> seen(joints.size(), false);
+    for (std::uint32_t j = 0; j < joints.size(); ++j) {
       if (seen[j]) continue;
-      curves_.push_back(j);
-      for (std::uint32_t k = j; !seen[k]; k = after.at(scene_.joints[k].to)) seen[k] = true;
+      std::uint32_t k = j;
+      while (k < joints.size() && !seen[k]) {
+        seen[k] = true;
+        const auto next = after.find(joints[k].to);
+        k = next == after.end() ? static_cast<std::uint32_t>(joints.size()) : next->second;
+      }
+      if (k == j)
+        curves_.push_back({NullFace{joints[j].in[0], joints[j].out[0]}, {joints[j].in[1], joints[j].out[1]}});
     }
   }
 
+  /// In the order in which they closed.
+  void pair_null_faces() {
+    const auto& [a, b] = scene_.null_faces;
+    if (a.size() != b.size())
+      fail_finishing(std::to_string(a.size()) + " null faces of A and " + std::to_string(b.size()) + " of B");
+    for (std::size_t k = 0; k < a.size(); ++k) curves_.push_back({a[k], b[k]});
+  }
+
+  /// The half-edge of B's null face that is glued to that of A's.
+  HalfEdgeId start_of(const Curve& curve) const {
+    const HalfEdgeId a = side(curve, 0), b = side(curve, 1);
+    if (scene_.departures.curves) return b;
+    for (const HalfEdgeId h : topology_.cycle(topology_.loop(b)))
+      if (scene_.metric.equal(scene_.point(topology_.origin(h)), scene_.point(topology_.origin(a))))
+        return topology_.prev(h);
+    fail_finishing("null faces without a common vertex");
+  }
+
   void part_null_faces() {
-    for (const std::uint32_t j : curves_)
+    for (const Curve& curve : curves_)
       for (int solid = 0; solid < 2; ++solid) {
-        const Joint& joint = scene_.joints[j];
-        const LoopId in = topology_.loop(joint.in[solid]), out = topology_.loop(joint.out[solid]);
+        const LoopId in = topology_.loop(curve[solid].in), out = topology_.loop(curve[solid].out);
         const FaceId face = topology_.loop(out).face;
         if (in == out || topology_.loop(in).face != face || topology_.face(face).loops.size() != 2)
           fail_finishing("a null face without two loops");
@@ -63,20 +90,34 @@ class Finish {
       }
   }
 
+  /// By shell: the side of its null faces; the kept one where it has both.
+  std::map<std::uint32_t, Side> sides_by_curves(const std::vector<std::uint32_t>& shells) const {
+    std::map<std::uint32_t, Side> sides;
+    const auto note = [&](HalfEdgeId h, Side side, int solid) {
+      const auto [found, fresh] = sides.emplace(shells[static_cast<std::size_t>(topology_.face(h))], side);
+      check(scene_.departures, found->second == side, Stage::finishing,
+            "the intersection curve does not part a solid: a shell is on both sides of the other");
+      if (side == scene_.kept(solid)) found->second = side;
+    };
+    const auto note_both = [&](HalfEdgeId in, HalfEdgeId out, int solid) {
+      note(in, Side::in, solid);
+      note(out, Side::out, solid);
+    };
+    for (int solid = 0; solid < 2; ++solid) {
+      if (scene_.departures.curves)
+        for (const Joint& joint : scene_.joints) note_both(joint.in[solid], joint.out[solid], solid);
+      else
+        for (const Curve& curve : curves_) note_both(curve[solid].in, curve[solid].out, solid);
+    }
+    return sides;
+  }
+
   /// Marks the faces of all shells on the kept side of the other operand.
   void choose_shells() {
+    if (!scene_.departures.shells && scene_.null_pairs.empty())
+      fail_finishing("no intersection of the boundaries");
     const std::vector<std::uint32_t> shells = topology_.shells();
-    std::map<std::uint32_t, Side> sides;  // by shell
-    const auto shell = [&](HalfEdgeId h) { return shells[static_cast<std::size_t>(topology_.face(h))]; };
-    const auto note = [&](HalfEdgeId h, Side side) {
-      if (sides.emplace(shell(h), side).first->second != side)
-        fail_finishing("the intersection curve does not part a solid: a shell is on both sides of the other");
-    };
-    for (const Joint& joint : scene_.joints)
-      for (int solid = 0; solid < 2; ++solid) {
-        note(joint.in[solid], Side::in);
-        note(joint.out[solid], Side::out);
-      }
+    const std::map<std::uint32_t, Side> sides = sides_by_curves(shells);
     kept_.assign(topology_.face_ids(), false);
     std::map<std::uint32_t, std::vector<FaceId>> apart;  // shells without a curve
     for (std::size_t f = 0; f < topology_.face_ids(); ++f) {
@@ -87,6 +128,7 @@ class Finish {
       if (found == sides.end()) apart[shells[f]].push_back(id);
       else kept_[f] = found->second == scene_.kept(static_cast<int>(face.solid));
     }
+    if (!scene_.departures.shells) return;
     for (const auto& [s, faces] : apart) {
       const bool keep = side_of_shell(faces) == scene_.kept(static_cast<int>(topology_.face(faces.front()).solid));
       for (const FaceId f : faces) kept_[static_cast<std::size_t>(f)] = keep;
@@ -116,8 +158,8 @@ class Finish {
   /// Zips two null faces: their loops, as runs of edges, are opposite. The edges of B go.
   void glue(HalfEdgeId a, HalfEdgeId b) {
     const FaceId face_a = topology_.face(a), face_b = topology_.face(b);
-    if (topology_.cycle(topology_.loop(a)).size() != topology_.cycle(topology_.loop(b)).size())
-      fail_finishing("null faces with different numbers of edges");
+    check_glue(topology_.cycle(topology_.loop(a)).size() == topology_.cycle(topology_.loop(b)).size(),
+               "null faces with different numbers of edges");
     topology_.kfmrh(face_a, face_b);
     HalfEdgeId other = topology_.next(b);
     check_same(topology_.origin(a), topology_.origin(other));
@@ -127,7 +169,7 @@ class Finish {
       if (steps > topology_.half_edge_ids()) fail_finishing("gluing comes to no end");
       const HalfEdgeId next_a = topology_.next(a), next_b = topology_.prev(other);
       check_same(topology_.target(a), topology_.origin(other));
-      if (topology_.target(a) == topology_.origin(other)) fail_finishing("gluing pinches a vertex");
+      check_glue(topology_.target(a) != topology_.origin(other), "gluing pinches a vertex");
       const EdgeId between = topology_.mef(next_a, other);
       const FaceId rest = topology_.face(topology_.edge(between).first);
       kept_.resize(topology_.face_ids(), false);
@@ -137,18 +179,18 @@ class Finish {
       a = next_a;
       other = next_b;
     }
-    if (topology_.next(other) != a) fail_finishing("gluing does not close");
+    check_glue(topology_.next(other) == a, "gluing does not close");
     topology_.kef(other);
   }
 
   void check_same(VertexId v, VertexId w) const {
-    if (!scene_.metric.equal(scene_.point(v), scene_.point(w)))
-      fail_finishing("gluing of vertices at different places");
+    check_glue(scene_.metric.equal(scene_.point(v), scene_.point(w)), "gluing of vertices at different places");
   }
+  void check_glue(bool holds, const char* what) const { check(scene_.departures, holds, Stage::finishing, what); }
 
   Scene<N>& scene_;
   Topology& topology_;
-  std::vector<std::uint32_t> curves_;
+  std::vector<Curve> curves_;
   std::vector<bool> kept_;  // by face
 };
 

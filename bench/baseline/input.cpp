@@ -18,7 +18,7 @@ N number(const Rational& x) {
 }
 
 template <class N>
-Plane<N> plane_of(const Metric<N>& metric, const std::vector<std::vector<Vec<N>>>& loops, int solid) {
+Plane<N> plane_of(const Metric<N>& metric, const std::vector<std::vector<Vec<N>>>& loops, int solid, bool checks) {
   Plane<N> plane;
   plane.normal = polygon_normal(loops[0]);
   if constexpr (std::is_floating_point_v<N>) {
@@ -33,7 +33,7 @@ Plane<N> plane_of(const Metric<N>& metric, const std::vector<std::vector<Vec<N>>
   }
   for (const auto& loop : loops)
     for (const Vec<N>& p : loop)
-      if (metric.side(plane, p) != 0) refuse(solid, "a face that is not planar");
+      if (checks && metric.side(plane, p) != 0) refuse(solid, "a face that is not planar");
   return plane;
 }
 
@@ -65,18 +65,21 @@ void read_operand(Scene<N>& scene, const Model& model, int solid) {
       const auto& polygon = boundary.loops.back().back();
       volume += dot(polygon_normal(polygon), polygon[0]);
     }
-    boundary.planes.push_back(plane_of(scene.metric, boundary.loops.back(), solid));
+    boundary.planes.push_back(plane_of(scene.metric, boundary.loops.back(), solid, scene.departures.checks));
     scene.surfaces.push_back(boundary.planes.back());
   }
-  if (!faces.empty() && !(volume > 0)) refuse(solid, "encloses no volume: its faces look inward");
+  if (scene.departures.checks && !faces.empty() && !(volume > 0))
+    refuse(solid, "encloses no volume: its faces look inward");
 }
 
 }  // namespace
 
 template <class N>
-Scene<N> read_operands(const Model& a, const Model& b, Operation operation, const N& epsilon) {
+Scene<N> read_operands(const Model& a, const Model& b, Operation operation, const N& epsilon,
+                       const Departures& departures) {
   Scene<N> scene;
   scene.operation = operation;
+  scene.departures = departures;
   scene.extent = 1e-300;
   for (const Model* model : {&a, &b})
     for (const RationalPoint& p : model->points)
@@ -91,7 +94,7 @@ Scene<N> read_operands(const Model& a, const Model& b, Operation operation, cons
   return scene;
 }
 
-template Scene<double> read_operands(const Model&, const Model&, Operation, const double&);
-template Scene<Rational> read_operands(const Model&, const Model&, Operation, const Rational&);
+template Scene<double> read_operands(const Model&, const Model&, Operation, const double&, const Departures&);
+template Scene<Rational> read_operands(const Model&, const Model&, Operation, const Rational&, const Departures&);
 
 }  // namespace cnrg::bench::mantyla

@@ -1,11 +1,13 @@
 // Mäntylä's Boolean set operations on boundary models after mantyla1986 and mantyla1988, chapters 12 to 15:
 // half-edge solids and Euler operators, reduction, vertex neighbourhood classification, null edges, connecting,
-// finishing. It departs from the book where boolean.cpp says so. The exact kernel of this project takes no part.
+// finishing. Departures from the published algorithm are switches (departures.h), all on unless somebody says
+// otherwise. The exact kernel of this project takes no part.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 
+#include "bench/baseline/departures.h"
 #include "bench/cases/model.h"
 #include "bench/cases/operation.h"
 
@@ -34,16 +36,19 @@ class Failure : public std::runtime_error {
 
 /// a op b in double with one epsilon for all comparisons, as a part of the largest coordinate of both operands.
 /// Operands' coordinates are rounded to doubles, faces of the result cut into triangles. An empty result has no
-/// faces; where the result touches itself points are there twice. Throws Failure.
-Model boolean_double(const Model& a, const Model& b, Operation operation, double epsilon = 1e-10);
+/// faces; where the result touches itself points are there twice. Throws Failure. Without the departure `checks` a
+/// result may be no solid.
+Model boolean_double(const Model& a, const Model& b, Operation operation, double epsilon = 1e-10,
+                     const Departures& departures = {});
 
 /// The same, but faces are polygons, also with holes, planar within epsilon: the operand of a next step.
-Model step_double(const Model& a, const Model& b, Operation operation, double epsilon);
+Model step_double(const Model& a, const Model& b, Operation operation, double epsilon,
+                  const Departures& departures = {});
 /// Each face with more than three corners as triangles over the same points. Throws Failure (output), such as for
 /// a face whose parts hang together in a point, where the result touches itself.
 Model triangulated(const Model& model);
 
 /// The same source on rationals, epsilon 0. Throws Failure.
-Model boolean_exact(const Model& a, const Model& b, Operation operation);
+Model boolean_exact(const Model& a, const Model& b, Operation operation, const Departures& departures = {});
 
 }  // namespace cnrg::bench::mantyla

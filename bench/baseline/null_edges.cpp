@@ -3,10 +3,11 @@
 // edges makes a strut. A point inside of a face first becomes a ring of it.
 //
 // Rays are paired along A's arcs of the side that the result keeps, and their order inside of a corner is known,
-// so that no null edge has to be looked for or turned afterwards. The book pairs them as found.
+// so that no null edge has to be looked for or turned afterwards. Without the departure `order`: separate.cpp.
+#include <algorithm>
 #include <set>
 
-#include "bench/baseline/scene.h"
+#include "bench/baseline/separate.h"
 
 namespace cnrg::bench::mantyla {
 namespace {
@@ -84,7 +85,80 @@ class Splitter {
   std::vector<Part> parts_;
 };
 
-/// A ring of one vertex at p: a strut from the outer loop, whose edge is killed (the book's makering).
+/// Rays of a star, clockwise.
+std::vector<std::uint32_t> rays_of(const std::vector<StarItem>& star) {
+  std::vector<std::uint32_t> rays;
+  for (const StarItem& item : star)
+    if (item.half_edge == kNo<HalfEdgeId>) rays.push_back(item.ray);
+  return rays;
+}
+
+template <class N>
+std::vector<RayPair> pairs_along_arcs(const Scene<N>& scene, const Crossing<N>& crossing) {
+  const std::vector<std::uint32_t> rays = rays_of(crossing.stars[0]);
+  const bool along_out = scene.kept(0) == Side::out;
+  std::vector<RayPair> pairs;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const std::uint32_t r = rays[k], t = rays[(k + 1) % rays.size()];
+    // On A a backward ray is followed by OUT and a forward one by IN.
+    if (crossing.rays[r].forward == along_out) continue;
+    pairs.push_back(along_out ? RayPair{t, r} : RayPair{r, t});
+  }
+  return pairs;
+}
+
+/// Two by two: of two vertices in the order of their sectors, of one in a face along its OUT arcs. The last of an
+/// odd number is left over.
+template <class N>
+std::vector<RayPair> pairs_as_found(const Crossing<N>& crossing) {
+  std::vector<std::uint32_t> rays(crossing.rays.size());
+  for (std::uint32_t r = 0; r < rays.size(); ++r) rays[r] = r;
+  const auto is_forward = [&](std::uint32_t r) { return crossing.rays[r].forward; };
+  if (crossing.face != kNo<FaceId>) {
+    const bool of_b = crossing.vertices[0] == kNo<VertexId>;
+    rays = rays_of(crossing.stars[of_b]);
+    const auto to_out =
+        std::find_if(rays.begin(), rays.end(), [&](std::uint32_t r) { return is_forward(r) == of_b; });
+    std::rotate(rays.begin(), to_out, rays.end());
+  }
+  std::vector<RayPair> pairs;
+  for (std::size_t k = 0; k + 1 < rays.size(); k += 2) {
+    if (is_forward(rays[k]) == is_forward(rays[k + 1]))
+      fail_null_edges("a null edge between two ends of one kind");
+    pairs.push_back(is_forward(rays[k]) ? RayPair{rays[k], rays[k + 1]} : RayPair{rays[k + 1], rays[k]});
+  }
+  return pairs;
+}
+
+/// By the order of directions.
+template <class N>
+std::vector<std::array<EdgeId, 2>> split(Scene<N>& scene, const Crossing<N>& crossing,
+                                         const std::vector<RayPair>& pairs) {
+  std::array<HalfEdgeId, 2> lone = {kNo<HalfEdgeId>, kNo<HalfEdgeId>};
+  for (int solid = 0; solid < 2; ++solid)
+    if (crossing.vertices[solid] == kNo<VertexId>) lone[solid] = make_ring(scene, crossing.face, crossing.point);
+  Splitter<N> a(scene, crossing.point, crossing.stars[0], lone[0]);
+  Splitter<N> b(scene, crossing.point, crossing.stars[1], lone[1]);
+  std::vector<std::array<EdgeId, 2>> edges;
+  for (const auto& [forward, backward] : pairs) {
+    const EdgeId edge_a = a.split(backward, forward);
+    edges.push_back({edge_a, b.split(forward, backward)});
+  }
+  return edges;
+}
+
+template <class N>
+void insert(Scene<N>& scene, const Crossing<N>& crossing) {
+  const std::vector<RayPair> pairs =
+      scene.departures.pairs ? pairs_along_arcs(scene, crossing) : pairs_as_found(crossing);
+  const auto edges = scene.departures.order ? split(scene, crossing, pairs) : separate(scene, crossing, pairs);
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    scene.null_pairs.push_back({edges[k], crossing.point, crossing.rays[pairs[k].forward].direction,
+                                crossing.rays[pairs[k].backward].direction});
+}
+
+}  // namespace
+
 template <class N>
 HalfEdgeId make_ring(Scene<N>& scene, FaceId face, const Vec<N>& p) {
   Topology& topology = scene.topology;
@@ -95,40 +169,19 @@ HalfEdgeId make_ring(Scene<N>& scene, FaceId face, const Vec<N>& p) {
 }
 
 template <class N>
-void insert(Scene<N>& scene, const Crossing<N>& crossing) {
-  std::array<HalfEdgeId, 2> lone = {kNo<HalfEdgeId>, kNo<HalfEdgeId>};
-  for (int solid = 0; solid < 2; ++solid)
-    if (crossing.vertices[solid] == kNo<VertexId>) lone[solid] = make_ring(scene, crossing.face, crossing.point);
-  Splitter<N> a(scene, crossing.point, crossing.stars[0], lone[0]);
-  Splitter<N> b(scene, crossing.point, crossing.stars[1], lone[1]);
-  std::vector<std::uint32_t> rays;
-  for (const StarItem& item : crossing.stars[0])
-    if (item.half_edge == kNo<HalfEdgeId>) rays.push_back(item.ray);
-  const bool along_out = scene.kept(0) == Side::out;
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    const std::uint32_t r = rays[k], t = rays[(k + 1) % rays.size()];
-    // On A a backward ray is followed by OUT and a forward one by IN.
-    if (crossing.rays[r].forward == along_out) continue;
-    const std::uint32_t forward = along_out ? t : r, backward = along_out ? r : t;
-    const EdgeId edge_a = a.split(backward, forward), edge_b = b.split(forward, backward);
-    scene.null_pairs.push_back(
-        {{edge_a, edge_b}, crossing.point, crossing.rays[forward].direction, crossing.rays[backward].direction});
-  }
-}
-
-}  // namespace
-
-template <class N>
 void insert_null_edges(Scene<N>& scene) {
   std::set<VertexId> taken;
   for (const Crossing<N>& crossing : scene.crossings) {
     for (const VertexId v : crossing.vertices)
-      if (v != kNo<VertexId> && !taken.insert(v).second)
-        fail_null_edges("a vertex crosses the other boundary, which touches itself there, in more than one place");
+      if (v != kNo<VertexId>)
+        check(scene.departures, taken.insert(v).second, Stage::null_edges,
+              "a vertex crosses the other boundary, which touches itself there, in more than one place");
     insert(scene, crossing);
   }
 }
 
+template HalfEdgeId make_ring(Scene<double>&, FaceId, const Vec<double>&);
+template HalfEdgeId make_ring(Scene<Rational>&, FaceId, const Vec<Rational>&);
 template void insert_null_edges(Scene<double>&);
 template void insert_null_edges(Scene<Rational>&);
 

@@ -68,6 +68,11 @@ struct Joint {
   std::array<HalfEdgeId, 2> in, out;
 };
 
+/// A null face: a half-edge of each of its loops.
+struct NullFace {
+  HalfEdgeId in, out;
+};
+
 /// The boundary of an operand as it was given, for point location.
 template <class N>
 struct Boundary {
@@ -78,6 +83,7 @@ struct Boundary {
 template <class N>
 struct Scene {
   Operation operation;
+  Departures departures;
   Metric<N> metric;
   Topology topology;
   std::vector<Vec<N>> points;      ///< by vertex
@@ -90,8 +96,12 @@ struct Scene {
   std::vector<Crossing<N>> crossings;
   std::vector<NullPair<N>> null_pairs;
   std::vector<Joint> joints;
+  std::array<std::vector<NullFace>, 2> null_faces;  ///< by solid, in the order in which they closed
 
-  const Vec<N>& point(VertexId v) const { return points.at(static_cast<std::size_t>(v)); }
+  const Vec<N>& point(VertexId v) const {
+    require(static_cast<std::size_t>(v) < points.size(), "a vertex that is killed");
+    return points[static_cast<std::size_t>(v)];
+  }
   const Plane<N>& plane(FaceId f) const { return surfaces.at(topology.face(f).surface); }
   /// After mev: gives its new vertex a place.
   void place(VertexId v, const Vec<N>& p) {
@@ -115,11 +125,20 @@ struct Scene {
   Side edge_side(int solid) const {
     return (operation == Operation::unite) == (solid == 0) ? Side::out : Side::in;
   }
+  /// Of an edge that lies in a face, and of one that lies in a sector at a vertex of the other solid.
+  Side edge_in_face(int solid) const { return departures.sides ? edge_side(solid) : Side::in; }
+  Side edge_in_sector(int solid) const { return edge_side(departures.single ? solid : 0); }
 };
+
+/// A state that no right result has.
+inline void check(const Departures& departures, bool holds, Stage stage, const char* what) {
+  if (!holds && departures.checks) throw Failure(stage, what);
+}
 
 /// The stages in order. Each throws Failure; TopologyError of the structure counts for the stage that runs.
 template <class N>
-Scene<N> read_operands(const Model& a, const Model& b, Operation operation, const N& epsilon);
+Scene<N> read_operands(const Model& a, const Model& b, Operation operation, const N& epsilon,
+                       const Departures& departures);
 template <class N>
 void reduce(Scene<N>& scene);
 template <class N>
@@ -136,7 +155,8 @@ Model write_result(const Scene<N>& scene, const std::vector<FaceId>& faces);
 
 /// All stages; faces of doubles stay as they are and may be rounded out of their planes.
 template <class N>
-Model evaluate(const Model& a, const Model& b, Operation operation, const N& epsilon);
+Model evaluate(const Model& a, const Model& b, Operation operation, const N& epsilon,
+               const Departures& departures = {});
 
 /// Where a face of a model lies against the given boundary of the other solid. `Side::on`: in a face of it, whose
 /// normal goes to `normal`. Throws Failure (finishing) when no ray decides.

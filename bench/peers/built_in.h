@@ -7,8 +7,9 @@ namespace cnrg::bench {
 
 System our_system();
 System our_tree_system();
-System mantyla_double_system(double epsilon = 1e-10);
+System mantyla_double_system();
 System mantyla_exact_system();
+std::vector<System> mantyla_published_systems();
 System nef_system();
 System corefinement_system();
 System occt_system();

@@ -38,6 +38,13 @@ class Crash : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// How a system differs from another one: by one rule, which it has or has not.
+struct Variation {
+  std::string of;  ///< the other one's name; empty: it differs from none
+  std::string rule;
+  bool on = false;
+};
+
 struct System {
   std::string name;       ///< in options, rows and file names, such as `mantyla-double`
   std::string title;      ///< for people
@@ -53,15 +60,19 @@ struct System {
   /// Whether a model is the exact result, by code of the system alone; empty: it has none. Throws as `evaluate`.
   std::function<bool(const Problem&, const Model&)> agrees{};
   std::string executable{};  ///< of one that the command line names
+  Variation varies{};
 };
 
-/// Those built in, ours first: ours, ours-tree, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad.
+/// Those built in, ours first: ours, ours-tree, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad,
+/// mantyla-published, mantyla-published-exact.
 /// They do nothing to operands, but for occt-rescaled and openscad-rescaled, whose `guarantee` says what.
 std::vector<System> systems();
 
-/// `mantyla-double:1e-8`: that baseline with another epsilon, which is its rounding, too. Nothing for other names.
-/// Throws std::runtime_error for what is no epsilon.
-std::optional<System> system_with_epsilon(const std::string& name);
+/// `mantyla-double:1e-8`: that baseline with another epsilon, which is its rounding, too; `mantyla-double-arcs` or
+/// `mantyla-exact-arcs`: without that departure (bench/baseline/departures.h); `mantyla-published` and
+/// `mantyla-published-exact`: without all of them; `mantyla-published:1e-6+arcs+checks`. Nothing for other names.
+/// Throws std::runtime_error for what is no epsilon, and rules that are none or change nothing.
+std::optional<System> mantyla_variant(const std::string& name);
 
 /// The system with operands multiplied by a power of two that makes their largest coordinate 2^exponent or more;
 /// its results are divided by it, and its time is that of the system alone. Its title says so.

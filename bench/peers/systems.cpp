@@ -52,28 +52,19 @@ System with_suffix(System system) {
 }  // namespace
 
 std::vector<System> systems() {
-  return {our_system(),
-          our_tree_system(),
-          mantyla_double_system(),
-          mantyla_exact_system(),
-          nef_system(),
-          corefinement_system(),
-          occt_system(),
-          with_suffix(rescaled(occt_system(), 9, 1e-9)),  // a part in millimetres
-          openscad_system(),
-          with_suffix(rescaled(openscad_system(), 32, 0x1p-50))};  // then 52 bits are above its grid
-}
-
-std::optional<System> system_with_epsilon(const std::string& name) {
-  const std::string before = "mantyla-double:";
-  if (!name.starts_with(before)) return {};
-  const std::optional<Rational> epsilon = parse_rational(name.substr(before.size()));
-  if (!epsilon || *epsilon <= 0 || *epsilon >= 1)
-    throw std::runtime_error("'" + name + "' has no epsilon between 0 and 1, such as " + before + "1e-8");
-  System system = mantyla_double_system(to_double(*epsilon));
-  system.name = name;
-  system.title += " " + name.substr(before.size());
-  return system;
+  std::vector<System> all{
+      our_system(),
+      our_tree_system(),
+      mantyla_double_system(),
+      mantyla_exact_system(),
+      nef_system(),
+      corefinement_system(),
+      occt_system(),
+      with_suffix(rescaled(occt_system(), 9, 1e-9)),  // a part in millimetres
+      openscad_system(),
+      with_suffix(rescaled(openscad_system(), 32, 0x1p-50))};  // then 52 bits are above its grid
+  for (System& published : mantyla_published_systems()) all.push_back(std::move(published));
+  return all;
 }
 
 }  // namespace cnrg::bench

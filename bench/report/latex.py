@@ -48,6 +48,13 @@ def _times(name, study):
     return ["system", "size", "triangles", "right", "median (s)", "quartiles (s)", "first run (s)", "memory (MB)"], rows
 
 
+def _rules(name, effects):
+    """A row per pair of systems that differ by a rule."""
+    return ["rule", "off", "on", "problems", "repaired", "broken", "wrong to refused", "refused to wrong"], [
+        [e.rule, *map(name, (e.of, e.system) if e.on else (e.system, e.of)),
+         *map(words.grouped, (e.problems, e.repaired, e.broken, e.refused, e.answered))] for e in effects]
+
+
 def rows_csv(experiment):
     """A line per run: what it was, its parameters, and what became of it."""
     names = list(dict.fromkeys(name for row in experiment.rows for name in row["values"]))
@@ -68,6 +75,8 @@ def tables(experiment, summary, label):
     commit = experiment.machine["commit"] if experiment.machine else ""
     note = f"{len(experiment.rows)} runs, commit {commit or 'not recorded'}"
     found = {"verdicts": _table(*_verdicts(summary, label), note)}
+    if summary.rules:
+        found["rules"] = _table(*_rules(label, summary.rules), note)
     for study in summary.costs:
         found[f"times-{study.family}"] = _table(*_times(label, study), note)
     return {f"{re.sub('[^A-Za-z0-9_-]+', '-', name)}.tex": text for name, text in found.items()} | {

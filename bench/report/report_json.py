@@ -75,6 +75,7 @@ def _aggregates(s):
         "distances": {"all": _distances(s.all_distances), "families": [_distances(study) for study in s.distances]},
         "growth": [_growth(study) for study in s.growth],
         "ratios": [{"system": r.system, "time": _spread(r.time), "memory": _spread(r.memory)} for r in s.ratios],
+        "rules": [vars(effect) for effect in s.rules],
         "exact_share": s.exact_share and _share(s.exact_share),
         "exact_shares": [{"family": share.family} | _share(share) for share in s.exact_shares],
         "truth": {truth.confirmed: truth.problems for truth in s.truths},

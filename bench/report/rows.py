@@ -152,7 +152,8 @@ _ROW = {"problem": _text, "family": _text, "values": _texts_by_name, "operation"
         "missing": _or_null(_number), "duplicates": _count, "truth": _object("the truth", _TRUTH),
         "limit_seconds": _not_negative, "limit_bytes": _count, "load": _not_negative, "command": _text}
 _SYSTEM = {"name": _text, "title": _text, "guarantee": _text, "version": _text, "rounding": _not_negative,
-           "regularized": _flag, "absent": _text}
+           "regularized": _flag, "absent": _text,
+           "varies": _or_null(_object("a system's varies", {"of": _text, "rule": _text, "on": _flag}))}
 _FAMILY = {"name": _text, "title": _text, "size_means": _text, "distance_means": _text,
            "growth": _one_of(("triangles", "size", ""), "triangles or size")}
 _MACHINE = {"cpu": _text, "cores": _unsigned, "memory_bytes": _count, "system": _text, "compiler": _text,
@@ -176,7 +177,12 @@ def _described(name, schema):
     return read
 
 
-systems_of = _described("a system", _SYSTEM)
+def systems_of(value):
+    """`varies` is None where a system varies none."""
+    known = [{"varies": None} | one if isinstance(one, dict) else one for one in value] if isinstance(value, list) else value
+    return _described("a system", _SYSTEM)(known)
+
+
 families_of = _described("a family", _FAMILY)
 machine_of = _object("the machine", _MACHINE)
 

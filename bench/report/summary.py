@@ -194,6 +194,20 @@ class Ratio:
 
 
 @dataclass
+class RuleEffect:
+    """What a rule changes, over the problems that were judged with it and without it. `system` and `of` differ by it."""
+    rule: str
+    on: bool              # in `system`; else in `of`
+    system: str
+    of: str
+    problems: int = 0
+    repaired: int = 0     # right with it, failed without it
+    broken: int = 0       # the other way round
+    refused: int = 0      # refused with it, wrong without it
+    answered: int = 0     # wrong with it, refused without it
+
+
+@dataclass
 class ExactShare:
     """Parts of the predicate calls of ours that went to exact arithmetic."""
     family: str
@@ -241,6 +255,7 @@ class Summary:
         self.ratios = self._ratios(rows) if self.ours else []
         shares = [(name, [row["exact_share"] for row in group if row["system"] == OURS and row["exact_share"] >= 0])
                   for name, group in families]
+        self.rules = self._rule_effects(experiment.systems, rows)
         self.exact_shares = [self._share(name, values) for name, values in shares if values]
         everywhere = [value for _, values in shares for value in values]
         self.exact_share = self._share("", everywhere) if everywhere else None
@@ -337,6 +352,25 @@ class Summary:
                     memories.append(row["own_bytes"] / ours["own_bytes"])
         return [Ratio(name, spread_of(times), spread_of(memories))
                 for name, (times, memories) in self._by_place(systems)]
+
+    def _rule_effects(self, systems, rows):
+        """Of each system that varies another one that was run, too."""
+        effects = [RuleEffect(s["varies"]["rule"], s["varies"]["on"], s["name"], s["varies"]["of"])
+                   for s in systems if s["varies"] and {s["name"], s["varies"]["of"]} <= set(self.systems)]
+        for problem in problems_of(rows) if effects else ():
+            by_system = {row["system"]: row for row in problem if row["verdict"] != "unjudged"}
+            for effect in effects:
+                pair = [by_system.get(effect.system), by_system.get(effect.of)]
+                if None in pair:
+                    continue
+                effect.problems += 1
+                with_it, without = pair if effect.on else pair[::-1]
+                effect.repaired += is_right(with_it) and not is_right(without)
+                effect.broken += is_right(without) and not is_right(with_it)
+                verdicts = with_it["verdict"], without["verdict"]
+                effect.refused += verdicts == ("refused", "wrong")
+                effect.answered += verdicts == ("wrong", "refused")
+        return effects
 
     @staticmethod
     def _share(family, values):

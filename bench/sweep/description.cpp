@@ -9,13 +9,11 @@ namespace cnrg::bench {
 std::string to_json(const std::vector<SystemInfo>& systems) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
   for (const SystemInfo& s : systems) {
-    out.push_back({{"name", s.name},
-                   {"title", s.title},
-                   {"guarantee", s.guarantee},
-                   {"version", s.version},
-                   {"rounding", s.rounding},
-                   {"regularized", s.regularized},
-                   {"absent", s.absent}});
+    nlohmann::ordered_json info{{"name", s.name},       {"title", s.title},       {"guarantee", s.guarantee},
+                                {"version", s.version}, {"rounding", s.rounding}, {"regularized", s.regularized},
+                                {"absent", s.absent}};
+    if (!s.varies.of.empty()) info["varies"] = {{"of", s.varies.of}, {"rule", s.varies.rule}, {"on", s.varies.on}};
+    out.push_back(std::move(info));
   }
   return json_text(out, 1);
 }
@@ -66,6 +64,9 @@ std::vector<SystemInfo> systems_of_json(const std::string& text) {
     const JsonFields in(object, "a system");
     systems.push_back({in.text("name"), in.text("title"), in.text("guarantee"), in.text("version"),
                        in.not_negative("rounding"), in.flag("regularized"), in.text("absent")});
+    if (!object.contains("varies")) continue;
+    const JsonFields varies(object["varies"], "a system's varies");
+    systems.back().varies = {varies.text("of"), varies.text("rule"), varies.flag("on")};
   }
   return systems;
 }

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "bench/peers/system.h"
+
 namespace cnrg::bench {
 
 /// What bench/peers/system.h says of a system.
@@ -18,6 +20,7 @@ struct SystemInfo {
   double rounding = 0;
   bool regularized = true;
   std::string absent;
+  Variation varies{};
 };
 
 /// What an experiment says of itself (experiment.h).

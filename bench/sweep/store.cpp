@@ -101,7 +101,7 @@ void Store::describe(const Setup& setup, const std::string& command, const LeftO
   std::vector<SystemInfo> systems;
   for (const System& s : setup.systems) {
     const std::string version = s.absent.empty() ? s.version() : "";
-    systems.push_back({s.name, s.title, s.guarantee, version, s.rounding, s.regularized, s.absent});
+    systems.push_back({s.name, s.title, s.guarantee, version, s.rounding, s.regularized, s.absent, s.varies});
   }
   if (fs::exists(rows + kSystemsFile))  // programs of earlier commands
     for (const SystemInfo& old : systems_of_json(read(rows + kSystemsFile)))

@@ -90,14 +90,17 @@ void hunt_near(std::uint64_t usual) {
       } catch (const mantyla::Failure& failure) {
         ++verdicts["exact"][to_string(failure.stage())];
       }
-      try {
-        const Model answer = mantyla::boolean_double(a, b, operation);
-        const double error = to_double(Rational(volume_of(answer) - volume));
-        ++verdicts["double"][std::fabs(error) < 1e-9   ? "right"
-                             : std::fabs(error) < 1e-6 ? "within 1e-6"
-                                                       : "wrong"];
-      } catch (const mantyla::Failure& failure) {
-        ++verdicts["double"][to_string(failure.stage())];
+      for (const bool checks : {true, false}) {
+        mantyla::Departures departures;
+        departures.checks = checks;
+        auto& found = verdicts[checks ? "double" : "double, no checks"];
+        try {
+          const Model answer = mantyla::boolean_double(a, b, operation, 1e-10, departures);
+          const double error = to_double(Rational(volume_of(answer) - volume));
+          ++found[std::fabs(error) < 1e-9 ? "right" : std::fabs(error) < 1e-6 ? "within 1e-6" : "wrong"];
+        } catch (const mantyla::Failure& failure) {
+          ++found[to_string(failure.stage())];
+        }
       }
     }
     std::cout << "k " << k << ':';
@@ -143,8 +146,51 @@ void hunt_folds(Solid solid, int steps, bool doubles, std::uint64_t usual) {
     std::cout << found.first << "  " << verdict << found.second << "\n";
 }
 
+/// What each rule does on pairs of the grid whose boundaries cross, exactly: switched off in the baseline, and on
+/// in the published algorithm with shells.
+void hunt_departures(std::uint64_t usual) {
+  const auto [first, last] = scenes::seeds(usual);
+  mantyla::Departures published = mantyla::published(), no_shells;
+  published.shells = true;
+  no_shells.shells = false;
+  std::map<std::string, std::map<std::string, int>> effects;  // by rule, which changes one outcome to another
+  std::map<std::string, int> totals;
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    Random random(static_cast<unsigned>(seed));
+    const Model a = random_grid_solid(random), b = random_grid_solid(random);
+    for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract}) {
+      try {
+        mantyla::boolean_exact(a, b, operation, no_shells);
+      } catch (const mantyla::Failure&) {
+        continue;  // no curve
+      }
+      const auto found = [&](const mantyla::Departures& departures) {
+        const std::string text = outcome(a, b, operation, departures);
+        return text == "same" || text == "wrong" ? text : "refused";
+      };
+      const std::string ours = found({}), theirs = found(published);
+      ++totals["baseline " + ours];
+      ++totals["published " + theirs];
+      for (const mantyla::Departure& departure : mantyla::kDepartures) {
+        mantyla::Departures without, with = published;
+        without.*departure.rule = false;
+        with.*departure.rule = true;
+        ++effects[std::string("baseline -") + departure.name][found(without) + " to " + ours];
+        ++effects[std::string("published +") + departure.name][theirs + " to " + found(with)];
+      }
+    }
+  }
+  for (const auto& [total, count] : totals) std::cout << total << ' ' << count << '\n';
+  for (const auto& [rule, changes] : effects) {
+    std::cout << rule << ':';
+    for (const auto& [change, count] : changes) std::cout << "  " << change << ' ' << count;
+    std::cout << '\n';
+  }
+}
+
 }  // namespace
 
+TEST_CASE("hunt for departures", "[.][hunt]") { hunt_departures(300); }
 TEST_CASE("hunt with folds in general position", "[.][hunt]") { hunt_folds(random_solid, 4, false, 100); }
 TEST_CASE("hunt with folds of doubles", "[.][hunt]") {
   hunt_folds(random_grid_solid, 4, true, 300);

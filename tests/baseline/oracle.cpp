@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "bench/baseline/mantyla.h"
 #include "bench/baseline/topology.h"
 #include "bench/cases/soup_of.h"
 #include "csg/operators/boolean.h"
@@ -90,6 +91,20 @@ Truth truth_of(const Model& a, const Model& b, Operation operation, const Model&
     if (region.component != 0) shells += static_cast<long>(region.shells.size());
   truth.genus = shells - (static_cast<long>(counts[0] + counts[2]) - static_cast<long>(counts[1]) - rings) / 2;
   return truth;
+}
+
+std::string outcome(const Model& a, const Model& b, Operation operation, const mantyla::Departures& departures) {
+  Model answer;
+  try {
+    answer = mantyla::boolean_exact(a, b, operation, departures);
+  } catch (const mantyla::Failure& failure) {
+    return to_string(failure.stage());
+  }
+  try {
+    return truth_of(a, b, operation, answer).same_set ? "same" : "wrong";
+  } catch (const std::exception&) {
+    return "wrong";  // its faces bound no solid
+  }
 }
 
 }  // namespace cnrg::bench::baseline_test

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "bench/baseline/departures.h"
 #include "bench/cases/model.h"
 #include "bench/cases/operation.h"
 
@@ -35,5 +36,9 @@ struct Truth {
 
 /// The exact regularized result, and whether `answer` (closed, may be empty) is it.
 Truth truth_of(const Model& a, const Model& b, Operation operation, const Model& answer);
+
+/// Of the baseline in fractions: `same`: the exact set; `wrong`: another one, or none; else the stage of the
+/// failure.
+std::string outcome(const Model& a, const Model& b, Operation operation, const mantyla::Departures& departures);
 
 }  // namespace cnrg::bench::baseline_test

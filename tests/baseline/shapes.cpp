@@ -81,6 +81,8 @@ Model placed(Model model, const std::array<Rational, 4>& q, const Rational& scal
   return model;
 }
 
+Model at(Model model, long x, long y, long z) { return placed(std::move(model), {1, 0, 0, 0}, 1, {x, y, z}); }
+
 Model with_axis(Model model, int k) {
   for (RationalPoint& p : model.points) {
     RationalPoint to;

@@ -27,6 +27,8 @@ Model ladder();
 
 /// p -> (q p q*) / |q|^2 * scale + move, exact.
 Model placed(Model model, const std::array<Rational, 4>& q, const Rational& scale, const RationalPoint& move);
+/// Moved.
+Model at(Model model, long x, long y, long z);
 /// Axes permuted: x to axis k, y to the next, z to the one after; outward stays outward.
 Model with_axis(Model model, int k);
 /// Coordinates rounded to doubles.

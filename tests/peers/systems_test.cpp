@@ -98,8 +98,8 @@ TEST_CASE("systems are named, ours first") {
     else WARN("left out: " << system.name << ": " << system.absent);
   }
   CHECK(names == std::vector<std::string>{"ours", "ours-tree", "mantyla-double", "mantyla-exact", "nef",
-                                          "corefinement", "occt", "occt-rescaled", "openscad",
-                                          "openscad-rescaled"});
+                                          "corefinement", "occt", "occt-rescaled", "openscad", "openscad-rescaled",
+                                          "mantyla-published", "mantyla-published-exact"});
 }
 
 TEST_CASE("two boxes that overlap, no coordinate of which is a double") {
@@ -118,12 +118,39 @@ TEST_CASE("the baseline has the epsilon that its name says") {
   // Boxes that overlap by 1/1000 of their size: one system takes that for a contact.
   const Problem problem =
       pair_of(box({0, 0, 0}, {1, 1, 1}), Operation::intersect, box({Rational(999) / 1000, 0, 0}, {2, 1, 1}));
-  CHECK(volume(bench::system_with_epsilon("mantyla-double:1e-6")->evaluate(problem).model) > 0);
-  CHECK(volume(bench::system_with_epsilon("mantyla-double:1e-2")->evaluate(problem).model) == 0);
-  CHECK(bench::system_with_epsilon("mantyla-double:1e-6")->rounding == 1e-6);
-  CHECK_FALSE(bench::system_with_epsilon("mantyla-exact"));
+  CHECK(volume(bench::mantyla_variant("mantyla-double:1e-6")->evaluate(problem).model) > 0);
+  CHECK(volume(bench::mantyla_variant("mantyla-double:1e-2")->evaluate(problem).model) == 0);
+  CHECK(bench::mantyla_variant("mantyla-double:1e-6")->rounding == 1e-6);
+  CHECK(bench::mantyla_variant("mantyla-published:1e-6")->rounding == 1e-6);
+  CHECK_FALSE(bench::mantyla_variant("mantyla-exacter"));
   for (const char* none : {"mantyla-double:", "mantyla-double:0", "mantyla-double:1", "mantyla-double:x"})
-    CHECK_THROWS_AS(bench::system_with_epsilon(none), std::runtime_error);
+    CHECK_THROWS_AS(bench::mantyla_variant(none), std::runtime_error);
+}
+
+TEST_CASE("the baseline has the departures that its name says") {
+  // A box in a box: shells that no curve reaches.
+  const Problem problem = pair_of(box({0, 0, 0}, {3, 3, 3}), Operation::subtract, box({1, 1, 1}, {2, 2, 2}));
+  for (const std::string name : {"mantyla-published", "mantyla-published-exact", "mantyla-double-shells",
+                                 "mantyla-exact-shells", "mantyla-double:1e-8-arcs-shells"}) {
+    INFO(name);
+    const System without = bench::mantyla_variant(name).value(),
+                 with = bench::mantyla_variant("mantyla-published+shells").value();
+    CHECK(without.name == name);
+    CHECK_THROWS_AS(without.evaluate(problem), Refusal);
+    CHECK(volume(with.evaluate(problem).model) == 26);
+  }
+  const bench::Variation varies = bench::mantyla_variant("mantyla-double:1e-8-arcs")->varies;
+  CHECK(varies.of == "mantyla-double:1e-8");
+  CHECK(varies.rule == "arcs");
+  CHECK_FALSE(varies.on);
+  CHECK(bench::mantyla_variant("mantyla-published+arcs")->varies.on);
+  CHECK(bench::mantyla_variant("mantyla-published+arcs+checks")->varies.of == "mantyla-published+arcs");
+  CHECK(bench::mantyla_variant("mantyla-published")->varies.of.empty());
+  CHECK_THROWS_WITH(bench::mantyla_variant("mantyla-double-arc"),
+                    Catch::Contains("rules are sides, single, arcs"));
+  CHECK_THROWS_WITH(bench::mantyla_variant("mantyla-double+arcs"), Catch::Contains("'arcs' is on already"));
+  CHECK_THROWS_WITH(bench::mantyla_variant("mantyla-published-arcs"), Catch::Contains("'arcs' is off already"));
+  CHECK_THROWS_WITH(bench::mantyla_variant("mantyla-exact:1e-8"), Catch::Contains("no epsilon"));
 }
 
 TEST_CASE("systems take operands as they are, but for those that say so") {

@@ -11,9 +11,9 @@ OPERATIONS = ("union", "difference", "intersection")
 LIMIT = 60.0
 
 
-def system_info(name, title, guarantee="", version="", rounding=0.0, regularized=True, absent=""):
+def system_info(name, title, guarantee="", version="", rounding=0.0, regularized=True, absent="", varies=None):
     return {"name": name, "title": title, "guarantee": guarantee, "version": version, "rounding": rounding,
-            "regularized": regularized, "absent": absent}
+            "regularized": regularized, "absent": absent, "varies": varies}
 
 
 SYSTEMS = [

@@ -4,7 +4,7 @@ import unittest
 
 import words
 from facts import main_facts
-from plausible import at_distance, right_row
+from plausible import at_distance, right_row, system_info
 from rows import make_experiment
 from summary import Summary, power_law, spread_of, wilson
 
@@ -35,6 +35,29 @@ def rows_at_distances(family):
             rows.append(at_distance(right_row("ours", family, 1, seed), k))
             rows.append(at_distance(right_row("a", family, 1, seed), k, verdict))
     return rows
+
+
+class Rules(unittest.TestCase):
+    def test_what_a_rule_changes_is_counted_over_common_problems(self):
+        # By problem: verdicts with the rule, without it.
+        pairs = [("same", "wrong"), ("same", "refused"), ("within-rounding", "same"), ("wrong", "same"),
+                 ("refused", "wrong"), ("refused", "wrong"), ("wrong", "refused"), ("same", "same"),
+                 ("unjudged", "wrong"), ("wrong", "wrong")]
+        for on in True, False:
+            varied = system_info("b+r" if on else "b-r", "", varies={"of": "b", "rule": "r", "on": on})
+            rows = []
+            for seed, (with_it, without) in enumerate(pairs):
+                of, by = (without, with_it) if on else (with_it, without)
+                rows += [right_row("b", "f", 1, seed, verdict=of), right_row(varied["name"], "f", 1, seed, verdict=by)]
+            rows.append(right_row("b", "f", 1, 99, verdict="wrong"))
+            [effect] = Summary(make_experiment(rows, [system_info("b", ""), varied], [], None)).rules
+            self.assertEqual((effect.rule, effect.on, effect.system, effect.of), ("r", on, varied["name"], "b"))
+            self.assertEqual((effect.problems, effect.repaired, effect.broken, effect.refused, effect.answered),
+                             (9, 2, 1, 2, 1))
+
+    def test_a_rule_without_the_other_system_says_nothing(self):
+        varied = system_info("b-r", "", varies={"of": "b", "rule": "r", "on": False})
+        self.assertEqual(Summary(make_experiment([right_row("b-r", "f")], [varied], [], None)).rules, [])
 
 
 class Fits(unittest.TestCase):

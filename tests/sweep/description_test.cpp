@@ -9,12 +9,15 @@ TEST_CASE("descriptions come back as they were") {
   const std::vector<SystemInfo> systems = {
       {"ours", "cnrg", "any cells of dimension 0 to 3, exact", "0.1.0", 0, false, ""},
       {"mantyla-double", "Mäntylä, double", "closed 2-manifold solids", "1986", 1e-10, true, ""},
-      {"openscad", "OpenSCAD", "", "", 1e-6, true, "there is no program openscad"}};
+      {"openscad", "OpenSCAD", "", "", 1e-6, true, "there is no program openscad"},
+      {"mantyla-double-arcs", "", "", "", 1e-10, true, "", {"mantyla-double", "arcs", false}}};
   CHECK(to_json(systems_of_json(to_json(systems))) == to_json(systems));
   const SystemInfo back = systems_of_json(to_json(systems)).at(1);
   CHECK(back.title == "Mäntylä, double");
   CHECK(back.rounding == 1e-10);
   CHECK(back.regularized);
+  CHECK(back.varies.of.empty());
+  CHECK(systems_of_json(to_json(systems)).at(3).varies.rule == "arcs");
   const MachineInfo machine = {"a processor",
                                2,
                                8000000000,
