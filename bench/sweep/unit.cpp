@@ -26,6 +26,7 @@ using Json = nlohmann::json;
 using End = ChildResult::End;
 
 struct Run {
+  Limits limits;
   ChildResult child;
   Reply reply;
   bool answered() const {
@@ -33,9 +34,13 @@ struct Run {
   }
 };
 
-/// What `work` says of a problem, in a process with the limits of a run. Throws ProblemError.
-Run run_by(const Setup& setup, const std::string& name, const std::function<std::string(const Problem&)>& work) {
-  Run result;
+/// Of what is not timed.
+Limits judging_limits(const Limits& limits) { return {5 * limits.seconds, 3 * limits.bytes}; }
+
+/// What `work` says of a problem, in a process with limits. Throws ProblemError.
+Run run_by(const Setup& setup, const std::string& name, const Limits& limits,
+           const std::function<std::string(const Problem&)>& work) {
+  Run result{limits, {}, {}};
   result.child = run_child(
       [&] {
         Problem problem;
@@ -48,7 +53,7 @@ Run run_by(const Setup& setup, const std::string& name, const std::function<std:
         }
         return work(problem);
       },
-      setup.limits(name));
+      limits);
   if (result.child.end == End::done) result.reply = reply_of(result.child.text);
   if (result.reply.head.is_object() && result.reply.head.contains("problem"))
     throw ProblemError(name + " could not be made: " + result.reply.head["problem"].get<std::string>());
@@ -56,7 +61,7 @@ Run run_by(const Setup& setup, const std::string& name, const std::function<std:
 }
 
 Run run_plainly(const Setup& setup, const std::string& problem, const System& system) {
-  return run_by(setup, problem, [&](const Problem& made) {
+  return run_by(setup, problem, setup.limits(problem), [&](const Problem& made) {
     return reply_text(made, system, setup.experiment_of(problem).warm_runs, setup.limits(problem).seconds);
   });
 }
@@ -79,7 +84,7 @@ std::string asserted_text(const Setup& setup, const char* work, const std::strin
 }
 
 Run run_asserted(const Setup& setup, const std::string& problem, const System& system) {
-  return run_by(setup, problem, [&](const Problem& made) {
+  return run_by(setup, problem, judging_limits(setup.limits(problem)), [&](const Problem& made) {
     return guarded_reply([&] { return asserted_text(setup, "evaluate", system.name, made); });
   });
 }
@@ -107,8 +112,8 @@ bool is_same_model(const std::string& a, const std::string& b, bool exact) {
          (!exact || first.points == second.points);
 }
 
-/// And once more without them, for time and memory. `asserted_seconds` is set if both have the same result; else a
-/// note says that they do not, and all is of the run with assertions.
+/// And once more without them, for time and memory, within the limits of a run. `asserted_seconds` is set if both
+/// have the same result; else a note says that they do not, and all is of the run with assertions.
 Run run_and_time(const Setup& setup, const std::string& problem, const System& system,
                  std::optional<double>& asserted_seconds) {
   Run asserted = run(setup, problem, system);
@@ -118,12 +123,11 @@ Run run_and_time(const Setup& setup, const std::string& problem, const System& s
     asserted_seconds = seconds_of(asserted);
     return plain;
   }
+  if (plain.child.end == End::timeout || plain.child.end == End::out_of_memory) return plain;
   asserted.reply.head["note"] = plain.answered() ? "without CGAL's assertions the result is another one"
                                                  : "without CGAL's assertions there is no result";
   return asserted;
 }
-
-Limits judging_limits(const Limits& limits) { return {5 * limits.seconds, 3 * limits.bytes}; }
 
 /// A judgement from another process, or why there is none.
 struct Judged {
@@ -243,9 +247,9 @@ void describe(const Setup& setup, SweepRow& row) {
   row.has_distance = planned.problem.values.contains("k");
 }
 
-void no_answer(const Run& run, double limit, SweepRow& row) {
+void no_answer(const Run& run, SweepRow& row) {
   row.seconds = run.child.seconds;
-  row.message = why(run.child, limit);
+  row.message = why(run.child, run.limits.seconds);
   switch (run.child.end) {
     case End::timeout: row.verdict = Verdict::timed_out, row.stage = "time"; return;
     case End::out_of_memory: row.verdict = Verdict::out_of_memory, row.stage = "memory"; return;
@@ -398,7 +402,7 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
     const Run r = run(setup, problem, setup.system(name));
     if (!r.answered()) {
       SweepRow row;
-      no_answer(r, setup.limits(problem).seconds, row);
+      no_answer(r, row);
       add_reason(name, row.message);
       return {};
     }
@@ -487,7 +491,7 @@ SweepRow run_unit(const Setup& setup, const std::string& problem, const std::str
   const Run r = run_and_time(setup, problem, system, row.asserted_seconds);
   row.peak_bytes = r.child.peak_bytes;
   if (!r.answered()) {
-    no_answer(r, row.limit_seconds, row);
+    no_answer(r, row);
     return row;
   }
   for (const Json& stage : r.reply.head.at("stages")) {

@@ -89,6 +89,8 @@ class Bench(unittest.TestCase):
                 self.assertAlmostEqual(rows["missing"][0], 7 / 15)
                 self.assertEqual(rows["confirmed_by"][0], "integrals")
             self.assertEqual(len(list(Path(folder, "rows", "rows").glob("*/mine.json"))), 1)
+            with self.assertRaisesRegex(cnrg.InputError, "has another experiment model"):
+                cnrg.bench.run(B | A, systems=["ours"], folder=Path(folder, "rows"))
 
     @unittest.skipUnless(importlib.util.find_spec("pandas"), "there is no pandas")
     def test_rows_are_a_table_of_pandas(self):
@@ -98,7 +100,7 @@ class Bench(unittest.TestCase):
     def test_a_mesh_is_judged(self):
         right = box([1, 1, 1], [2, 2, 2])
         row = cnrg.bench.judge(right, [A, box([1, 1, 1], [3, 3, 3])], "intersection")
-        self.assertEqual((row["verdict"], row["facts"]["volume"], row["confirmation"]["by"]), ("same", "1", "Nef"))
+        self.assertEqual((row["verdict"], row["facts"]["volume"], row["confirmation"]["by"]), ("same", "1", "integrals"))
         row = cnrg.bench.judge(box([1, 1, 1], [2, 2, 2.5]), [A, B], "intersection")
         self.assertEqual((row["verdict"], row["stage"], row["excess"]), ("wrong", "volume", 0.5))
         hair = box([1, 1, 1], [2, 2, 2 + 1e-15])

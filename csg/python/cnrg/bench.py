@@ -152,7 +152,7 @@ def run(
     operations: of an experiment that has them as values of its parameter `operation`. values: of other parameters, in
     place of those of the experiment: {"k": "exact,0..4", "seed": [1, 2]}.
     seconds, gigabytes: limits of each run. jobs: runs at a time.
-    folder: keeps the rows; the same call goes on where it was. Only rows of this call are returned.
+    folder: keeps the rows, and `model.yaml` of a node; the same call goes on where it was. Only rows of this call are returned.
 
     Raises InputError for what the program refuses, FileError if there is no program.
     """
@@ -170,9 +170,9 @@ def run(
         if number is not None:
             options += [option, repr(number)]
     with tempfile.TemporaryDirectory() as own:
-        words = [_named(experiment, Path(own)), *options]
+        out = Path(own if folder is None else folder)
+        words = [_named(experiment, out), *options]
         planned = [line.split("\t") for line in _ask([*words, "--dry-run"]).splitlines()]
-        out = Path(folder if folder is not None else Path(own, "out"))
         _ask([*words, "--quiet", "--jobs", str(jobs), "--out", str(out)])
         return Rows(json.loads((out / "rows" / problem / f"{system}.json").read_bytes()) for problem, system in planned)
 
@@ -233,6 +233,7 @@ def _named(experiment: Any, folder: Path) -> str:
         text = experiment.to_yaml(folder)
         if "\nx-experiment:" not in text:
             text += "x-experiment: {title: a model of a script}\n"
+        folder.mkdir(parents=True, exist_ok=True)
         path = folder / "model.yaml"
         path.write_text(text)
         return str(path)
@@ -255,4 +256,4 @@ def _ask(words: list[str]) -> str:
     if done.returncode == 0:
         return done.stdout
     said = [line.removeprefix("bench/run: ").removeprefix("error: ") for line in done.stderr.splitlines() if "error:" in line]
-    raise InputError("bench: " + (said[-1] if said else f"the program ended with status {done.returncode}"))
+    raise InputError("bench: " + (said[0] if said else f"the program ended with status {done.returncode}"))
