@@ -8,7 +8,7 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr std::size_t kProducts = 100000, kPoints = 256;
+constexpr std::size_t kSteps = 500000, kPoints = 256;
 
 witness::Cycle cycle_of(const Model& model) {
   witness::Cycle cycle{model.points, {}};
@@ -37,7 +37,7 @@ struct Finding {
 std::optional<Finding> by_integrals(const witness::Question& q, double rounding) {
   if (q.operands.size() != 2) return {};
   const std::optional<witness::Distance> apart =
-      witness::distance(q.operands[0], q.steps[0], q.operands[1], q.answer, kProducts);
+      witness::distance(q.operands[0], q.steps[0], q.operands[1], q.answer, kSteps);
   if (!apart || !apart->operands_once) return {};
   double extent = 0, area = 0;
   for (const witness::Cycle& operand : q.operands) {

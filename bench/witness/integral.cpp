@@ -37,8 +37,11 @@ struct Roof {
   Box box;
   Number dx, dy, height;  ///< z = dx x + dy y + height
   int sign = 0;           ///< 1: its outer side is above
+  std::size_t words = 0;  ///< of its numbers
   Number at(const Place& p) const { return dx * p[0] + dy * p[1] + height; }
 };
+
+std::size_t words_of(const Number& x) { return mpz_size(x.get_num_mpz_t()) + mpz_size(x.get_den_mpz_t()); }
 
 Number turn(const Place& a, const Place& b, const Place& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -60,6 +63,7 @@ std::vector<Roof> roofs_of(const Cycle& cycle) {
     roof.height = a[2] - roof.dx * a[0] - roof.dy * a[1];
     if (roof.sign < 0) std::swap(roof.polygon[1], roof.polygon[2]);
     roof.box = box_of(roof.polygon);
+    roof.words = words_of(roof.dx) + words_of(roof.dy) + words_of(roof.height);
     roofs.push_back(std::move(roof));
   }
   return roofs;
@@ -153,10 +157,12 @@ class Integrator {
   template <class Work>
   bool each(const Polygon& polygon, const std::vector<Roof>& roofs, Work work) {
     const Box box = box_of(polygon);
+    const std::size_t words = words_of(polygon[0][0]) + words_of(polygon[0][1]);
     for (const Roof& roof : roofs) {
       if (!roof.box.meets(box)) continue;
-      if (left_ == 0) return false;
-      --left_;
+      const std::size_t steps = 1 + words * roof.words / 16;
+      if (steps > left_) return false;
+      left_ -= steps;
       const Polygon part = common(polygon, roof.polygon);
       if (!part.empty() && !work(roof, part)) return false;
     }

@@ -25,11 +25,12 @@ struct Distance {
   double value = 0;  ///< rounded
 };
 
-/// All closed. Nothing if more than `most` pairs and triples of triangles overlap as seen from above.
+/// All closed. Nothing if it takes more than `most` steps: a pair or triple of triangles that overlap as seen from
+/// above is one, and one more for each 16 products of words of its numbers.
 std::optional<Distance> distance(const Cycle& a, Operation operation, const Cycle& b, const Cycle& answer,
                                  std::size_t most);
 
-/// The integral of the product of winding numbers, of one to three cycles.
+/// The integral of the product of winding numbers, of one to three cycles; `most` as above.
 std::optional<Fraction> integral(const std::vector<const Cycle*>& cycles, std::size_t most);
 
 }  // namespace cnrg::bench::witness

@@ -42,7 +42,7 @@ Cycle turned(Cycle cycle) {
 }
 
 Number value(const std::vector<const Cycle*>& cycles) {
-  const std::optional<Fraction> found = integral(cycles, 100000);
+  const std::optional<Fraction> found = integral(cycles, 1000000);
   REQUIRE(found);
   Number value(found->p, found->q);
   value.canonicalize();
@@ -50,7 +50,7 @@ Number value(const std::vector<const Cycle*>& cycles) {
 }
 
 const Cycle kA = box({0, 0, 0}, {2, 2, 2}), kB = box({1, 1, 1}, {3, 3, 3});
-constexpr std::size_t kMost = 20000;
+constexpr std::size_t kMost = 1000000;
 const Number kHair("1/1000000000000000000000");
 
 }  // namespace
