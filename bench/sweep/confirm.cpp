@@ -8,7 +8,7 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr std::size_t kSteps = 500000, kPoints = 256;
+constexpr std::size_t kSteps = 200000, kPoints = 256;
 
 witness::Cycle cycle_of(const Model& model) {
   witness::Cycle cycle{model.points, {}};
@@ -62,9 +62,9 @@ std::string text_of(const witness::Points& points) {
   return text.str();
 }
 
-Finding found(const witness::Question& q, double rounding) {
+Finding found(const witness::Question& q, double rounding, bool with_integrals) {
   if (!witness::is_closed(q.answer)) return {false, "integrals", "its faces are not closed"};
-  const std::optional<Finding> integrals = by_integrals(q, rounding);
+  const std::optional<Finding> integrals = with_integrals ? by_integrals(q, rounding) : std::nullopt;
   if (integrals && (rounding == 0 || !*integrals->right)) return *integrals;
   const witness::Points points = witness::ask(q, kPoints);
   if (points.differs) return {false, "points", text_of(points)};
@@ -77,7 +77,7 @@ Finding found(const witness::Question& q, double rounding) {
 }  // namespace
 
 Confirmation confirm_by_witness(const Problem& problem, const Model& answer, double rounding, Verdict verdict,
-                                const std::string& stage) {
+                                const std::string& stage, bool integrals) {
   if (!problem.solids()) return {"none", "an operand is no solid"};
   witness::Question q;
   double extent = 0;
@@ -90,7 +90,7 @@ Confirmation confirm_by_witness(const Problem& problem, const Model& answer, dou
   q.answer = cycle_of(answer);
   q.rounding = witness::Number(64 * rounding * extent);
   q.seed = std::stoull(digest(problem.name));
-  const Finding finding = found(q, rounding);
+  const Finding finding = found(q, rounding, integrals);
   if (!finding.right) return {finding.by, finding.reason};
   const bool said_right = !is_failure(verdict);
   if (*finding.right == said_right) return {finding.by, finding.reason};

@@ -8,8 +8,9 @@
 namespace cnrg::bench {
 
 /// What `witness` finds of an answer. It looks at solids alone: what has no thickness and contacts are left to
-/// Nef. `verdict` and `stage` are those of the judge, who said "right", "wrong" or nothing.
+/// Nef. `verdict` and `stage` are those of the judge, who said "right", "wrong" or nothing. Integrals may
+/// take long.
 Confirmation confirm_by_witness(const Problem& problem, const Model& answer, double rounding, Verdict verdict,
-                                const std::string& stage);
+                                const std::string& stage, bool integrals = true);
 
 }  // namespace cnrg::bench

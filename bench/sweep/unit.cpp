@@ -372,15 +372,20 @@ Confirmation confirmed(const Setup& setup, const SweepRow& row, const System& sy
   const bool loose = exact.dangling_faces + exact.dangling_edges + exact.dangling_vertices > 0;
   const bool compared = (row.system == "ours" || row.system == "nef") && is_same(row.verdict);
   if (nef && (loose || compared)) return confirmed_by_nef(setup, row, model);
-  const auto [reply, reason] = told(setup, row.problem, [&](std::ostream&) {
-    std::istringstream in(model);
-    const Confirmation c =
-        confirm_by_witness(setup.make(row.problem), read_model(in), system.rounding, row.verdict, row.stage);
-    return Json{{"by", c.by}, {"reason", c.reason}};
-  });
-  if (!reason.empty()) return {"none", "confirming: " + reason};
-  if (nef && reply.head["by"] == "none") return confirmed_by_nef(setup, row, model);
-  return {reply.head["by"], reply.head["reason"]};
+  const auto witnessed = [&](bool integrals) {
+    return told(setup, row.problem, [&](std::ostream&) {
+      std::istringstream in(model);
+      const Confirmation c = confirm_by_witness(setup.make(row.problem), read_model(in), system.rounding,
+                                                row.verdict, row.stage, integrals);
+      return Json{{"by", c.by}, {"reason", c.reason}};
+    });
+  };
+  Told witness = witnessed(true);
+  if (!witness.reason.empty()) witness = witnessed(false);
+  if (!witness.reason.empty()) return {"none", "confirming: " + witness.reason};
+  const Json& head = witness.reply.head;
+  if (nef && head["by"] == "none") return confirmed_by_nef(setup, row, model);
+  return {head["by"], head["reason"]};
 }
 
 }  // namespace
