@@ -194,7 +194,7 @@ class Page(unittest.TestCase):
         self.assertIn("The verdict is disputed for 1 row", page)
         self.assertIn("<li><code>f-union-s1-r1 nef</code> same; integrals: &lt;7&gt;</li>", page)
         section = page.split('<section id="confirmed-rows">')[1].split("</section>")[0]
-        counts = {name: re.findall(r'class="count[^"]*">([0-9]+)<', section.split(f'scope="row">{name}<')[1].split("</tr>")[0])
+        counts = {name: re.findall(r'<td[^>]*>([0-9]+)<', section.split(f'scope="row">{name}<')[1].split("</tr>")[0])
                   for name in ("integrals", "DISPUTED", "none")}
         self.assertEqual(counts, {"integrals": ["2", "0"], "DISPUTED": ["0", "1"], "none": ["0", "0"]})
         self.assertIn("on for verdicts, off for times; on takes 1.25 × the time", page)
