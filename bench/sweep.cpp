@@ -66,6 +66,9 @@ Setup setup_of(const Options& options) {
   setup.seconds = options.seconds;
   setup.gigabytes = options.gigabytes;
   setup.systems = systems();
+  setup.asserted = std::filesystem::read_symlink("/proc/self/exe").replace_filename("bench_asserted").string();
+  if (!std::filesystem::exists(setup.asserted))
+    throw std::runtime_error(setup.asserted + " is missing, which has CGAL's systems with assertions; build it");
   for (const std::string& text : options.programs) add_system(setup, program_of(text));
   std::vector<GivenValues> given;
   for (const std::string& text : options.given) given.push_back(given_values(text));

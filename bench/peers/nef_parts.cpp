@@ -1,4 +1,4 @@
-// Operands in CGAL's own forms. Built with CGAL's assertions, as what takes them.
+// Operands in CGAL's own forms.
 #include "bench/peers/nef_parts.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

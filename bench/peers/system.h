@@ -59,6 +59,7 @@ struct System {
   bool if_named = false;  ///< it is given problems only where somebody names it
   /// Whether a model is the exact result, by code of the system alone; empty: it has none. Throws as `evaluate`.
   std::function<bool(const Problem&, const Model&)> agrees{};
+  bool asserted = false;  ///< of CGAL: verdicts are those of bench_asserted, which has it with CGAL's assertions
   std::string executable{};  ///< of one that the command line names
   Variation varies{};
 };

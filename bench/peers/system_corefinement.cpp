@@ -94,7 +94,8 @@ System corefinement_system() {
           .rounding = 0x1p-50,
           .regularized = true,
           .absent = "",
-          .evaluate = answer_of_corefinement};
+          .evaluate = answer_of_corefinement,
+          .asserted = true};
 }
 
 }  // namespace cnrg::bench

@@ -1,4 +1,5 @@
-// CGAL's Nef polyhedra: exact, of mixed dimension. Built with CGAL's assertions, so that what goes wrong is said.
+// CGAL's Nef polyhedra: exact, of mixed dimension. Built without CGAL's assertions for times, and with them, so
+// that what goes wrong is said (bench/asserted.cpp).
 //
 // Differences are closed after each step: cl(A - B), as everywhere in this project.
 #include <CGAL/IO/Nef_polyhedron_iostream_3.h>
@@ -212,13 +213,14 @@ Model read_nef(const std::string& path) {
 System nef_system() {
   return {.name = "nef",
           .title = "CGAL Nef polyhedra",
-          .guarantee = "closed 2-manifolds, surfaces, wires and points; exact; CGAL's assertions on",
+          .guarantee = "closed 2-manifolds, surfaces, wires and points; exact",
           .version = [] { return std::string("CGAL ") + CGAL_VERSION_STR; },
           .rounding = 0,
           .regularized = false,
           .absent = "",
           .evaluate = answer_of_nef,
-          .agrees = agrees_with_nef};
+          .agrees = agrees_with_nef,
+          .asserted = true};
 }
 
 }  // namespace cnrg::bench

@@ -62,9 +62,10 @@ def rows_csv(experiment):
              "own_bytes", "excess", "missing", "load"]
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([*heads, "warm_seconds", "confirmed", *(f"value:{name}" for name in names)])
+    writer.writerow([*heads, "warm_seconds", "confirmed", "confirmed_by", *(f"value:{name}" for name in names)])
     for row in experiment.rows:
         cells = [*(row[head] for head in heads), " ".join(map(str, row["warm"])), row["truth"]["confirmed"],
+                 row["confirmation"]["by"],
                  *(row["values"].get(name, "") for name in names)]
         writer.writerow([words.shown(cell) if isinstance(cell, str) else cell for cell in cells])
     return out.getvalue()

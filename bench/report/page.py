@@ -35,6 +35,22 @@ CONFIRMS = {"Nef": "Nef polyhedra have our result as a point set, exactly; CGAL 
             "volume": "The volume agrees with corefinement to 10⁻⁹.",
             "none": "None was possible.", "DISAGREES": "One of them has another result."}
 
+CONFIRMS_ROW = {
+    "Nef": "CGAL compared the result with that of Nef polyhedra, exactly.",
+    "integrals": "The volume of the difference of result and Boolean, by exact integrals over the triangles of operands and "
+                 "result, is zero, or within the rounding, or it is not, as the verdict says; or the faces are not closed.",
+    "points": "256 random exact points, a half of them near faces, are in result and Boolean, or in none; or one is not, as "
+              "the verdict says.",
+    "none": "None could.",
+    "DISPUTED": "One contradicts the verdict.",
+    "no-verdict": "There is no verdict on a result."}
+
+
+def assertions_text(spread):
+    return (f"on for verdicts, off for times; on takes {words.three_digits(spread.median)} × the time (quartiles "
+            f"{words.three_digits(spread.lower)}–{words.three_digits(spread.upper)}, n {words.grouped(spread.count)})"
+            if spread else words.NONE)
+
 
 def spoken(tally):
     return ", ".join(f"{words.grouped(tally[v])} {v.replace('-', ' ')}" for v in VERDICTS if tally[v])
@@ -91,7 +107,7 @@ def page_html(experiment, summary, title, figures, svgs, folder=""):
         "e": experiment, "s": summary, "figures": figures, "folder": folder, "facts": main_facts(experiment, summary),
         "runs": Markup(runs_json(experiment)), "variables": VARIABLES, "colours": len(SERIES),
         "verdicts": VERDICTS, "class_of": CLASS_OF, "counts_as": COUNTS_AS, "meanings": MEANINGS,
-        "confirms": CONFIRMS, "none": words.NONE, "spoken": spoken, "power": power, "rounding_text": rounding_text,
+        "confirms": CONFIRMS, "confirms_row": CONFIRMS_ROW, "assertions_text": assertions_text, "none": words.NONE, "spoken": spoken, "power": power, "rounding_text": rounding_text,
         "label": lambda system: label(experiment, system), "sum_of": lambda tallies: sum(tallies, Tally()),
         "svg": lambda figure: Markup(for_page(svgs[figure.name], figure)),
         "time_limit": limit_text(summary.limit_seconds, lambda x: f"{x:g} s", "of wall time per run"),

@@ -79,6 +79,8 @@ def _aggregates(s):
         "exact_share": s.exact_share and _share(s.exact_share),
         "exact_shares": [{"family": share.family} | _share(share) for share in s.exact_shares],
         "truth": {truth.confirmed: truth.problems for truth in s.truths},
+        "confirmed_rows": {name: dict(count.systems) for name, count in s.confirmations.items()},
+        "assertions": {system: _spread(ratios) for system, ratios in s.assertions.items()},
         "disagreements": [{"problem": problem, "reason": reason} for problem, reason in s.disagreements]}
 
 

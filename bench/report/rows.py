@@ -24,6 +24,7 @@ CLASS_OF = {"same": "exact", "same-regularized": "right", "contact-duplicated": 
 VERDICTS = tuple(CLASS_OF)
 FAILURES = ("wrong", "refused", "no result")
 CONFIRMED = ("Nef", "Nef-by-us", "node", "formula", "volume", "none", "DISAGREES")
+CONFIRMED_ROWS = ("Nef", "integrals", "points", "none", "DISPUTED", "no-verdict")
 LAST_DISTANCE = 300
 
 
@@ -141,15 +142,17 @@ _FACTS = {"volume": _text, "vertices": _count, "edges": _count, "faces": _count,
           "dangling_faces": _count, "dangling_edges": _count, "dangling_vertices": _count}
 _TRUTH = {"facts": _object("the truth's facts", _FACTS),
           "confirmed": _one_of(CONFIRMED, "one of " + ", ".join(CONFIRMED)), "reason": _text}
+_CONFIRMATION = {"by": _one_of(CONFIRMED_ROWS, "one of " + ", ".join(CONFIRMED_ROWS)), "reason": _text}
 _ROW = {"problem": _text, "family": _text, "values": _texts_by_name, "operation": _text, "size": _long,
         "distance": _or_null(_whole(-2**31, 2**31 - 1)), "has_distance": _flag, "seed": _unsigned,
         "operands": _count, "triangles": _count, "system": _text,
         "verdict": _one_of(CLASS_OF, "a known verdict"), "stage": _text, "message": _text,
         "stages": _objects("a stage", {"name": _text, "seconds": _not_negative}),
-        "warm": _numbers, "seconds": _not_negative, "peak_bytes": _count, "own_bytes": _count,
+        "warm": _numbers, "asserted_seconds": _or_null(_not_negative), "seconds": _not_negative, "peak_bytes": _count, "own_bytes": _count,
         "exact_share": _number, "note": _text,
         "facts": _or_null(_object("the facts", _FACTS)), "excess": _or_null(_number),
         "missing": _or_null(_number), "duplicates": _count, "truth": _object("the truth", _TRUTH),
+        "confirmation": _object("the confirmation", _CONFIRMATION),
         "limit_seconds": _not_negative, "limit_bytes": _count, "load": _not_negative, "command": _text}
 _SYSTEM = {"name": _text, "title": _text, "guarantee": _text, "version": _text, "rounding": _not_negative,
            "regularized": _flag, "absent": _text,

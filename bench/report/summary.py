@@ -9,7 +9,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from rows import CLASS_OF, CONFIRMED, FAILURES, LAST_DISTANCE, OURS
+from rows import CLASS_OF, CONFIRMED, CONFIRMED_ROWS, FAILURES, LAST_DISTANCE, OURS
 
 ONSET = 0.01  # the failure rate from which on failures begin
 
@@ -224,6 +224,15 @@ class TruthCount:
     reason: str = ""
 
 
+@dataclass
+class RowCount:
+    """Rows by who confirms their verdicts."""
+    confirmed: str
+    systems: Counter = field(default_factory=Counter)
+    example: dict = None  # the first row
+    rows = property(lambda self: sum(self.systems.values()))
+
+
 def grouped_by(rows, key):
     return [(name, list(group)) for name, group in groupby(rows, key=lambda row: row[key])]
 
@@ -260,6 +269,8 @@ class Summary:
         everywhere = [value for _, values in shares for value in values]
         self.exact_share = self._share("", everywhere) if everywhere else None
         self._count_truths(rows)
+        self._count_confirmations(rows)
+        self.assertions = self._cost_of_assertions(rows)
         seconds, sizes = [row["limit_seconds"] for row in rows], [row["limit_bytes"] for row in rows]
         self.load = spread_of([row["load"] for row in rows])
         self.limit_seconds, self.limit_bytes = (min(seconds), max(seconds)), (min(sizes), max(sizes))
@@ -390,3 +401,19 @@ class Summary:
             if count.problems == 0:
                 count.example, count.reason = row["problem"], row["truth"]["reason"]
             count.problems += 1
+
+    def _count_confirmations(self, rows):
+        self.confirmations = {name: RowCount(name) for name in CONFIRMED_ROWS}
+        for row in rows:
+            count = self.confirmations[row["confirmation"]["by"]]
+            count.systems[row["system"]] += 1
+            count.example = count.example or row
+        self.disputed = [row for row in rows if row["confirmation"]["by"] == "DISPUTED"]
+
+    def _cost_of_assertions(self, rows):
+        """By system, what its run with assertions took as a multiple of the same run without."""
+        costs = {}
+        for row in rows:
+            if row["asserted_seconds"] is not None and row["seconds"] > 0:
+                costs.setdefault(row["system"], []).append(row["asserted_seconds"] / row["seconds"])
+        return {name: spread_of(ratios) for name, ratios in self._by_place(costs)}

@@ -50,6 +50,12 @@ MachineInfo this_machine() {
 #else
   machine.compiler = __VERSION__;
 #endif
+  machine.compiler += " " CNRG_FLAGS "; CGAL's assertions are on for verdicts, ";
+#ifdef NDEBUG
+  machine.compiler += "off for times";
+#else
+  machine.compiler += "and for times";
+#endif
   machine.date = today();
   return machine;
 }

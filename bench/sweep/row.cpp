@@ -30,6 +30,10 @@ nlohmann::ordered_json object_of(const Truth& truth) {
   return {{"facts", object_of(truth.facts)}, {"confirmed", truth.confirmed}, {"reason", truth.reason}};
 }
 
+nlohmann::ordered_json object_of(const Confirmation& confirmation) {
+  return {{"by", confirmation.by}, {"reason", confirmation.reason}};
+}
+
 Facts facts_in(const nlohmann::json& object, const std::string& name) {
   const JsonFields in(object, name);
   Facts f;
@@ -58,6 +62,14 @@ Truth truth_of(const nlohmann::json& object) {
     if (truth.confirmed == known) return truth;
   }
   in.fail("confirmed", "one of Nef, Nef-by-us, node, formula, volume, none, DISAGREES");
+}
+
+Confirmation confirmation_of(const nlohmann::json& object) {
+  const JsonFields in(object, "the confirmation");
+  for (const char* known : {"Nef", "integrals", "points", "none", "DISPUTED", "no-verdict"}) {
+    if (in.text("by") == known) return {known, in.text("reason")};
+  }
+  in.fail("by", "one of Nef, integrals, points, none, DISPUTED, no-verdict");
 }
 
 Verdict verdict_of(const JsonFields& in) {
@@ -121,6 +133,7 @@ std::string to_json(const SweepRow& row) {
                              {"message", row.message},
                              {"stages", nlohmann::ordered_json::array()},
                              {"warm", row.warm},
+                             {"asserted_seconds", nullptr},
                              {"seconds", row.seconds},
                              {"peak_bytes", row.peak_bytes},
                              {"own_bytes", row.own_bytes},
@@ -130,10 +143,12 @@ std::string to_json(const SweepRow& row) {
                              {"excess", row.excess},
                              {"missing", row.missing},
                              {"duplicates", row.duplicates}};
+  if (row.asserted_seconds) out["asserted_seconds"] = *row.asserted_seconds;
   if (row.distance) out["distance"] = *row.distance;
   for (const auto& [name, seconds] : row.stages) out["stages"].push_back({{"name", name}, {"seconds", seconds}});
   if (row.facts) out["facts"] = object_of(*row.facts);
   out["truth"] = object_of(row.truth);
+  out["confirmation"] = object_of(row.confirmation);
   out["limit_seconds"] = row.limit_seconds;
   out["limit_bytes"] = row.limit_bytes;
   out["load"] = row.load;
@@ -170,6 +185,7 @@ SweepRow row_of_json(const std::string& text) {
     if (!seconds.is_number() || !(seconds.get<double>() >= 0)) in.fail("warm", "a list of numbers from 0");
     row.warm.push_back(seconds.get<double>());
   }
+  if (!in.is_null("asserted_seconds")) row.asserted_seconds = in.not_negative("asserted_seconds");
   row.seconds = in.not_negative("seconds");
   row.peak_bytes = in.integer<std::size_t>("peak_bytes");
   row.own_bytes = in.integer<std::size_t>("own_bytes");
@@ -180,6 +196,7 @@ SweepRow row_of_json(const std::string& text) {
   row.missing = in.number_or_nan("missing");
   row.duplicates = in.integer<std::size_t>("duplicates");
   row.truth = truth_of(in.at("truth"));
+  row.confirmation = confirmation_of(in.at("confirmation"));
   row.limit_seconds = in.not_negative("limit_seconds");
   row.limit_bytes = in.integer<std::size_t>("limit_bytes");
   row.load = in.not_negative("load");

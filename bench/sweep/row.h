@@ -54,6 +54,13 @@ struct Truth {
   std::string experiment{}, digest{};
 };
 
+/// Who confirms the verdict of a row, without the kernel. `Nef`: CGAL compares the result itself. `integrals`: of
+/// the difference of result and Boolean, exact. `points`: random ones, exact; both look at solids alone. `none`:
+/// nobody could; `reason` says why. `DISPUTED`: one of them contradicts. `no-verdict`: there is none to confirm.
+struct Confirmation {
+  std::string by = "no-verdict", reason{};
+};
+
 struct SweepRow {
   std::string problem, family;                ///< `family`: the experiment's name
   std::map<std::string, std::string> values;  ///< of its parameters, and its `node`
@@ -69,6 +76,7 @@ struct SweepRow {
   std::string stage, message;  ///< of a refusal, failure or wrong result; a signal of a crash
   std::vector<std::pair<std::string, double>> stages;  ///< seconds, of runs that gave a result
   std::vector<double> warm{};                          ///< seconds of runs after that one, in the same process
+  std::optional<double> asserted_seconds{};  ///< of the same run with CGAL's assertions, which are off in these
   double seconds = 0;          ///< of those together; wall time of the process when there is no result
   std::size_t peak_bytes = 0;  ///< resident, the program and its input included
   std::size_t own_bytes = 0;   ///< of the run alone
@@ -79,6 +87,7 @@ struct SweepRow {
   double excess = 0, missing = 0;  ///< volumes of result - truth, truth - result as parts of the truth's
   std::size_t duplicates = 0;      ///< vertices of the result at the place of another one
   Truth truth;
+  Confirmation confirmation{};
   double limit_seconds = 0;
   std::size_t limit_bytes = 0;
   double load = 0;      ///< of the machine in the minute before

@@ -1,16 +1,19 @@
 #include "bench/sweep/unit.h"
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
+#include "bench/peers/program.h"
+#include "bench/sweep/answer.h"
+#include "bench/sweep/confirm.h"
 #include "bench/sweep/json_fields.h"
 #include "bench/sweep/judge.h"
 #include "csg/text/number.h"
@@ -22,18 +25,8 @@ namespace {
 using Json = nlohmann::json;
 using End = ChildResult::End;
 
-/// What a process says of itself: a head in one line, then a model or nothing.
-struct Reply {
-  Json head;
-  std::string rest;
-};
-Reply reply_of(const std::string& text) {
-  const std::size_t end = text.find('\n');
-  if (end == std::string::npos) return {};  // it ended in the middle of its work
-  return {Json::parse(text.substr(0, end)), text.substr(end + 1)};
-}
-
 struct Run {
+  Limits limits;
   ChildResult child;
   Reply reply;
   bool answered() const {
@@ -41,73 +34,100 @@ struct Run {
   }
 };
 
-/// The work of the process that runs a system.
-std::string answer_text(const Setup& setup, const std::string& name, const System& system) {
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
-  Problem problem;
-  try {
-    problem = setup.make(name);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    return json_text(Json{{"answered", false}, {"problem", error.what()}}) + "\n";
-  }
-  try {
-    const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-    Answer answer = system.evaluate(problem);
-    Json warm = Json::array();  // as many as there is time for
-    double longest = elapsed();
-    for (int i = 0; i < setup.experiment_of(name).warm_runs; ++i) {
-      const double before = elapsed();
-      if (before + 2 * longest > setup.limits(name).seconds) break;
-      const Answer again = system.evaluate(problem);
-      double seconds = 0;
-      for (const auto& [stage, part] : again.measures.stages) seconds += part;
-      warm.push_back(seconds);
-      longest = std::max(longest, elapsed() - before);
-      if (again.model.points == answer.model.points && again.model.faces.size() == answer.model.faces.size())
-        continue;
-      answer.note = "run " + std::to_string(i + 2) + " has another result than the first";
-      break;
-    }
-    Json stages = Json::array();
-    for (const auto& [stage, seconds] : answer.measures.stages) stages.push_back({stage, seconds});
-    std::ostringstream out;
-    out << Json{{"answered", true},
-                {"stages", stages},
-                {"warm", warm},
-                {"own_bytes", answer.measures.own_bytes()},
-                {"exact_share", answer.exact_share},
-                {"note", answer.note}}
-               .dump()
-        << '\n';
-    write_model(out, answer.model);
-    return out.str();
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const Crash& crash) {
-    return json_text(Json{{"answered", false}, {"stage", "signal"}, {"message", crash.what()}, {"thrown", true}}) +
-           "\n";
-  } catch (const Refusal& refusal) {
-    return json_text(Json{{"answered", false}, {"stage", refusal.stage()}, {"message", refusal.what()}}) + "\n";
-  } catch (const std::exception& error) {
-    return json_text(
-               Json{{"answered", false}, {"stage", "unknown"}, {"message", error.what()}, {"thrown", true}}) +
-           "\n";
-  }
-}
+/// Of what is not timed.
+Limits judging_limits(const Limits& limits) { return {5 * limits.seconds, 3 * limits.bytes}; }
 
-Run run(const Setup& setup, const std::string& problem, const System& system) {
-  Run result;
-  result.child = run_child([&] { return answer_text(setup, problem, system); }, setup.limits(problem));
+/// What `work` says of a problem, in a process with limits. Throws ProblemError.
+Run run_by(const Setup& setup, const std::string& name, const Limits& limits,
+           const std::function<std::string(const Problem&)>& work) {
+  Run result{limits, {}, {}};
+  result.child = run_child(
+      [&] {
+        Problem problem;
+        try {
+          problem = setup.make(name);
+        } catch (const std::bad_alloc&) {
+          throw;
+        } catch (const std::exception& error) {
+          return json_text(Json{{"answered", false}, {"problem", error.what()}}) + "\n";
+        }
+        return work(problem);
+      },
+      limits);
   if (result.child.end == End::done) result.reply = reply_of(result.child.text);
   if (result.reply.head.is_object() && result.reply.head.contains("problem"))
-    throw ProblemError(problem + " could not be made: " + result.reply.head["problem"].get<std::string>());
+    throw ProblemError(name + " could not be made: " + result.reply.head["problem"].get<std::string>());
   return result;
 }
 
-Limits judging_limits(const Limits& limits) { return {5 * limits.seconds, 3 * limits.bytes}; }
+Run run_plainly(const Setup& setup, const std::string& problem, const System& system) {
+  return run_by(setup, problem, setup.limits(problem), [&](const Problem& made) {
+    return reply_text(made, system, setup.experiment_of(problem).warm_runs, setup.limits(problem).seconds);
+  });
+}
+
+/// What the program says that has CGAL's assertions on (bench/asserted.cpp).
+std::string asserted_text(const Setup& setup, const char* work, const std::string& system, const Problem& problem,
+                          const std::string& model = {}) {
+  const TemporaryFolder folder;
+  std::ofstream out(folder.file("problem"));
+  write_problem(out, problem);
+  out << model;
+  out.close();
+  const std::string answer = folder.file("answer");
+  const ProgramRun run =
+      run_program({setup.asserted, work, system, folder.file("problem")}, folder, answer.c_str());
+  if (!out || !run.succeeded()) throw std::runtime_error(out ? run.reason() : "a file could not be written");
+  std::ostringstream text;
+  text << std::ifstream(answer).rdbuf();
+  return text.str();
+}
+
+Run run_asserted(const Setup& setup, const std::string& problem, const System& system) {
+  return run_by(setup, problem, judging_limits(setup.limits(problem)), [&](const Problem& made) {
+    return guarded_reply([&] { return asserted_text(setup, "evaluate", system.name, made); });
+  });
+}
+
+/// What verdicts are made of: with assertions, where the system has them.
+Run run(const Setup& setup, const std::string& problem, const System& system) {
+  return system.asserted ? run_asserted(setup, problem, system) : run_plainly(setup, problem, system);
+}
+
+double seconds_of(const Run& run) {
+  double seconds = 0;
+  for (const Json& stage : run.reply.head.at("stages")) seconds += stage.at(1).get<double>();
+  return seconds;
+}
+
+/// As many points and faces, and of exact systems the same points: their order depends on addresses, and rounded
+/// ones on which numbers an assertion had evaluated exactly before.
+bool is_same_model(const std::string& a, const std::string& b, bool exact) {
+  if (a == b) return true;
+  std::istringstream in_a(a), in_b(b);
+  Model first = read_model(in_a), second = read_model(in_b);
+  std::sort(first.points.begin(), first.points.end());
+  std::sort(second.points.begin(), second.points.end());
+  return first.points.size() == second.points.size() && first.faces.size() == second.faces.size() &&
+         (!exact || first.points == second.points);
+}
+
+/// And once more without them, for time and memory, within the limits of a run. `asserted_seconds` is set if both
+/// have the same result; else a note says that they do not, and all is of the run with assertions.
+Run run_and_time(const Setup& setup, const std::string& problem, const System& system,
+                 std::optional<double>& asserted_seconds) {
+  Run asserted = run(setup, problem, system);
+  if (!system.asserted || !asserted.answered()) return asserted;
+  Run plain = run_plainly(setup, problem, system);
+  if (plain.answered() && is_same_model(plain.reply.rest, asserted.reply.rest, system.rounding == 0)) {
+    asserted_seconds = seconds_of(asserted);
+    return plain;
+  }
+  if (plain.child.end == End::timeout || plain.child.end == End::out_of_memory) return plain;
+  asserted.reply.head["note"] = plain.answered() ? "without CGAL's assertions the result is another one"
+                                                 : "without CGAL's assertions there is no result";
+  return asserted;
+}
 
 /// A judgement from another process, or why there is none.
 struct Judged {
@@ -227,9 +247,9 @@ void describe(const Setup& setup, SweepRow& row) {
   row.has_distance = planned.problem.values.contains("k");
 }
 
-void no_answer(const Run& run, double limit, SweepRow& row) {
+void no_answer(const Run& run, SweepRow& row) {
   row.seconds = run.child.seconds;
-  row.message = why(run.child, limit);
+  row.message = why(run.child, run.limits.seconds);
   switch (run.child.end) {
     case End::timeout: row.verdict = Verdict::timed_out, row.stage = "time"; return;
     case End::out_of_memory: row.verdict = Verdict::out_of_memory, row.stage = "memory"; return;
@@ -316,19 +336,56 @@ Facts exact_facts_of(const Setup& setup, const std::string& problem) {
   return none;
 }
 
-/// Whether Nef polyhedra have our result, compared by themselves. Nothing, with the reason, if they cannot say.
-std::optional<bool> agrees_with_nef(const Setup& setup, const std::string& problem, std::string& why_not) {
-  const Run ours = run(setup, problem, setup.system("ours"));
-  if (!ours.answered()) {
-    why_not = "ours has no result";
-    return {};
-  }
+/// Whether Nef polyhedra have this result, compared by themselves. Nothing, with the reason, if they cannot say.
+std::optional<bool> agrees_with_nef(const Setup& setup, const std::string& problem, const std::string& model,
+                                    std::string& why_not) {
   const auto [reply, reason] = told(setup, problem, [&](std::ostream&) {
-    std::istringstream in(ours.reply.rest);
-    return Json{{"agrees", setup.system("nef").agrees(setup.make(problem), read_model(in))}};
+    return Json::parse(asserted_text(setup, "agrees", "nef", setup.make(problem), model));
   });
   why_not = reason;
   return reason.empty() ? std::optional<bool>(reply.head["agrees"].get<bool>()) : std::nullopt;
+}
+
+std::optional<bool> ours_agrees_with_nef(const Setup& setup, const std::string& problem, std::string& why_not) {
+  const Run ours = run(setup, problem, setup.system("ours"));
+  if (ours.answered()) return agrees_with_nef(setup, problem, ours.reply.rest, why_not);
+  why_not = "ours has no result";
+  return {};
+}
+
+bool is_same(Verdict verdict) { return verdict == Verdict::same || verdict == Verdict::contact_duplicated; }
+
+/// By Nef polyhedra where they know the exact result, the system is exact, and a witness could not say all.
+Confirmation confirmed_by_nef(const Setup& setup, const SweepRow& row, const std::string& model) {
+  if ((row.system == "ours" || row.system == "nef") && is_same(row.verdict))
+    return {"Nef", ""};  // they are what was compared
+  std::string reason;
+  const std::optional<bool> agrees = agrees_with_nef(setup, row.problem, model, reason);
+  if (!agrees) return {"none", "nef: " + reason};
+  if (*agrees == is_same(row.verdict)) return {"Nef", ""};
+  return {"DISPUTED", std::string("Nef: the result is ") + (*agrees ? "the same set" : "another set")};
+}
+
+Confirmation confirmed(const Setup& setup, const SweepRow& row, const System& system, const std::string& model) {
+  const bool nef = row.truth.confirmed == "Nef" && system.rounding == 0;
+  const Facts& exact = row.truth.facts;
+  const bool loose = exact.dangling_faces + exact.dangling_edges + exact.dangling_vertices > 0;
+  const bool compared = (row.system == "ours" || row.system == "nef") && is_same(row.verdict);
+  if (nef && (loose || compared)) return confirmed_by_nef(setup, row, model);
+  const auto witnessed = [&](bool integrals) {
+    return told(setup, row.problem, [&](std::ostream&) {
+      std::istringstream in(model);
+      const Confirmation c = confirm_by_witness(setup.make(row.problem), read_model(in), system.rounding,
+                                                row.verdict, row.stage, integrals);
+      return Json{{"by", c.by}, {"reason", c.reason}};
+    });
+  };
+  Told witness = witnessed(true);
+  if (!witness.reason.empty()) witness = witnessed(false);
+  if (!witness.reason.empty()) return {"none", "confirming: " + witness.reason};
+  const Json& head = witness.reply.head;
+  if (nef && head["by"] == "none") return confirmed_by_nef(setup, row, model);
+  return {head["by"], head["reason"]};
 }
 
 }  // namespace
@@ -340,7 +397,6 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
   const auto add_reason = [&](const std::string& who, const std::string& reason) {
     truth.reason += (truth.reason.empty() ? "" : "; ") + who + ": " + reason;
   };
-  const auto is_same = [](Verdict v) { return v == Verdict::same || v == Verdict::contact_duplicated; };
   const auto disagrees = [&](const std::string& who, const std::string& reason) {
     truth.confirmed = "DISAGREES";
     add_reason(who, reason);
@@ -351,7 +407,7 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
     const Run r = run(setup, problem, setup.system(name));
     if (!r.answered()) {
       SweepRow row;
-      no_answer(r, setup.limits(problem).seconds, row);
+      no_answer(r, row);
       add_reason(name, row.message);
       return {};
     }
@@ -361,7 +417,7 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
     return j.judgement;
   };
   std::string reason;
-  const std::optional<bool> nef = agrees_with_nef(setup, problem, reason);
+  const std::optional<bool> nef = ours_agrees_with_nef(setup, problem, reason);
   if (nef) {
     truth.facts = exact_facts_of(setup, problem);
     if (!*nef) return disagrees("nef", "its result is another set than ours");
@@ -437,10 +493,10 @@ SweepRow run_unit(const Setup& setup, const std::string& problem, const std::str
   row.command = reproducing_command(setup, problem, system);
   describe(setup, row);
 
-  const Run r = run(setup, problem, system);
+  const Run r = run_and_time(setup, problem, system, row.asserted_seconds);
   row.peak_bytes = r.child.peak_bytes;
   if (!r.answered()) {
-    no_answer(r, row.limit_seconds, row);
+    no_answer(r, row);
     return row;
   }
   for (const Json& stage : r.reply.head.at("stages")) {
@@ -470,6 +526,7 @@ SweepRow run_unit(const Setup& setup, const std::string& problem, const std::str
   row.missing = j.judgement->missing;
   row.duplicates = j.judgement->duplicates;
   row.truth.facts = j.judgement->truth;
+  row.confirmation = confirmed(setup, row, system, r.reply.rest);
   return row;
 }
 

@@ -29,7 +29,8 @@ struct Setup {
   std::vector<Planned> problems;
   std::optional<double> seconds, gigabytes;  ///< limits of each run in place of those of experiments
   std::vector<System> systems;
-  std::string commit;  ///< of the sources; may be empty
+  std::string commit;    ///< of the sources; may be empty
+  std::string asserted;  ///< the program of systems with assertions (bench/asserted.cpp)
 
   /// Throws std::runtime_error if there is none of this name.
   const Planned& planned(const std::string& problem) const;

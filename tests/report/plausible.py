@@ -56,6 +56,7 @@ def right_row(system, family, size=1, seed=1, **members):
             "verdict": "same", "stage": "", "message": "", "stages": [], "seconds": 1.0, "peak_bytes": 3000000,
             "own_bytes": 1000000, "exact_share": -1.0, "note": "", "facts": None, "excess": 0.0, "missing": 0.0,
             "duplicates": 0, "truth": {"facts": FACTS, "confirmed": "Nef", "reason": ""}, "limit_seconds": LIMIT,
+            "confirmation": {"by": "integrals", "reason": "the volume of the difference is 0"}, "asserted_seconds": None,
             "limit_bytes": 4000000000, "load": 0.5, "command": f"bench/run --one {problem} {system}"} | members
 
 

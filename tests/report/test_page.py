@@ -152,6 +152,7 @@ class Page(unittest.TestCase):
                 # Right somewhere, so that the system's name is in figures of all kinds.
                 row["verdict"] = "same" if row["family"] == "menger" or row["distance"] == 3 else "refused"
         sweep.rows[-1]["truth"] = sweep.rows[-1]["truth"] | {"confirmed": "DISAGREES", "reason": HOSTILE}
+        sweep.rows[-1]["confirmation"] = {"by": "DISPUTED", "reason": HOSTILE}
         sweep.systems[1]["title"] = "_<b>&'x'\"{}$^_@%"
         sweep.systems[2].update(guarantee=HOSTILE, version=HOSTILE, absent=HOSTILE)
         sweep.families[0]["title"] = sweep.machine["cpu"] = sweep.machine["commit"] = HOSTILE
@@ -183,6 +184,20 @@ class Page(unittest.TestCase):
         alarm = page.split('class="alarm"')[1].split("</div>")[0]
         self.assertEqual(alarm.count("<li><code>"), 20)
         self.assertIn("<li>and 3 others</li>", alarm)
+
+    def test_disputed_verdicts_are_named_and_confirmed_ones_counted(self):
+        rows = [right_row("ours", "f", 1, 1), right_row("ours", "f", 1, 2),
+                right_row("nef", "f", 1, 1, asserted_seconds=2.5, seconds=2.0,
+                          confirmation={"by": "DISPUTED", "reason": "integrals: <7>"})]
+        page = page_of(make_experiment(rows, [], [], None))
+        self.check_markup(page)
+        self.assertIn("The verdict is disputed for 1 row", page)
+        self.assertIn("<li><code>f-union-s1-r1 nef</code> same; integrals: &lt;7&gt;</li>", page)
+        section = page.split('<section id="confirmed-rows">')[1].split("</section>")[0]
+        counts = {name: re.findall(r'<td[^>]*>([0-9]+)<', section.split(f'scope="row">{name}<')[1].split("</tr>")[0])
+                  for name in ("integrals", "DISPUTED", "none")}
+        self.assertEqual(counts, {"integrals": ["2", "0"], "DISPUTED": ["0", "1"], "none": ["0", "0"]})
+        self.assertIn("on for verdicts, off for times; on takes 1.25 × the time", page)
 
     def test_all_runs_are_in_the_page_each_with_its_command(self):
         experiment = experiment_of(Sweep(2, 3))
@@ -241,6 +256,8 @@ class Json(unittest.TestCase):
                          (7, 4, 6, 7))
         self.assertAlmostEqual(every["exact_share"]["median"], 0.01)
         self.assertEqual(every["truth"]["Nef"], 11)
+        self.assertEqual(every["confirmed_rows"]["integrals"], {"ours": 11, "nef": 8})
+        self.assertEqual(every["assertions"], {})
         self.assertEqual(len(report["rows"]), len(rows))
         for row, said in zip(experiment.rows, report["rows"]):
             truth = report["truths"][row["problem"]]

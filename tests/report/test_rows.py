@@ -11,10 +11,11 @@ from rows import FAILURES, CLASS_OF, VERDICTS, Unread, make_experiment, read_exp
 FULL = {"problem": "edge-union-s4-k7-r3", "family": "edge", "values": {"k": "7"}, "operation": "union", "size": 4, "distance": 7,
         "has_distance": True, "seed": 3, "operands": 5, "triangles": 60, "system": "mantyla-double",
         "verdict": "contact-duplicated", "stage": "connecting", "message": "\"loose\" ends: <2> & ä",
-        "stages": [{"name": "read", "seconds": 0.1}, {"name": "Boolean", "seconds": 1 / 3}], "warm": [0.25, 0.5], "seconds": 0.1 + 1 / 3,
+        "stages": [{"name": "read", "seconds": 0.1}, {"name": "Boolean", "seconds": 1 / 3}], "warm": [0.25, 0.5], "asserted_seconds": 0.75, "seconds": 0.1 + 1 / 3,
         "peak_bytes": 5000000001, "own_bytes": 77, "exact_share": 1e-5, "note": "a note",
         "facts": FACTS | {"volume": "-7/3", "genus": -1}, "excess": 0.25, "missing": 1e-17, "duplicates": 13,
-        "truth": {"facts": FACTS, "confirmed": "volume", "reason": "Nef ran out of memory"}, "limit_seconds": 60.0,
+        "truth": {"facts": FACTS, "confirmed": "volume", "reason": "Nef ran out of memory"},
+        "confirmation": {"by": "points", "reason": "256 points"}, "limit_seconds": 60.0,
         "limit_bytes": 4000000000, "load": 1.5, "command": "bench/run --one edge-union-s4-k7-r3 mantyla-double"}
 
 
@@ -60,11 +61,13 @@ class Rows(unittest.TestCase):
         for member in FULL:
             less = {key: value for key, value in FULL.items() if key != member}
             self.assertEqual(self.fault(json.dumps(less)), f"the row has no member `{member}`")
-            if member not in ("facts", "excess", "missing", "distance"):
-                self.assertIn(f"`{member}`" if member != "truth" else "truth", self.fault_with(**{member: None}))
+            if member not in ("facts", "excess", "missing", "distance", "asserted_seconds"):
+                self.assertIn(member if member in ("truth", "confirmation") else f"`{member}`", self.fault_with(**{member: None}))
         self.assertEqual(self.fault_with(truth=None), "the truth is no JSON object")
         self.assertEqual(self.fault_with(truth=FULL["truth"] | {"confirmed": "me"}),
                          "member `confirmed` of the truth is not one of Nef, Nef-by-us, node, formula, volume, none, DISAGREES")
+        self.assertEqual(self.fault_with(confirmation={"by": "me", "reason": ""}), "member `by` of the confirmation is "
+                         "not one of Nef, integrals, points, none, DISPUTED, no-verdict")
         self.assertEqual(self.fault_with(facts={}), "the facts has no member `volume`")
         self.assertEqual(self.fault_with(verdict="Same"), "member `verdict` of the row is not a known verdict")
         self.assertEqual(self.fault_with(seconds=-1), "member `seconds` of the row is not a number from 0")

@@ -197,6 +197,20 @@ class Aggregates(unittest.TestCase):
         self.assertEqual(summary.disagreements, [("g-union-s1-r4", "Nef has volume 7")])
         self.assertEqual(summary.limit_seconds, (10, 40))
 
+    def test_rows_are_counted_by_who_confirms_them_and_runs_with_assertions_beside_those_without(self):
+        rows = []
+        for seed, by, asserted in (1, "Nef", 3.0), (2, "DISPUTED", 5.0), (3, "Nef", None), (4, "no-verdict", None):
+            rows += [right_row("ours", "f", 1, seed, confirmation={"by": "points", "reason": ""}),
+                     right_row("nef", "f", 1, seed, seconds=2.0, confirmation={"by": by, "reason": "why"},
+                               asserted_seconds=asserted)]
+        summary = summary_of(rows)
+        self.assertEqual({name: dict(count.systems) for name, count in summary.confirmations.items()},
+                         {"Nef": {"nef": 2}, "integrals": {}, "points": {"ours": 4}, "none": {},
+                          "DISPUTED": {"nef": 1}, "no-verdict": {"nef": 1}})
+        self.assertEqual([row["problem"] for row in summary.disputed], ["f-union-s1-r2"])
+        self.assertEqual(list(summary.assertions), ["nef"])
+        self.assertEqual((summary.assertions["nef"].count, summary.assertions["nef"].median), (2, 2.0))
+
     def test_what_could_not_be_judged_counts_nowhere(self):
         rows = [at_distance(right_row("ours", "f", 20, 1), 4, "unjudged")]
         for seed in range(1, 5):

@@ -40,6 +40,8 @@ SweepRow full_row() {
   row.missing = 1e-17;
   row.duplicates = 13;
   row.truth = {Facts{"22/7", 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, "volume", "Nef ran out of memory"};
+  row.confirmation = {"points", "256 points"};
+  row.asserted_seconds = 0.75;
   row.limit_seconds = 60;
   row.limit_bytes = 4000000000;
   row.command = "bench_sweep one edge-union-s4-k7-r3";
@@ -91,6 +93,9 @@ TEST_CASE("a row comes back as it was") {
   CHECK(back.facts->dangling_vertices == 11);
   CHECK(back.truth.facts.regions == 4);
   CHECK(back.truth.confirmed == "volume");
+  CHECK(back.confirmation.by == "points");
+  CHECK(back.confirmation.reason == "256 points");
+  CHECK(back.asserted_seconds == 0.75);
   CHECK(back.missing == 1e-17);
   CHECK(back.limit_bytes == 4000000000);
   CHECK(back.command == row.command);
@@ -100,12 +105,14 @@ TEST_CASE("a row without distance and facts comes back without them") {
   SweepRow row = full_row();
   row.distance.reset();
   row.facts.reset();
+  row.asserted_seconds.reset();
   row.excess = std::numeric_limits<double>::infinity();
   row.message = "cut off \xC3";  // no UTF-8
   const SweepRow back = row_of_json(to_json(row));
   CHECK_FALSE(back.distance);
   CHECK(back.has_distance);
   CHECK_FALSE(back.facts);
+  CHECK_FALSE(back.asserted_seconds);
   CHECK(std::isnan(back.excess));
   CHECK(back.message == "cut off \xEF\xBF\xBD");
 }
@@ -132,11 +139,14 @@ TEST_CASE("what is no row is named") {
   const nlohmann::json members = nlohmann::json::parse(to_json(full_row()));
   for (const auto& [member, value] : members.items()) {
     CHECK(error_of(without(member.c_str())) == "the row has no member `" + member + "`");
-    if (member != "facts" && member != "excess" && member != "missing" && member != "distance") {
+    if (member != "asserted_seconds" && member != "facts" && member != "excess" && member != "missing" &&
+        member != "distance") {
       CHECK(error_of(with(member.c_str(), nullptr)) != "no error");
     }
   }
   CHECK(error_of(with("verdict", "fine")) == "member `verdict` of the row is not a known verdict");
+  CHECK(error_of(with("confirmation", {{"by", "me"}, {"reason", ""}})) ==
+        "member `by` of the confirmation is not one of Nef, integrals, points, none, DISPUTED, no-verdict");
   CHECK(error_of(with("seconds", -1)) == "member `seconds` of the row is not a number from 0");
   CHECK(error_of(with("seed", -1)) == "member `seed` of the row is not a number in its range");
   CHECK(error_of(with("seed", 5000000000)) == "member `seed` of the row is not a number in its range");
