@@ -107,6 +107,7 @@ struct Tree {
   std::map<std::string, Rational> parameters{};  ///< that expressions name (expression.h)
   std::optional<Rational> weld{};                ///< what is that near is made to coincide; above 0
   Position weld_at{};                            ///< of its value
+  std::string yaml{};                            ///< of a `.csg` file: the tree file that it means
 
   /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws InputError, without a
   /// place in the file, with the nearest name or some of all names when there is none.
