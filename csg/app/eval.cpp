@@ -209,7 +209,7 @@ int run_eval(const EvalArguments& arguments) {
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));
   std::vector<NodeId> roots = options.nodes;
   roots.push_back(tree.result);
-  print(unused_nodes(tree, roots), arguments.quiet);
+  print(reading_warnings(tree, roots), arguments.quiet);
   if (!arguments.select.empty()) select_in(tree, arguments.select, options.nodes, picture);
   const std::vector<FileRequest> files = requests(tree, arguments, options.nodes, picture);
   options.keep_all =

@@ -7,8 +7,21 @@
 namespace cnrg::openscad {
 namespace {
 
-double square_distance(const Point3& p, const Point3& q) {
-  return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);
+/// -1, 0 or 1 as the first pair of points is nearer, as near or farther than the second, seen from above. What differs
+/// by less than 1e-5 is as near.
+int compare_distances(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const double first = std::hypot(a[0] - b[0], a[1] - b[1]), second = std::hypot(c[0] - d[0], c[1] - d[1]);
+  if (2e5 * std::abs(first - second) <= first + second) return 0;
+  return first < second ? -1 : 1;
+}
+
+bool is_hole(const Loop& loop) {
+  double area = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point2 &p = loop[i], &q = loop[(i + 1) % loop.size()];
+    area += p[0] * q[1] - q[0] * p[1];
+  }
+  return area < 0;
 }
 
 std::size_t corner_count(const Area& area) {
@@ -17,13 +30,13 @@ std::size_t corner_count(const Area& area) {
   return n;
 }
 
-/// Goes through all edges of all loops, by the numbers of their ends.
+/// Goes through all edges of all loops, by the loop and the numbers of their ends.
 template <class Use>
 void for_each_edge(const Area& area, Use use) {
   std::uint32_t first = 0;
   for (const Loop& loop : area.loops) {
     const auto n = static_cast<std::uint32_t>(loop.size());
-    for (std::uint32_t i = 0; i < n; ++i) use(first + i, first + (i + 1) % n);
+    for (std::uint32_t i = 0; i < n; ++i) use(loop, first + i, first + (i + 1) % n);
     first += n;
   }
 }
@@ -72,7 +85,7 @@ Polyset extruded(const Area& area, const LinearExtrusion& how, const Fineness& f
   const auto n = static_cast<std::uint32_t>(corner_count(area));
   Polyset out;
   if (!is_convex(area)) out.convex = false;
-  else if (how.twist == 0) out.convex = true;
+  else if (how.twist == 0 && how.scale[0] == how.scale[1]) out.convex = true;
   for (int j = 0; j <= layers; ++j) {
     const std::vector<Point3> corners = layer(area, how, j, layers);
     out.points.insert(out.points.end(), corners.begin(), corners.end());
@@ -80,12 +93,14 @@ Polyset extruded(const Area& area, const LinearExtrusion& how, const Fineness& f
   add_caps(out, area, 0, false);
   const auto last = static_cast<std::uint32_t>(layers) * n;
   if (how.scale[0] != 0 && how.scale[1] != 0) add_caps(out, area, last, true);
+  const bool becomes_line = (how.scale[0] == 0) != (how.scale[1] == 0);
   for (std::uint32_t below = 0; below < last; below += n) {
-    for_each_edge(area, [&](std::uint32_t i, std::uint32_t j) {
+    const bool other = becomes_line && below + n == last;  // the top layer has the other diagonals
+    for_each_edge(area, [&](const Loop& loop, std::uint32_t i, std::uint32_t j) {
       const std::uint32_t a = below + i, b = below + j, c = b + n, d = a + n;
-      const bool first = square_distance(out.points[b], out.points[d]) <=
-                         square_distance(out.points[a], out.points[c]);
-      if (first) out.faces.insert(out.faces.end(), {{a, b, d}, {b, c, d}});
+      const int nearer = compare_distances(out.points[b], out.points[d], out.points[a], out.points[c]);
+      const bool first = nearer < 0 || (nearer == 0 && is_hole(loop) != (how.twist <= 0));
+      if (first != other) out.faces.insert(out.faces.end(), {{a, b, d}, {b, c, d}});
       else out.faces.insert(out.faces.end(), {{a, b, c}, {a, c, d}});
     });
   }
@@ -120,7 +135,7 @@ std::optional<Polyset> revolved(const Area& area, double degrees, const Fineness
   };
   for (std::uint32_t j = 0; j < steps; ++j) {
     const std::uint32_t here = j * n, there = whole ? (j + 1) % steps * n : here + n;
-    for_each_edge(area, [&](std::uint32_t i, std::uint32_t k) {
+    for_each_edge(area, [&](const Loop&, std::uint32_t i, std::uint32_t k) {
       add({here + i, there + k, here + k});
       add({here + i, there + i, there + k});
     });

@@ -1,11 +1,12 @@
 // OpenSCAD's `.csg` files as tree files (csg/FORMATS.md#openscad).
 //
-// What OpenSCAD keeps as polygons of doubles (primitives, extrusions, hulls, also where they are moved) is worked out
+// `interpreter.h` says what a statement makes; what is left in the end are nodes of the tree. What OpenSCAD keeps as polygons of doubles (primitives, extrusions, hulls, also where they are moved) is worked out
 // here, in OpenSCAD's own arithmetic; where it makes an exact solid of them, for a Boolean, the tree has a leaf and the
 // Boolean a node. So the tree has the corners that OpenSCAD has, and is exact from there on, as OpenSCAD is.
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cnrg {
@@ -17,6 +18,7 @@ struct OpenscadTree {
   };
   std::string yaml;
   std::vector<Place> places;  ///< of each line of `yaml`: where the `.csg` file has what it stands for
+  std::vector<std::pair<Place, std::string>> warnings;
 };
 
 /// True for a name that ends as those of such files do.

@@ -33,6 +33,8 @@ Tree parse_openscad(const std::string& text, const std::string& file, const Read
     Tree tree = parse_tree(source.yaml, file, options);
     for (Node& node : tree.nodes) node.at = node.operator_at = place_of(source, node.at.line);
     tree.nodes_at = {};
+    for (auto& [place, text] : source.warnings)
+      tree.warnings.push_back({file, {place.line, place.column}, Diagnostic::Level::warning, std::move(text)});
     tree.yaml = std::move(source.yaml);
     return tree;
   } catch (const TreeError& e) {

@@ -166,10 +166,10 @@ nodes:
 result: a
 )",
                                "t.yaml");
-  const std::vector<Diagnostic> warnings = unused_nodes(tree, {tree.result});
+  const std::vector<Diagnostic> warnings = reading_warnings(tree, {tree.result});
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0].text(), Catch::StartsWith("t.yaml:4:3: warning: the node `left_over` is not used"));
-  CHECK(unused_nodes(tree, {tree.result, tree.find("left_over")}).empty());
+  CHECK(reading_warnings(tree, {tree.result, tree.find("left_over")}).empty());
 }
 
 TEST_CASE("operands of the wrong type or number", "[tree][errors]") {

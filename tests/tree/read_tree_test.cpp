@@ -39,7 +39,7 @@ Tree single(const std::string& inside) {
 TEST_CASE("a tree with every kind of node reads as it is written", "[tree]") {
   const Tree tree = parse_tree(kModel, "models/mine.yaml");
   REQUIRE(tree.nodes.size() == 8);
-  CHECK(unused_nodes(tree, {tree.result}).empty());
+  CHECK(reading_warnings(tree, {tree.result}).empty());
   CHECK(tree.nodes[tree.result].name == "solid");
   REQUIRE(tree.materials.size() == 2);
   CHECK(tree.materials[0].name == "rock");
@@ -188,7 +188,7 @@ TEST_CASE("operands are names or inline nodes of any depth", "[tree]") {
   CHECK(tree.nodes[NodeId(1)].name == "a/1");
   CHECK(tree.nodes[NodeId(1)].is_inline);
   CHECK(tree.find("a/1/2") == NodeId(201));
-  CHECK(unused_nodes(tree, {tree.result}).empty());
+  CHECK(reading_warnings(tree, {tree.result}).empty());
 }
 
 TEST_CASE("a YAML alias of an inline node is the same node", "[tree]") {

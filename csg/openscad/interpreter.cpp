@@ -1,0 +1,408 @@
+// Statements to values, children before parents.
+#include "csg/openscad/interpreter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "csg/imports/mesh_file.h"
+#include "csg/leaves/leaf.h"
+#include "csg/openscad/arguments.h"
+#include "csg/text/escape.h"
+
+namespace cnrg::openscad {
+namespace {
+
+bool is_flat(const std::vector<Point3>& points) { return hull(points).faces.empty(); }
+
+/// What a Boolean takes; nothing if there is no volume.
+std::optional<Exact> exact(const Value& value) {
+  if (is_empty(value)) return {};
+  if (const Exact* known = std::get_if<Exact>(&value)) return *known;
+  const Solid& solid = std::get<Solid>(value);
+  ExactSolid made{ExactSolid::Kind::polyset, solid.from, on_grid(solid.polyset)};
+  made.polyset.convex = is_convex(made.polyset);
+  const bool convex = *made.polyset.convex;
+  if (made.polyset.faces.empty() || (convex && is_flat(made.polyset.points))) return {};
+  Exact out;
+  if (convex) out.parts = Parts{made.polyset.points};
+  out.solid = std::make_shared<const ExactSolid>(std::move(made));
+  return out;
+}
+
+Exact moved(const Exact& solid, const Matrix& m, const Statement& at) {
+  Exact out{std::make_shared<const ExactSolid>(ExactSolid{ExactSolid::Kind::moved, &at, {}, m, {solid.solid}}),
+            solid.parts};
+  if (out.parts) {
+    for (auto& part : *out.parts) part = transformed(Polyset{part, {}, true}, m).points;
+  }
+  return out;
+}
+
+/// The operands, or the only one.
+Value boolean(const Statement& at, ExactSolid::Kind kind, const std::vector<Exact>& operands) {
+  if (operands.empty()) return {};
+  if (operands.size() == 1) return operands.front();
+  ExactSolid solid{kind, &at};
+  for (const Exact& operand : operands) solid.operands.push_back(operand.solid);
+  return Exact{std::make_shared<const ExactSolid>(std::move(solid)), {}};
+}
+
+class Interpreter {
+ public:
+  Interpreter(const std::string& path, const std::string& inside) : path_(path), inside_(inside) {}
+
+  Value evaluate(const Statement& s) {
+    for (const Module& module : modules()) {
+      if (module.name == s.name) return (this->*module.make)(s);
+    }
+    fail("is not read; " + remedy(), s);
+  }
+  std::vector<Warning>& warnings() { return warnings_; }
+
+ private:
+  using Make = Value (Interpreter::*)(const Statement&);
+  struct Module {
+    std::string_view name;
+    Make make;
+  };
+  static const std::vector<Module>& modules();
+
+  [[noreturn]] void fail(const std::string& fault, const Statement& at) const { openscad::fail(path_, at, fault); }
+  void warn(const std::string& text, const Statement& at) {
+    warnings_.push_back({at.line, at.column, "`" + excerpt(at.name) + "` " + text});
+  }
+  static std::string remedy() {
+    return "let OpenSCAD write the solid that it is part of as part.off, and put `import(file = \"part.off\");` in "
+           "that solid's place";
+  }
+  Arguments arguments(const Statement& s, std::initializer_list<std::string_view> known) const {
+    return Arguments(path_, s, known);
+  }
+
+  /// Of areas and solids those that come first; OpenSCAD leaves out the others.
+  std::vector<Value> children(const Statement& s) {
+    std::vector<Value> out;
+    for (const Statement& child : s.children) out.push_back(evaluate(child));
+    const auto first = std::find_if_not(out.begin(), out.end(), is_empty);
+    for (Value& value : out) {
+      if (is_empty(value) || std::holds_alternative<Area>(value) == std::holds_alternative<Area>(*first)) continue;
+      warn("has areas and solids as children; as in OpenSCAD only the " +
+               std::string(std::holds_alternative<Area>(value) ? "solids" : "areas") + " count",
+           s);
+      value = {};
+    }
+    return out;
+  }
+  static bool are_areas(const std::vector<Value>& values) {
+    return std::any_of(values.begin(), values.end(), [](const Value& v) { return std::holds_alternative<Area>(v); });
+  }
+  static std::vector<Area> areas(const std::vector<Value>& values) {
+    std::vector<Area> out;
+    for (const Value& value : values) {
+      const Area* area = std::get_if<Area>(&value);
+      out.push_back(area ? *area : Area{});
+    }
+    return out;
+  }
+  static void drop_empty(std::vector<Value>& values) {
+    values.erase(std::remove_if(values.begin(), values.end(), is_empty), values.end());
+  }
+
+  Value united(const Statement& at, std::vector<Value> values) {
+    drop_empty(values);
+    if (values.empty()) return {};
+    if (values.size() == 1) return values.front();
+    if (are_areas(values)) {
+      return combine(areas(values), [](const auto& in) { return std::find(in.begin(), in.end(), true) != in.end(); });
+    }
+    std::vector<Exact> operands;
+    std::optional<Parts> parts = Parts();
+    for (const Value& value : values) {
+      const std::optional<Exact> operand = exact(value);
+      if (!operand) continue;
+      operands.push_back(*operand);
+      if (!operand->parts) parts.reset();
+      else if (parts) parts->insert(parts->end(), operand->parts->begin(), operand->parts->end());
+    }
+    Value out = boolean(at, ExactSolid::Kind::unite, operands);
+    if (auto* made = std::get_if<Exact>(&out)) made->parts = std::move(parts);
+    return out;
+  }
+  Value make_union(const Statement& s) { return united(s, children(s)); }
+
+  Value make_difference(const Statement& s) {
+    const std::vector<Value> values = children(s);
+    if (values.empty() || is_empty(values.front())) return {};
+    if (values.size() == 1) return values.front();
+    if (are_areas(values)) {
+      return combine(areas(values),
+                     [](const auto& in) { return in[0] && std::find(in.begin() + 1, in.end(), true) == in.end(); });
+    }
+    std::vector<Exact> operands;
+    for (const Value& value : values) {
+      if (const std::optional<Exact> operand = exact(value)) operands.push_back(*operand);
+      else if (operands.empty()) return {};
+    }
+    return boolean(s, ExactSolid::Kind::subtract, operands);
+  }
+
+  Value make_intersection(const Statement& s) {
+    const std::vector<Value> values = children(s);
+    if (values.empty() || std::any_of(values.begin(), values.end(), is_empty)) return {};
+    if (values.size() == 1) return values.front();
+    if (are_areas(values)) {
+      return combine(areas(values), [](const auto& in) { return std::find(in.begin(), in.end(), false) == in.end(); });
+    }
+    std::vector<Exact> operands;
+    for (const Value& value : values) {
+      const std::optional<Exact> operand = exact(value);
+      if (!operand) return {};
+      operands.push_back(*operand);
+    }
+    return boolean(s, ExactSolid::Kind::intersect, operands);
+  }
+
+  Value make_transform(const Statement& s) {
+    const Matrix m = arguments(s, {"m"}).matrix("m");
+    Value value = united(s, children(s));
+    if (is_empty(value)) return {};
+    const double size = determinant(m);
+    Area* area = std::get_if<Area>(&value);
+    if (!std::isfinite(size) || (area ? m[0][0] * m[1][1] - m[0][1] * m[1][0] : size) == 0) {
+      warn("has a matrix that makes its children flat or endless; as in OpenSCAD they are left out", s);
+      return {};
+    }
+    if (area) return transformed(*area, {{{m[0][0], m[0][1], m[0][3]}, {m[1][0], m[1][1], m[1][3]}}});
+    if (Solid* solid = std::get_if<Solid>(&value)) return Solid{transformed(solid->polyset, m), solid->from};
+    return moved(std::get<Exact>(value), m, s);
+  }
+
+  Value make_hull(const Statement& s) {
+    std::vector<Value> values = children(s);
+    drop_empty(values);
+    if (are_areas(values)) return hull(areas(values));
+    std::vector<Point3> points;
+    const auto add_all = [&](const std::vector<Point3>& more) { points.insert(points.end(), more.begin(), more.end()); };
+    for (const Value& value : values) {
+      const Exact* known = std::get_if<Exact>(&value);
+      if (!known) add_all(std::get<Solid>(value).polyset.points);
+      else if (!known->parts) add_all(boundary(*known->solid).points);
+      else for (const auto& part : *known->parts) add_all(part);
+    }
+    return Solid{hull(std::move(points)), &s};
+  }
+
+  /// The convex solids that a solid is the union of; nothing if nobody knows any.
+  static std::optional<Parts> parts_of(const Value& value) {
+    if (const Exact* known = std::get_if<Exact>(&value)) return known->parts;
+    const Polyset& polyset = std::get<Solid>(value).polyset;
+    return is_convex(polyset) ? std::optional(Parts{polyset.points}) : std::nullopt;
+  }
+
+  /// All sums of a point of each. Those of convex solids are the hull of the sums of corners. What has one that is not
+  /// convex, C, is C moved to a point inside of the convex one, and the sums of all triangles of C's boundary.
+  Value make_minkowski(const Statement& s) {
+    std::vector<Value> values = children(s);
+    drop_empty(values);
+    if (values.empty()) return {};
+    if (values.size() == 1) return values.front();
+    if (are_areas(values)) fail("of areas is not read; " + remedy(), s);
+    Parts sum{{{0, 0, 0}}};
+    std::optional<Value> concave;
+    for (const Value& value : values) {
+      const std::optional<Parts> parts = parts_of(value);
+      if (!parts && concave) fail("takes one solid that is not convex, and this has two; " + remedy(), s);
+      if (parts) sum = summed(sum, *parts);
+      else concave = value;
+    }
+    std::vector<Value> solids;
+    if (concave) solids = around(*concave, sum, s);
+    else for (const auto& part : sum) solids.push_back(Solid{hull(part), &s});
+    return united(s, std::move(solids));
+  }
+
+  static Parts summed(const Parts& a, const Parts& b) {
+    Parts out;
+    for (const auto& p : a) {
+      for (const auto& q : b) out.push_back(corners(hull(sums(p, q)), sums(p, q)));
+    }
+    return out;
+  }
+  /// Of a hull; all points, if it is flat.
+  static std::vector<Point3> corners(const Polyset& hull, const std::vector<Point3>& all) {
+    std::set<Point3> used;
+    for (const Face& face : hull.faces) {
+      for (const std::uint32_t i : face) used.insert(hull.points[i]);
+    }
+    return used.empty() ? all : std::vector<Point3>(used.begin(), used.end());
+  }
+
+  static Point3 middle(const std::vector<Point3>& points) {
+    Point3 sum{};
+    for (const Point3& p : points) {
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += p[k] / double(points.size());
+    }
+    return sum;
+  }
+
+  std::vector<Value> around(const Value& solid, const Parts& parts, const Statement& at) {
+    const std::optional<Exact> placed = exact(solid);
+    if (!placed) return {};
+    const Polyset skin = boundary(*placed->solid);
+    std::vector<Value> out;
+    for (const auto& part : parts) {
+      const Point3 by = middle(part);
+      out.push_back(moved(*placed, {{{1, 0, 0, by[0]}, {0, 1, 0, by[1]}, {0, 0, 1, by[2]}}}, at));
+      for (const Face& face : skin.faces) {
+        out.push_back(Solid{hull(sums({skin.points[face[0]], skin.points[face[1]], skin.points[face[2]]}, part)), &at});
+      }
+    }
+    return out;
+  }
+
+  Value make_cube(const Statement& s) {
+    const Arguments a = arguments(s, {"size", "center"});
+    const std::vector<double> size = a.numbers("size", 3, 1);
+    if (*std::min_element(size.begin(), size.end()) <= 0) return {};
+    return Solid{cube({size[0], size[1], size[2]}, a.boolean("center")), &s};
+  }
+  Value make_sphere(const Statement& s) {
+    const Arguments a = arguments(s, {"r", "center"});  // a sphere is centred anyway
+    const double radius = a.number("r", 1);
+    if (radius <= 0) return {};
+    return Solid{sphere(radius, a.fineness()), &s};
+  }
+  Value make_cylinder(const Statement& s) {
+    const Arguments a = arguments(s, {"h", "r1", "r2", "center"});
+    const double height = a.number("h", 1), bottom = a.number("r1", 1), top = a.number("r2", 1);
+    if (height <= 0 || bottom < 0 || top < 0 || bottom + top == 0) return {};
+    return Solid{cylinder(height, bottom, top, a.boolean("center"), a.fineness()), &s};
+  }
+  Value make_polyhedron(const Statement& s) {
+    const Arguments a = arguments(s, {"points", "faces"});
+    Polyset out;
+    for (const auto& p : a.points("points", 3)) out.points.push_back({p[0], p[1], p[2]});
+    out.faces = a.indices("faces", out.points.size());
+    for (Face& face : out.faces) std::reverse(face.begin(), face.end());
+    std::erase_if(out.faces, [](const Face& face) { return face.size() < 3; });
+    return Solid{std::move(out), &s};
+  }
+  Value make_import(const Statement& s) {
+    const Arguments a = arguments(s, {"file", "layer", "origin", "scale", "center", "dpi", "id", "timestamp"});
+    const std::string name = a.text("file");
+    if (!is_mesh_file(name)) fail("reads meshes, and `" + excerpt(name) + "` is none; " + remedy(), s);
+    const auto path = std::filesystem::path(path_).parent_path() / name;
+    const MeshData mesh = read_mesh(path.string(), false, inside_);
+    Polyset out;
+    for (std::size_t i = 0; i < mesh.point_count(); ++i)
+      out.points.push_back({mesh.xyz[3 * i], mesh.xyz[3 * i + 1], mesh.xyz[3 * i + 2]});
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+      out.faces.emplace_back(mesh.corners.begin() + mesh.offsets[f], mesh.corners.begin() + mesh.offsets[f + 1]);
+    return Solid{std::move(out), &s};
+  }
+
+  Value make_square(const Statement& s) {
+    const Arguments a = arguments(s, {"size", "center"});
+    const std::vector<double> size = a.numbers("size", 2, 1);
+    if (size[0] <= 0 || size[1] <= 0) return {};
+    const double x = a.boolean("center") ? -size[0] / 2 : 0, y = a.boolean("center") ? -size[1] / 2 : 0;
+    const double u = a.boolean("center") ? size[0] / 2 : size[0], v = a.boolean("center") ? size[1] / 2 : size[1];
+    return Area{{{{x, y}, {u, y}, {u, v}, {x, v}}}, true};
+  }
+  Value make_circle(const Statement& s) {
+    const Arguments a = arguments(s, {"r"});
+    const double radius = a.number("r", 1);
+    if (radius <= 0) return {};
+    return Area{{circle(radius, a.fineness().segments(radius))}, true};
+  }
+  Value make_polygon(const Statement& s) {
+    const Arguments a = arguments(s, {"points", "paths"});
+    Loop points;
+    for (const auto& p : a.points("points", 2)) points.push_back({p[0], p[1]});
+    const std::vector<Face> paths = a.indices("paths", points.size());
+    if (paths.empty()) return Area{{points}};
+    Area out;
+    for (const Face& path : paths) {
+      Loop& loop = out.loops.emplace_back();
+      for (const std::uint32_t i : path) loop.push_back(points[i]);
+    }
+    return out;
+  }
+
+  /// The area below an extrusion, clean.
+  Area area_below(const Statement& s) {
+    const Value value = united(s, children(s));
+    if (is_empty(value)) return {};
+    if (!std::holds_alternative<Area>(value)) fail("takes areas, and has a solid as child; remove it", s);
+    return cleaned(std::get<Area>(value));
+  }
+  Value make_linear(const Statement& s) {
+    const Arguments a = arguments(s, {"height", "center", "twist", "slices", "scale"});
+    const std::vector<double> scale = a.numbers("scale", 2, 1);
+    LinearExtrusion how{a.number("height", 100), a.number("twist", 0), {scale[0], scale[1]}, a.boolean("center"), {}};
+    if (scale[0] < 0 || scale[1] < 0) fail("needs a `scale` of 0 or more", s);
+    if (a.has("slices")) how.slices = static_cast<int>(std::clamp(a.number("slices", 1), 1.0, 1e6));
+    const Area area = area_below(s);
+    if (area.loops.empty() || how.height <= 0) return {};
+    return Solid{extruded(area, how, a.fineness()), &s};
+  }
+  Value make_rotate(const Statement& s) {
+    const Arguments a = arguments(s, {"angle"});
+    const double degrees = std::clamp(a.number("angle", 360), -360.0, 360.0);
+    const Area area = area_below(s);
+    if (area.loops.empty() || degrees == 0) return {};
+    auto out = revolved(area, degrees == -360 ? 360 : degrees, a.fineness());
+    if (!out) fail("needs an area on one side of the y axis, and this crosses it; move it", s);
+    return Solid{std::move(*out), &s};
+  }
+
+  const std::string& path_;
+  const std::string& inside_;
+  std::vector<Warning> warnings_;
+};
+
+const std::vector<Interpreter::Module>& Interpreter::modules() {
+  static const std::vector<Module> kModules{
+      {"group", &Interpreter::make_union},
+      {"union", &Interpreter::make_union},
+      {"color", &Interpreter::make_union},
+      {"render", &Interpreter::make_union},
+      {"difference", &Interpreter::make_difference},
+      {"intersection", &Interpreter::make_intersection},
+      {"multmatrix", &Interpreter::make_transform},
+      {"hull", &Interpreter::make_hull},
+      {"minkowski", &Interpreter::make_minkowski},
+      {"cube", &Interpreter::make_cube},
+      {"sphere", &Interpreter::make_sphere},
+      {"cylinder", &Interpreter::make_cylinder},
+      {"polyhedron", &Interpreter::make_polyhedron},
+      {"import", &Interpreter::make_import},
+      {"square", &Interpreter::make_square},
+      {"circle", &Interpreter::make_circle},
+      {"polygon", &Interpreter::make_polygon},
+      {"linear_extrude", &Interpreter::make_linear},
+      {"rotate_extrude", &Interpreter::make_rotate},
+  };
+  return kModules;
+}
+
+}  // namespace
+
+bool is_empty(const Value& value) {
+  const Area* area = std::get_if<Area>(&value);
+  const Solid* solid = std::get_if<Solid>(&value);
+  return value.index() == 0 || (area && area->loops.empty()) || (solid && solid->polyset.faces.empty());
+}
+
+Value evaluate(const Statement& statement, const std::string& path, const std::string& inside,
+               std::vector<Warning>& warnings) {
+  Interpreter interpreter(path, inside);
+  Value out = interpreter.evaluate(statement);
+  warnings = std::move(interpreter.warnings());
+  return out;
+}
+
+}  // namespace cnrg::openscad
