@@ -161,7 +161,7 @@ std::string argument_cases(const CommandText& command) {
   std::size_t i = 0;
   for (const OptionText& option : command.options) {
     if (!option.positional) continue;
-    const std::string endings = option.names[0] == "TREE" ? " .yaml .yml .json" : "";
+    const std::string endings = option.names[0] == "TREE" ? " .yaml .yml .json .csg" : "";
     out += "    '" + command.name + " " + std::to_string(i++) + "') _cnrg_files \"$word\"" + endings + " ;;\n";
   }
   return out;

@@ -74,7 +74,7 @@ void add_fineness(CLI::App* sub, Arguments& arguments) {
 /// What all commands have that read a tree.
 template <class Arguments>
 void add_tree(CLI::App* sub, Arguments& arguments,
-              const char* what = "Tree file (YAML or JSON); `-` for standard input") {
+              const char* what = "Tree file (YAML or JSON, or a .csg file of OpenSCAD); `-` for standard input") {
   sub->add_option("TREE", arguments.tree, what)->required()->check(name_fault);
   add_fineness(sub, arguments);
 }
@@ -231,7 +231,7 @@ int run(int argc, char** argv) {
   sub->add_option(
          "-o", eval.files,
          "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
-         ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png .pdf")
+         ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png .pdf; of a .csg the tree: .yaml")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)

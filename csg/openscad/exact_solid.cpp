@@ -2,7 +2,6 @@
 #include "csg/openscad/exact_solid.h"
 
 #include <charconv>
-#include <map>
 
 #include "csg/geometry/transform.h"
 #include "csg/leaves/leaf.h"
@@ -24,12 +23,7 @@ Transform transform_of(const Matrix& m) {
 }
 
 Shape shape_of(const Polyset& solid) {
-  if (solid.convex == true) {
-    HullShape hull{{{}}};
-    for (const Point3& p : solid.points)
-      hull.summands[0].push_back({from_double(p[0]), from_double(p[1]), from_double(p[2])});
-    return hull;
-  }
+  if (solid.convex == true) return HullShape{{exact_points(solid.points)}};
   auto data = std::make_shared<MeshData>();
   for (const Point3& p : solid.points) data->xyz.insert(data->xyz.end(), p.begin(), p.end());
   for (const Face& face : solid.faces) {
@@ -47,13 +41,14 @@ void collect(const ExactSolid& solid, const Transform& outer, std::vector<LeafIn
   const bool moves = solid.kind == ExactSolid::Kind::moved;
   const Transform transform = moves ? outer * transform_of(solid.matrix) : outer;
   if (solid.kind == ExactSolid::Kind::polyset) out.push_back({prepare(shape_of(solid.polyset)), transform});
+  if (solid.kind == ExactSolid::Kind::sum) out.push_back({prepare(solid.sum), transform});
   for (const ExactSolidRef& operand : solid.operands) collect(*operand, transform, out);
 }
 
 /// Whether a place is in the solid; `in`: whether it is in each leaf. `next` is the number of the solid's first leaf and
 /// becomes that of the first one behind it.
 bool holds(const ExactSolid& solid, const std::vector<bool>& in, std::size_t& next) {
-  if (solid.kind == ExactSolid::Kind::polyset) return in[next++];
+  if (solid.operands.empty()) return in[next++];
   std::size_t count = 0;
   bool first = false;
   for (const ExactSolidRef& operand : solid.operands) {
@@ -86,21 +81,13 @@ std::string decimal(double x) {
   return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), x + 0.0).ptr);
 }
 
-Polyset boundary(const ExactSolid& solid) {
+std::vector<ExactTriangle> boundary(const ExactSolid& solid) {
   std::vector<LeafInstance> leaves;
   collect(solid, {}, leaves);
   const std::shared_ptr<const Complex> complex = build_complex(make_soup(leaves));
   const IdVector<RegionId, char> in = inside(*complex, solid);
-  Polyset out;
-  std::map<VertexId, std::uint32_t> numbers;
-  const auto number = [&](VertexId v) {
-    const auto [at, is_new] = numbers.emplace(v, static_cast<std::uint32_t>(numbers.size()));
-    if (is_new) {
-      const RationalPoint p = complex->points.rational(v);
-      out.points.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
-    }
-    return at->second;
-  };
+  const auto point = [&](VertexId v) { return complex->points.rational(v); };
+  std::vector<ExactTriangle> out;
   for (const FaceId face : IdRange<FaceId>(complex->face_count())) {
     const auto [front, back] = complex->face_regions[face];
     if (in[front] == in[back]) continue;
@@ -110,7 +97,7 @@ Polyset boundary(const ExactSolid& solid) {
       for (const HalfEdge h : complex->loop[loop]) corners.push_back(complex->origin(h));
     }
     for (const auto& t : triangulate(complex->points, complex->sheet_projection[complex->face_sheet[face]], loops))
-      out.faces.push_back({number(t[0]), number(t[1]), number(t[2])});
+      out.push_back({point(t[0]), point(t[1]), point(t[2])});
   }
   return out;
 }

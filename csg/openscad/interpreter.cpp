@@ -18,7 +18,7 @@ namespace {
 bool is_flat(const std::vector<Point3>& points) { return hull(points).faces.empty(); }
 
 /// What a Boolean takes; nothing if there is no volume.
-std::optional<Exact> exact(const Value& value) {
+std::optional<Exact> exact_of(const Value& value) {
   if (is_empty(value)) return {};
   if (const Exact* known = std::get_if<Exact>(&value)) return *known;
   const Solid& solid = std::get<Solid>(value);
@@ -33,8 +33,10 @@ std::optional<Exact> exact(const Value& value) {
 }
 
 Exact moved(const Exact& solid, const Matrix& m, const Statement& at) {
-  Exact out{std::make_shared<const ExactSolid>(ExactSolid{ExactSolid::Kind::moved, &at, {}, m, {solid.solid}}),
-            solid.parts};
+  ExactSolid made{ExactSolid::Kind::moved, &at};
+  made.matrix = m;
+  made.operands = {solid.solid};
+  Exact out{std::make_shared<const ExactSolid>(std::move(made)), solid.parts};
   if (out.parts) {
     for (auto& part : *out.parts) part = transformed(Polyset{part, {}, true}, m).points;
   }
@@ -52,7 +54,8 @@ Value boolean(const Statement& at, ExactSolid::Kind kind, const std::vector<Exac
 
 class Interpreter {
  public:
-  Interpreter(const std::string& path, const std::string& inside) : path_(path), inside_(inside) {}
+  Interpreter(const std::string& path, const std::string& inside, Report& report)
+      : path_(path), inside_(inside), report_(report) {}
 
   Value evaluate(const Statement& s) {
     for (const Module& module : modules()) {
@@ -60,7 +63,6 @@ class Interpreter {
     }
     fail("is not read; " + remedy(), s);
   }
-  std::vector<Warning>& warnings() { return warnings_; }
 
  private:
   using Make = Value (Interpreter::*)(const Statement&);
@@ -72,7 +74,7 @@ class Interpreter {
 
   [[noreturn]] void fail(const std::string& fault, const Statement& at) const { openscad::fail(path_, at, fault); }
   void warn(const std::string& text, const Statement& at) {
-    warnings_.push_back({at.line, at.column, "`" + excerpt(at.name) + "` " + text});
+    report_.warnings.push_back({at.line, at.column, "`" + excerpt(at.name) + "` " + text});
   }
   static std::string remedy() {
     return "let OpenSCAD write the solid that it is part of as part.off, and put `import(file = \"part.off\");` in "
@@ -121,7 +123,7 @@ class Interpreter {
     std::vector<Exact> operands;
     std::optional<Parts> parts = Parts();
     for (const Value& value : values) {
-      const std::optional<Exact> operand = exact(value);
+      const std::optional<Exact> operand = exact_of(value);
       if (!operand) continue;
       operands.push_back(*operand);
       if (!operand->parts) parts.reset();
@@ -143,7 +145,7 @@ class Interpreter {
     }
     std::vector<Exact> operands;
     for (const Value& value : values) {
-      if (const std::optional<Exact> operand = exact(value)) operands.push_back(*operand);
+      if (const std::optional<Exact> operand = exact_of(value)) operands.push_back(*operand);
       else if (operands.empty()) return {};
     }
     return boolean(s, ExactSolid::Kind::subtract, operands);
@@ -158,7 +160,7 @@ class Interpreter {
     }
     std::vector<Exact> operands;
     for (const Value& value : values) {
-      const std::optional<Exact> operand = exact(value);
+      const std::optional<Exact> operand = exact_of(value);
       if (!operand) return {};
       operands.push_back(*operand);
     }
@@ -189,10 +191,23 @@ class Interpreter {
     for (const Value& value : values) {
       const Exact* known = std::get_if<Exact>(&value);
       if (!known) add_all(std::get<Solid>(value).polyset.points);
-      else if (!known->parts) add_all(boundary(*known->solid).points);
-      else for (const auto& part : *known->parts) add_all(part);
+      else add_all(known->parts ? joined(*known->parts) : corners(boundary(*known->solid)));
     }
     return Solid{hull(std::move(points)), &s};
+  }
+
+  static std::vector<Point3> joined(const Parts& parts) {
+    std::vector<Point3> out;
+    for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
+    return out;
+  }
+  /// The nearest doubles.
+  static std::vector<Point3> corners(const std::vector<ExactTriangle>& triangles) {
+    std::vector<Point3> out;
+    for (const ExactTriangle& t : triangles) {
+      for (const RationalPoint& p : t) out.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+    }
+    return out;
   }
 
   /// The convex solids that a solid is the union of; nothing if nobody knows any.
@@ -249,15 +264,18 @@ class Interpreter {
   }
 
   std::vector<Value> around(const Value& solid, const Parts& parts, const Statement& at) {
-    const std::optional<Exact> placed = exact(solid);
+    const std::optional<Exact> placed = exact_of(solid);
     if (!placed) return {};
-    const Polyset skin = boundary(*placed->solid);
+    const std::vector<ExactTriangle> skin = boundary(*placed->solid);
     std::vector<Value> out;
     for (const auto& part : parts) {
       const Point3 by = middle(part);
       out.push_back(moved(*placed, {{{1, 0, 0, by[0]}, {0, 1, 0, by[1]}, {0, 0, 1, by[2]}}}, at));
-      for (const Face& face : skin.faces) {
-        out.push_back(Solid{hull(sums({skin.points[face[0]], skin.points[face[1]], skin.points[face[2]]}, part)), &at});
+      const std::vector<RationalPoint> around = exact_points(part);
+      for (const ExactTriangle& t : skin) {
+        ExactSolid sum{ExactSolid::Kind::sum, &at};
+        sum.sum.summands = {{t[0], t[1], t[2]}, around};
+        out.push_back(Exact{std::make_shared<const ExactSolid>(std::move(sum)), {}});
       }
     }
     return out;
@@ -296,6 +314,7 @@ class Interpreter {
     if (!is_mesh_file(name)) fail("reads meshes, and `" + excerpt(name) + "` is none; " + remedy(), s);
     const auto path = std::filesystem::path(path_).parent_path() / name;
     const MeshData mesh = read_mesh(path.string(), false, inside_);
+    report_.inputs.push_back(path.string());
     Polyset out;
     for (std::size_t i = 0; i < mesh.point_count(); ++i)
       out.points.push_back({mesh.xyz[3 * i], mesh.xyz[3 * i + 1], mesh.xyz[3 * i + 2]});
@@ -361,7 +380,7 @@ class Interpreter {
 
   const std::string& path_;
   const std::string& inside_;
-  std::vector<Warning> warnings_;
+  Report& report_;
 };
 
 const std::vector<Interpreter::Module>& Interpreter::modules() {
@@ -398,11 +417,8 @@ bool is_empty(const Value& value) {
 }
 
 Value evaluate(const Statement& statement, const std::string& path, const std::string& inside,
-               std::vector<Warning>& warnings) {
-  Interpreter interpreter(path, inside);
-  Value out = interpreter.evaluate(statement);
-  warnings = std::move(interpreter.warnings());
-  return out;
+               Report& report) {
+  return Interpreter(path, inside, report).evaluate(statement);
 }
 
 }  // namespace cnrg::openscad

@@ -28,14 +28,19 @@ using Value = std::variant<std::monostate, Area, Solid, Exact>;
 /// Without area or volume.
 bool is_empty(const Value& value);
 
-struct Warning {
-  int line, column;
-  std::string text;
+/// What was met on the way.
+struct Report {
+  struct Warning {
+    int line, column;
+    std::string text;
+  };
+  std::vector<Warning> warnings;
+  std::vector<std::string> inputs;  ///< files that were imported
 };
 
 /// The statement must live as long as the value. `path`: of the file, for messages, and to find files that it names;
 /// `inside`: the folder that these must lie in. Throws LeafFileError.
 Value evaluate(const Statement& statement, const std::string& path, const std::string& inside,
-               std::vector<Warning>& warnings);
+               Report& report);
 
 }  // namespace cnrg::openscad

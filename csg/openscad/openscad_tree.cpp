@@ -13,6 +13,7 @@
 namespace cnrg::openscad {
 namespace {
 
+std::string to_text(const Rational& x) { return to_string(x); }
 std::string fraction(double x) { return to_string(from_double(x)); }
 
 template <class Items, class Text>
@@ -31,8 +32,9 @@ std::string leaf(const Polyset& solid, std::string (*number)(double), const std:
 
 class TreeWriter {
  public:
-  explicit TreeWriter(std::vector<Warning> warnings) {
-    for (Warning& w : warnings) tree_.warnings.emplace_back(OpenscadTree::Place{w.line, w.column}, std::move(w.text));
+  explicit TreeWriter(const Report& report) {
+    for (const auto& w : report.warnings) tree_.warnings.emplace_back(OpenscadTree::Place{w.line, w.column}, w.text);
+    tree_.inputs = report.inputs;
     add_line("cnrg: 1", {});
     add_line("nodes:", {});
   }
@@ -69,8 +71,12 @@ class TreeWriter {
   }
   std::string text_of(const ExactSolid& solid) {
     const auto operands = [&] { return listed(solid.operands, [this](const ExactSolidRef& s) { return add(s); }); };
+    const auto points = [](const std::vector<RationalPoint>& list) {
+      return listed(list, [](const RationalPoint& p) { return listed(p, to_text); });
+    };
     switch (solid.kind) {
       case ExactSolid::Kind::polyset: return leaf(solid.polyset, fraction, ", fill: winding");
+      case ExactSolid::Kind::sum: return "{minkowski: " + listed(solid.sum.summands, points) + "}";
       case ExactSolid::Kind::unite: return "{union: " + operands() + "}";
       case ExactSolid::Kind::subtract: return "{difference: " + operands() + "}";
       case ExactSolid::Kind::intersect: return "{intersection: " + operands() + "}";
@@ -105,13 +111,13 @@ OpenscadTree openscad_tree(const std::string& text, const std::string& path, con
   using namespace openscad;
   const Statement all{"union", 1, 1, false, {}, parse_statements(path, text)};
   const Statement* const root = marked(all.children);
-  std::vector<Warning> warnings;
-  const Value value = evaluate(root ? *root : all, path, inside, warnings);
+  Report report;
+  const Value value = evaluate(root ? *root : all, path, inside, report);
   if (is_empty(value))
     throw LeafFileError(path, 0, 0, "the model is empty: nothing in it has a volume; add a solid such as `cube`");
   if (std::holds_alternative<Area>(value))
     throw LeafFileError(path, 0, 0, "the model is an area without a volume; put it into `linear_extrude`");
-  return TreeWriter(std::move(warnings)).write(value, root ? *root : all.children.front());
+  return TreeWriter(report).write(value, root ? *root : all.children.front());
 }
 
 }  // namespace cnrg

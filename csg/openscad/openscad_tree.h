@@ -19,6 +19,7 @@ struct OpenscadTree {
   std::string yaml;
   std::vector<Place> places;  ///< of each line of `yaml`: where the `.csg` file has what it stands for
   std::vector<std::pair<Place, std::string>> warnings;
+  std::vector<std::string> inputs;  ///< files that it imports
 };
 
 /// True for a name that ends as those of such files do.

@@ -213,11 +213,16 @@ bool is_convex(const Polyset& solid) {
   return connected(neighbours) == solid.faces.size();
 }
 
+std::vector<RationalPoint> exact_points(const std::vector<Point3>& points) {
+  std::vector<RationalPoint> out;
+  for (const Point3& p : points) out.push_back({from_double(p[0]), from_double(p[1]), from_double(p[2])});
+  return out;
+}
+
 Polyset hull(std::vector<Point3> points) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  std::vector<RationalPoint> exact;
-  for (const Point3& p : points) exact.push_back({from_double(p[0]), from_double(p[1]), from_double(p[2])});
+  const std::vector<RationalPoint> exact = exact_points(points);
   Polyset out{std::move(points), {}, true};
   const auto spans = [&] {
     std::size_t b = 1, c = 2;

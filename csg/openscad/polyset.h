@@ -12,6 +12,7 @@
 
 #include "csg/openscad/area.h"
 #include "csg/openscad/fineness.h"
+#include "kernel/exact/rational.h"
 
 namespace cnrg::openscad {
 
@@ -54,6 +55,7 @@ bool is_convex(const Polyset& solid);
 
 /// The convex hull of points; no faces, if all points are in one plane.
 Polyset hull(std::vector<Point3> points);
+std::vector<RationalPoint> exact_points(const std::vector<Point3>& points);
 /// The sums of a point of each.
 std::vector<Point3> sums(const std::vector<Point3>& a, const std::vector<Point3>& b);
 

@@ -36,6 +36,7 @@ Tree parse_openscad(const std::string& text, const std::string& file, const Read
     for (auto& [place, text] : source.warnings)
       tree.warnings.push_back({file, {place.line, place.column}, Diagnostic::Level::warning, std::move(text)});
     tree.yaml = std::move(source.yaml);
+    tree.inputs = std::move(source.inputs);
     return tree;
   } catch (const TreeError& e) {
     throw TreeError(file, place_of(source, e.line()), e.message());

@@ -240,6 +240,8 @@ class TreeReader {
     if (!is_openscad_file(file)) value.fail_type("`csg`", "a file that ends as .csg");
     const Tree tree = parse_openscad(read_file(file, context_.inside, kMostBytes), file, {options_.inside});
     tree_.warnings.insert(tree_.warnings.end(), tree.warnings.begin(), tree.warnings.end());
+    tree_.inputs.push_back(file);
+    tree_.inputs.insert(tree_.inputs.end(), tree.inputs.begin(), tree.inputs.end());
     const auto here = [first = tree_.nodes.size()](NodeId of) { return NodeId(first + of.index()); };
     for (const Node& node : tree.nodes) {
       Node& copy = tree_.nodes[add_node(tree_.nodes[id].name + "/" + node.name, true, value.at())];

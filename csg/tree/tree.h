@@ -109,6 +109,7 @@ struct Tree {
   Position weld_at{};                            ///< of its value
   std::string yaml{};                            ///< of a `.csg` file: the tree file that it means
   std::vector<Diagnostic> warnings{};            ///< of the reader
+  std::vector<std::string> inputs{};             ///< files of OpenSCAD, and those that they import
 
   /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws InputError, without a
   /// place in the file, with the nearest name or some of all names when there is none.
