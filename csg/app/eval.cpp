@@ -64,7 +64,8 @@ void check_trees(const EvalArguments& arguments, const Tree& tree) {
   for (const std::string& path : arguments.files) {
     if (!is_tree(path)) continue;
     if (tree.yaml.empty())
-      throw InputError("-o " + path + " writes the tree of a .csg file, and " + tree.file + " is a tree already; copy it");
+      throw InputError("-o " + path + " writes the tree of a .csg file, and " + tree.file +
+                       " is a tree already; copy it");
     if (!arguments.nodes.empty() || !arguments.select.empty())
       throw InputError("-o " + path + " writes the whole tree; leave out --node and --select");
   }
@@ -200,7 +201,7 @@ int run_eval(const EvalArguments& arguments) {
       require_no_directory(path);
       require_plugin(kPaperPlugin, path, "write .vtu or .json");
     } else {
-      check_file_name(path, " .svg .png .pdf");
+      check_file_name(path, " .svg .png .pdf .yaml");
     }
     if (arguments.binary) check_binary_file_name(path);
   }

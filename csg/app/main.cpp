@@ -228,10 +228,10 @@ int run(int argc, char** argv) {
       ->check(name_fault)
       ->expected(1)
       ->take_all();
-  sub->add_option(
-         "-o", eval.files,
-         "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
-         ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png .pdf; of a .csg the tree: .yaml")
+  sub->add_option("-o", eval.files,
+                  "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
+                  ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png "
+                  ".pdf; of a .csg the tree: .yaml")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)

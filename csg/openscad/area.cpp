@@ -17,6 +17,7 @@ namespace {
 using Exact2 = std::array<Rational, 2>;
 
 constexpr double kGrid = 65536;
+constexpr std::size_t kMostEdges = 20'000;  // each piece of them asks all
 
 Exact2 exact(const Point2& p) { return {from_double(p[0]), from_double(p[1])}; }
 
@@ -101,8 +102,9 @@ std::vector<Piece> split_all(std::vector<Edge>& edges) {
   return out;
 }
 
-/// Which operands are on the left and on the right of a piece, from the lesser end on: a ray from its middle, upwards
-/// (of a vertical piece to the left), crosses an odd number of edges, and of those that it starts on all or none.
+/// Which operands are on the left and on the right of a piece, from the lesser end on: a ray from its middle,
+/// upwards (of a vertical piece to the left), crosses an odd number of edges, and of those that it starts on all
+/// or none.
 std::array<std::vector<bool>, 2> sides(const Piece& piece, const std::vector<Edge>& edges, std::size_t operands) {
   const bool vertical = piece.first[0] == piece.second[0];
   const std::size_t u = vertical ? 1 : 0;
@@ -180,6 +182,7 @@ std::vector<Loop> loops_of(const std::vector<std::array<Point2, 2>>& edges) {
 
 Area combine(const std::vector<Area>& operands, const Membership& membership) {
   std::vector<Edge> edges = edges_of(operands);
+  if (edges.size() > kMostEdges) throw InputError("has areas of more than 20,000 edges; make them coarser");
   std::vector<std::array<Point2, 2>> bounds;
   for (const Piece& piece : split_all(edges)) {
     const auto in = sides(piece, edges, operands.size());
@@ -198,7 +201,8 @@ Area cleaned(const Area& area) {
 Area hull(const std::vector<Area>& operands) {
   std::vector<Exact2> points;
   for (const Area& area : operands) {
-    for (const Loop& loop : area.loops) std::transform(loop.begin(), loop.end(), std::back_inserter(points), exact);
+    for (const Loop& loop : area.loops)
+      std::transform(loop.begin(), loop.end(), std::back_inserter(points), exact);
   }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -1,8 +1,8 @@
 // Areas of the plane: what OpenSCAD's 2D modules make, until an extrusion makes a solid of them.
 //
 // OpenSCAD (2021.01) unites, cuts and cleans areas on a grid of 1/65536 by Clipper. So corners go onto that grid,
-// towards zero, before a Boolean. The Boolean here is exact: edges are split where they meet, and a piece bounds the
-// result if the result is on one side of it only. What the grid does not have is then rounded to it.
+// towards zero, before a Boolean. The Boolean here is exact: edges are split where they meet, and a piece bounds
+// the result if the result is on one side of it only. What the grid does not have is then rounded to it.
 #pragma once
 
 #include <array>

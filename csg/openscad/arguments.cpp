@@ -21,10 +21,12 @@ Arguments::Arguments(const std::string& path, const Statement& statement,
     const bool named = !argument.name.empty();
     if (!named && !first_.empty() && &argument == &statement.arguments.front()) continue;
     const auto is_it = [&](std::string_view name) { return name == argument.name; };
-    if (named && (std::any_of(known.begin(), known.end(), is_it) || std::any_of(kAlways.begin(), kAlways.end(), is_it)))
+    if (named &&
+        (std::any_of(known.begin(), known.end(), is_it) || std::any_of(kAlways.begin(), kAlways.end(), is_it)))
       continue;
     fail(path, statement,
-         (named ? "has the argument `" + excerpt(argument.name) + "`" : std::string("has an argument without a name")) +
+         (named ? "has the argument `" + excerpt(argument.name) + "`"
+                : std::string("has an argument without a name")) +
              ", which is not read; give it the arguments that OpenSCAD writes into .csg files");
   }
 }
@@ -114,7 +116,8 @@ std::vector<Face> Arguments::indices(std::string_view name, std::size_t points) 
 Matrix Arguments::matrix(std::string_view name) const {
   const Literal* value = find(name);
   const std::string wanted = "four rows of four numbers, the last [0, 0, 0, 1]";
-  if (value == nullptr || value->kind != Literal::Kind::list || value->items.size() != 4) fail_wanted(name, wanted);
+  if (value == nullptr || value->kind != Literal::Kind::list || value->items.size() != 4)
+    fail_wanted(name, wanted);
   Matrix out{};
   for (std::size_t i = 0; i < 4; ++i) {
     const std::vector<double> row = list(name, value->items[i], 4, wanted);
@@ -124,9 +127,10 @@ Matrix Arguments::matrix(std::string_view name) const {
   return out;
 }
 
-Fineness Arguments::fineness() const {
-  Fineness out{number("$fn", 0), number("$fa", 12), number("$fs", 2)};
-  if (out.fa <= 0 || out.fs <= 0) fail(path_, statement_, "needs `$fa` and `$fs` above 0");
+Fineness fineness_of(const std::string& path, const Statement& statement, const Fineness& parent) {
+  const Arguments a(path, statement);
+  const Fineness out{a.number("$fn", parent.fn), a.number("$fa", parent.fa), a.number("$fs", parent.fs)};
+  if (out.fa <= 0 || out.fs <= 0) fail(path, statement, "needs `$fa` and `$fs` above 0");
   return out;
 }
 

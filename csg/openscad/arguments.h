@@ -17,9 +17,12 @@ namespace cnrg::openscad {
 
 class Arguments {
  public:
-  /// Fails for an argument that is not among `known`; `$fn`, `$fa`, `$fs` and `convexity` always are. One without a name
-  /// gets the first of these.
+  /// Fails for an argument that is not among `known`; `$fn`, `$fa`, `$fs` and `convexity` always are. One without
+  /// a name gets the first of these.
   Arguments(const std::string& path, const Statement& statement, std::initializer_list<std::string_view> known);
+
+  /// Without a look at what there is.
+  Arguments(const std::string& path, const Statement& statement) : path_(path), statement_(statement) {}
 
   bool has(std::string_view name) const { return find(name) != nullptr; }
   double number(std::string_view name, double otherwise) const;
@@ -32,7 +35,6 @@ class Arguments {
   /// A list of lists of numbers of points, from 0 to below `points`; empty for `undef`.
   std::vector<Face> indices(std::string_view name, std::size_t points) const;
   Matrix matrix(std::string_view name) const;
-  Fineness fineness() const;
 
  private:
   const std::string& path_;
@@ -44,5 +46,8 @@ class Arguments {
   std::vector<double> list(std::string_view name, const Literal& value, std::size_t count,
                            const std::string& wanted) const;
 };
+
+/// Of the statement and its children, by `$fn`, `$fa` and `$fs`: those that it does not say are of its parent.
+Fineness fineness_of(const std::string& path, const Statement& statement, const Fineness& parent);
 
 }  // namespace cnrg::openscad

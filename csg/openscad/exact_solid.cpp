@@ -45,8 +45,8 @@ void collect(const ExactSolid& solid, const Transform& outer, std::vector<LeafIn
   for (const ExactSolidRef& operand : solid.operands) collect(*operand, transform, out);
 }
 
-/// Whether a place is in the solid; `in`: whether it is in each leaf. `next` is the number of the solid's first leaf and
-/// becomes that of the first one behind it.
+/// Whether a place is in the solid; `in`: whether it is in each leaf. `next` is the number of the solid's first
+/// leaf and becomes that of the first one behind it.
 bool holds(const ExactSolid& solid, const std::vector<bool>& in, std::size_t& next) {
   if (solid.operands.empty()) return in[next++];
   std::size_t count = 0;

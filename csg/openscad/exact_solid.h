@@ -1,7 +1,7 @@
 // Exact solids: polyhedra, moved, and Booleans of them, before they are nodes of a tree.
 //
-// Hulls and Minkowski sums take any solid by its corners and faces. Those of a Boolean are computed in one complex: a
-// face bounds the solid if the solid is on one side of it only.
+// Hulls and Minkowski sums take any solid by its corners and faces. Those of a Boolean are computed in one
+// complex: a face bounds the solid if the solid is on one side of it only.
 #pragma once
 
 #include <array>

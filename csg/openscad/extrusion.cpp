@@ -7,8 +7,8 @@
 namespace cnrg::openscad {
 namespace {
 
-/// -1, 0 or 1 as the first pair of points is nearer, as near or farther than the second, seen from above. What differs
-/// by less than 1e-5 is as near.
+/// -1, 0 or 1 as the first pair of points is nearer, as near or farther than the second, seen from above. What
+/// differs by less than 1e-5 is as near.
 int compare_distances(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const double first = std::hypot(a[0] - b[0], a[1] - b[1]), second = std::hypot(c[0] - d[0], c[1] - d[1]);
   if (2e5 * std::abs(first - second) <= first + second) return 0;
@@ -83,6 +83,7 @@ std::vector<Point3> layer(const Area& area, const LinearExtrusion& how, int j, i
 Polyset extruded(const Area& area, const LinearExtrusion& how, const Fineness& fineness) {
   const int layers = layers_of(area, how, fineness);
   const auto n = static_cast<std::uint32_t>(corner_count(area));
+  require_few(double(n) * (layers + 1.0));
   Polyset out;
   if (!is_convex(area)) out.convex = false;
   else if (how.twist == 0 && how.scale[0] == how.scale[1]) out.convex = true;
@@ -117,9 +118,10 @@ std::optional<Polyset> revolved(const Area& area, double degrees, const Fineness
   }
   if (least < 0 && most > 0) return {};
   const bool whole = degrees == 360;
-  const auto steps = static_cast<std::uint32_t>(
-      std::max(fineness.segments(most - least) * std::abs(degrees) / 360, 1.0));
+  const auto steps =
+      static_cast<std::uint32_t>(std::max(fineness.segments(most - least) * std::abs(degrees) / 360, 1.0));
   const auto n = static_cast<std::uint32_t>(corner_count(area));
+  require_few(double(n) * (steps + 1.0));
   Polyset out{{}, {}, false};
   for (std::uint32_t j = 0; j < (whole ? steps : steps + 1); ++j) {
     const double turn = whole ? -90 + j * 360.0 / steps : 90 - j * degrees / steps;

@@ -80,7 +80,7 @@ int Fineness::conical_layers(double radius, double height, double twist, double 
   if (fn > 0) return count(twist * fn / 360, least);
   const double turn = twist * kRadians;
   const double end = scale > 1 ? turn * scale / (scale - 1) : turn / (1 - scale);
-  const double a = (scale > 1 ? radius * scale : radius) / end;
+  const double a = radius / end;
   const double flat = spiral_length(a, end) - spiral_length(a, end - turn);
   return count(std::min(std::ceil(twist / fa), std::ceil(std::hypot(flat, height) / fs)), least);
 }

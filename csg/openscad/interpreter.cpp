@@ -59,7 +59,7 @@ class Interpreter {
 
   Value evaluate(const Statement& s) {
     for (const Module& module : modules()) {
-      if (module.name == s.name) return (this->*module.make)(s);
+      if (module.name == s.name) return made(module.make, s);
     }
     fail("is not read; " + remedy(), s);
   }
@@ -72,12 +72,43 @@ class Interpreter {
   };
   static const std::vector<Module>& modules();
 
+  Value made(Make make, const Statement& s) {
+    try {
+      const Fineness parent = std::exchange(fineness_, fineness_of(path_, s, fineness_));
+      Value out = (this->*make)(s);
+      fineness_ = parent;
+      if (const Area* area = std::get_if<Area>(&out)) {
+        for (const Loop& loop : area->loops) require_near(loop);
+      } else if (const Solid* solid = std::get_if<Solid>(&out)) {
+        require_near(solid->polyset.points);
+      } else if (const Exact* known = std::get_if<Exact>(&out); known && known->parts) {
+        for (const auto& part : *known->parts) require_near(part);
+      }
+      return out;
+    } catch (const LeafFileError&) {
+      throw;
+    } catch (const InputError& e) {
+      fail(e.what(), s);
+    }
+  }
+  /// So that places on OpenSCAD's grids are machine numbers.
+  template <class Points>
+  static void require_near(const Points& points) {
+    for (const auto& p : points) {
+      for (const double x : p) {
+        if (!(std::abs(x) <= 1e12))
+          throw InputError("has a corner farther than 10^12 from the origin; make it smaller");
+      }
+    }
+  }
+
   [[noreturn]] void fail(const std::string& fault, const Statement& at) const { openscad::fail(path_, at, fault); }
   void warn(const std::string& text, const Statement& at) {
     report_.warnings.push_back({at.line, at.column, "`" + excerpt(at.name) + "` " + text});
   }
   static std::string remedy() {
-    return "let OpenSCAD write the solid that it is part of as part.off, and put `import(file = \"part.off\");` in "
+    return "let OpenSCAD write the solid that it is part of as part.off, and put `import(file = \"part.off\");` "
+           "in "
            "that solid's place";
   }
   Arguments arguments(const Statement& s, std::initializer_list<std::string_view> known) const {
@@ -99,7 +130,8 @@ class Interpreter {
     return out;
   }
   static bool are_areas(const std::vector<Value>& values) {
-    return std::any_of(values.begin(), values.end(), [](const Value& v) { return std::holds_alternative<Area>(v); });
+    return std::any_of(values.begin(), values.end(),
+                       [](const Value& v) { return std::holds_alternative<Area>(v); });
   }
   static std::vector<Area> areas(const std::vector<Value>& values) {
     std::vector<Area> out;
@@ -118,7 +150,8 @@ class Interpreter {
     if (values.empty()) return {};
     if (values.size() == 1) return values.front();
     if (are_areas(values)) {
-      return combine(areas(values), [](const auto& in) { return std::find(in.begin(), in.end(), true) != in.end(); });
+      return combine(areas(values),
+                     [](const auto& in) { return std::find(in.begin(), in.end(), true) != in.end(); });
     }
     std::vector<Exact> operands;
     std::optional<Parts> parts = Parts();
@@ -140,8 +173,9 @@ class Interpreter {
     if (values.empty() || is_empty(values.front())) return {};
     if (values.size() == 1) return values.front();
     if (are_areas(values)) {
-      return combine(areas(values),
-                     [](const auto& in) { return in[0] && std::find(in.begin() + 1, in.end(), true) == in.end(); });
+      return combine(areas(values), [](const auto& in) {
+        return in[0] && std::find(in.begin() + 1, in.end(), true) == in.end();
+      });
     }
     std::vector<Exact> operands;
     for (const Value& value : values) {
@@ -156,7 +190,8 @@ class Interpreter {
     if (values.empty() || std::any_of(values.begin(), values.end(), is_empty)) return {};
     if (values.size() == 1) return values.front();
     if (are_areas(values)) {
-      return combine(areas(values), [](const auto& in) { return std::find(in.begin(), in.end(), false) == in.end(); });
+      return combine(areas(values),
+                     [](const auto& in) { return std::find(in.begin(), in.end(), false) == in.end(); });
     }
     std::vector<Exact> operands;
     for (const Value& value : values) {
@@ -173,7 +208,11 @@ class Interpreter {
     if (is_empty(value)) return {};
     const double size = determinant(m);
     Area* area = std::get_if<Area>(&value);
-    if (!std::isfinite(size) || (area ? m[0][0] * m[1][1] - m[0][1] * m[1][0] : size) == 0) {
+    const auto is_finite = [](const auto& row) {
+      return std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); });
+    };
+    if (!std::all_of(m.begin(), m.end(), is_finite) || !std::isfinite(size) ||
+        (area ? m[0][0] * m[1][1] - m[0][1] * m[1][0] : size) == 0) {
       warn("has a matrix that makes its children flat or endless; as in OpenSCAD they are left out", s);
       return {};
     }
@@ -187,7 +226,9 @@ class Interpreter {
     drop_empty(values);
     if (are_areas(values)) return hull(areas(values));
     std::vector<Point3> points;
-    const auto add_all = [&](const std::vector<Point3>& more) { points.insert(points.end(), more.begin(), more.end()); };
+    const auto add_all = [&](const std::vector<Point3>& more) {
+      points.insert(points.end(), more.begin(), more.end());
+    };
     for (const Value& value : values) {
       const Exact* known = std::get_if<Exact>(&value);
       if (!known) add_all(std::get<Solid>(value).polyset.points);
@@ -217,8 +258,8 @@ class Interpreter {
     return is_convex(polyset) ? std::optional(Parts{polyset.points}) : std::nullopt;
   }
 
-  /// All sums of a point of each. Those of convex solids are the hull of the sums of corners. What has one that is not
-  /// convex, C, is C moved to a point inside of the convex one, and the sums of all triangles of C's boundary.
+  /// All sums of a point of each. Those of convex solids are the hull of the sums of corners. What has one that is
+  /// not convex, C, is C moved to a point inside of the convex one, and the sums of all triangles of C's boundary.
   Value make_minkowski(const Statement& s) {
     std::vector<Value> values = children(s);
     drop_empty(values);
@@ -235,7 +276,8 @@ class Interpreter {
     }
     std::vector<Value> solids;
     if (concave) solids = around(*concave, sum, s);
-    else for (const auto& part : sum) solids.push_back(Solid{hull(part), &s});
+    else
+      for (const auto& part : sum) solids.push_back(Solid{hull(part), &s});
     return united(s, std::move(solids));
   }
 
@@ -291,13 +333,13 @@ class Interpreter {
     const Arguments a = arguments(s, {"r", "center"});  // a sphere is centred anyway
     const double radius = a.number("r", 1);
     if (radius <= 0) return {};
-    return Solid{sphere(radius, a.fineness()), &s};
+    return Solid{sphere(radius, fineness_), &s};
   }
   Value make_cylinder(const Statement& s) {
     const Arguments a = arguments(s, {"h", "r1", "r2", "center"});
     const double height = a.number("h", 1), bottom = a.number("r1", 1), top = a.number("r2", 1);
     if (height <= 0 || bottom < 0 || top < 0 || bottom + top == 0) return {};
-    return Solid{cylinder(height, bottom, top, a.boolean("center"), a.fineness()), &s};
+    return Solid{cylinder(height, bottom, top, a.boolean("center"), fineness_), &s};
   }
   Value make_polyhedron(const Statement& s) {
     const Arguments a = arguments(s, {"points", "faces"});
@@ -335,7 +377,7 @@ class Interpreter {
     const Arguments a = arguments(s, {"r"});
     const double radius = a.number("r", 1);
     if (radius <= 0) return {};
-    return Area{{circle(radius, a.fineness().segments(radius))}, true};
+    return Area{{circle(radius, fineness_.segments(radius))}, true};
   }
   Value make_polygon(const Statement& s) {
     const Arguments a = arguments(s, {"points", "paths"});
@@ -361,19 +403,20 @@ class Interpreter {
   Value make_linear(const Statement& s) {
     const Arguments a = arguments(s, {"height", "center", "twist", "slices", "scale"});
     const std::vector<double> scale = a.numbers("scale", 2, 1);
-    LinearExtrusion how{a.number("height", 100), a.number("twist", 0), {scale[0], scale[1]}, a.boolean("center"), {}};
+    LinearExtrusion how{
+        a.number("height", 100), a.number("twist", 0), {scale[0], scale[1]}, a.boolean("center"), {}};
     if (scale[0] < 0 || scale[1] < 0) fail("needs a `scale` of 0 or more", s);
     if (a.has("slices")) how.slices = static_cast<int>(std::clamp(a.number("slices", 1), 1.0, 1e6));
     const Area area = area_below(s);
     if (area.loops.empty() || how.height <= 0) return {};
-    return Solid{extruded(area, how, a.fineness()), &s};
+    return Solid{extruded(area, how, fineness_), &s};
   }
   Value make_rotate(const Statement& s) {
     const Arguments a = arguments(s, {"angle"});
     const double degrees = std::clamp(a.number("angle", 360), -360.0, 360.0);
     const Area area = area_below(s);
     if (area.loops.empty() || degrees == 0) return {};
-    auto out = revolved(area, degrees == -360 ? 360 : degrees, a.fineness());
+    auto out = revolved(area, degrees == -360 ? 360 : degrees, fineness_);
     if (!out) fail("needs an area on one side of the y axis, and this crosses it; move it", s);
     return Solid{std::move(*out), &s};
   }
@@ -381,28 +424,20 @@ class Interpreter {
   const std::string& path_;
   const std::string& inside_;
   Report& report_;
+  Fineness fineness_;  ///< of the statement that is evaluated
 };
 
 const std::vector<Interpreter::Module>& Interpreter::modules() {
   static const std::vector<Module> kModules{
-      {"group", &Interpreter::make_union},
-      {"union", &Interpreter::make_union},
-      {"color", &Interpreter::make_union},
-      {"render", &Interpreter::make_union},
-      {"difference", &Interpreter::make_difference},
-      {"intersection", &Interpreter::make_intersection},
-      {"multmatrix", &Interpreter::make_transform},
-      {"hull", &Interpreter::make_hull},
-      {"minkowski", &Interpreter::make_minkowski},
-      {"cube", &Interpreter::make_cube},
-      {"sphere", &Interpreter::make_sphere},
-      {"cylinder", &Interpreter::make_cylinder},
-      {"polyhedron", &Interpreter::make_polyhedron},
-      {"import", &Interpreter::make_import},
-      {"square", &Interpreter::make_square},
-      {"circle", &Interpreter::make_circle},
-      {"polygon", &Interpreter::make_polygon},
-      {"linear_extrude", &Interpreter::make_linear},
+      {"group", &Interpreter::make_union},           {"union", &Interpreter::make_union},
+      {"color", &Interpreter::make_union},           {"render", &Interpreter::make_union},
+      {"difference", &Interpreter::make_difference}, {"intersection", &Interpreter::make_intersection},
+      {"multmatrix", &Interpreter::make_transform},  {"hull", &Interpreter::make_hull},
+      {"minkowski", &Interpreter::make_minkowski},   {"cube", &Interpreter::make_cube},
+      {"sphere", &Interpreter::make_sphere},         {"cylinder", &Interpreter::make_cylinder},
+      {"polyhedron", &Interpreter::make_polyhedron}, {"import", &Interpreter::make_import},
+      {"square", &Interpreter::make_square},         {"circle", &Interpreter::make_circle},
+      {"polygon", &Interpreter::make_polygon},       {"linear_extrude", &Interpreter::make_linear},
       {"rotate_extrude", &Interpreter::make_rotate},
   };
   return kModules;
@@ -416,8 +451,7 @@ bool is_empty(const Value& value) {
   return value.index() == 0 || (area && area->loops.empty()) || (solid && solid->polyset.faces.empty());
 }
 
-Value evaluate(const Statement& statement, const std::string& path, const std::string& inside,
-               Report& report) {
+Value evaluate(const Statement& statement, const std::string& path, const std::string& inside, Report& report) {
   return Interpreter(path, inside, report).evaluate(statement);
 }
 

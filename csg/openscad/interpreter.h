@@ -1,7 +1,8 @@
-// What a statement makes: nothing, an area, polygons of doubles, or an exact solid, as OpenSCAD has it at that place.
+// What a statement makes: nothing, an area, polygons of doubles, or an exact solid, as OpenSCAD has it at that
+// place.
 //
-// One operand alone passes through a Boolean unchanged, so that it stays polygons of doubles. Of an exact solid that is a
-// union of convex ones the corners of these are kept: hulls and Minkowski sums are faster with them.
+// One operand alone passes through a Boolean unchanged, so that it stays polygons of doubles. Of an exact solid
+// that is a union of convex ones the corners of these are kept: hulls and Minkowski sums are faster with them.
 #pragma once
 
 #include <optional>
@@ -38,9 +39,9 @@ struct Report {
   std::vector<std::string> inputs;  ///< files that were imported
 };
 
-/// The statement must live as long as the value. `path`: of the file, for messages, and to find files that it names;
-/// `inside`: the folder that these must lie in. Throws LeafFileError.
-Value evaluate(const Statement& statement, const std::string& path, const std::string& inside,
-               Report& report);
+/// The statement must live as long as the value. `path`: of the file, for messages, and to find files that it
+/// names; `inside`: the folder that these must lie in. Throws LeafFileError, and for a file
+/// that is imported as `read_mesh`.
+Value evaluate(const Statement& statement, const std::string& path, const std::string& inside, Report& report);
 
 }  // namespace cnrg::openscad

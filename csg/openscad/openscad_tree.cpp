@@ -13,8 +13,8 @@
 namespace cnrg::openscad {
 namespace {
 
-std::string to_text(const Rational& x) { return to_string(x); }
-std::string fraction(double x) { return to_string(from_double(x)); }
+std::string rational_text(const Rational& x) { return to_string(x); }
+std::string exact_text(double x) { return to_string(from_double(x)); }
 
 template <class Items, class Text>
 std::string listed(const Items& items, Text text) {
@@ -33,7 +33,8 @@ std::string leaf(const Polyset& solid, std::string (*number)(double), const std:
 class TreeWriter {
  public:
   explicit TreeWriter(const Report& report) {
-    for (const auto& w : report.warnings) tree_.warnings.emplace_back(OpenscadTree::Place{w.line, w.column}, w.text);
+    for (const auto& w : report.warnings)
+      tree_.warnings.emplace_back(OpenscadTree::Place{w.line, w.column}, w.text);
     tree_.inputs = report.inputs;
     add_line("cnrg: 1", {});
     add_line("nodes:", {});
@@ -70,12 +71,14 @@ class TreeWriter {
     return known_[solid.get()] = free;
   }
   std::string text_of(const ExactSolid& solid) {
-    const auto operands = [&] { return listed(solid.operands, [this](const ExactSolidRef& s) { return add(s); }); };
+    const auto operands = [&] {
+      return listed(solid.operands, [this](const ExactSolidRef& s) { return add(s); });
+    };
     const auto points = [](const std::vector<RationalPoint>& list) {
-      return listed(list, [](const RationalPoint& p) { return listed(p, to_text); });
+      return listed(list, [](const RationalPoint& p) { return listed(p, rational_text); });
     };
     switch (solid.kind) {
-      case ExactSolid::Kind::polyset: return leaf(solid.polyset, fraction, ", fill: winding");
+      case ExactSolid::Kind::polyset: return leaf(solid.polyset, exact_text, ", fill: winding");
       case ExactSolid::Kind::sum: return "{minkowski: " + listed(solid.sum.summands, points) + "}";
       case ExactSolid::Kind::unite: return "{union: " + operands() + "}";
       case ExactSolid::Kind::subtract: return "{difference: " + operands() + "}";

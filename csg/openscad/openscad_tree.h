@@ -1,7 +1,8 @@
 // OpenSCAD's `.csg` files as tree files (csg/FORMATS.md#openscad).
 //
-// `interpreter.h` says what a statement makes; what is left in the end are nodes of the tree. What OpenSCAD keeps as polygons of doubles (primitives, extrusions, hulls, also where they are moved) is worked out
-// here, in OpenSCAD's own arithmetic; where it makes an exact solid of them, for a Boolean, the tree has a leaf and the
+// `interpreter.h` says what a statement makes; what is left in the end are nodes of the tree. What OpenSCAD keeps
+// as polygons of doubles (primitives, extrusions, hulls, also where they are moved) is worked out here, in
+// OpenSCAD's own arithmetic; where it makes an exact solid of them, for a Boolean, the tree has a leaf and the
 // Boolean a node. So the tree has the corners that OpenSCAD has, and is exact from there on, as OpenSCAD is.
 #pragma once
 
@@ -26,7 +27,8 @@ struct OpenscadTree {
 bool is_openscad_file(const std::string& path);
 
 /// The tree of the text of a file. `inside`: the folder that imported files must lie in; empty: anywhere. Throws
-/// LeafFileError with line and column for what is no such text, or is not read; for an imported file as `read_mesh`.
+/// LeafFileError with line and column for what is no such text, or is not read; for an imported file as
+/// `read_mesh`.
 OpenscadTree openscad_tree(const std::string& text, const std::string& path, const std::string& inside = {});
 
 }  // namespace cnrg

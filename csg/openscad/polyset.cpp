@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "kernel/base/error.h"
 #include "kernel/exact/convex_hull.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -64,20 +65,20 @@ class Grid {
   }
 };
 
-Point3 cross(const Point3& u, const Point3& v) {
+Point3 product(const Point3& u, const Point3& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
-double dot(const Point3& u, const Point3& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+double scalar(const Point3& u, const Point3& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 Point3 minus(const Point3& u, const Point3& v) { return {u[0] - v[0], u[1] - v[1], u[2] - v[2]}; }
 
 Point3 unit_normal(const Polyset& solid, const Face& face) {
   Point3 sum{};
   for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-    const Point3 n = cross(minus(solid.points[face[i]], solid.points[face[0]]),
-                           minus(solid.points[face[i + 1]], solid.points[face[0]]));
+    const Point3 n = product(minus(solid.points[face[i]], solid.points[face[0]]),
+                             minus(solid.points[face[i + 1]], solid.points[face[0]]));
     for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
   }
-  const double length = std::sqrt(dot(sum, sum));
+  const double length = std::sqrt(scalar(sum, sum));
   return length == 0 ? sum : Point3{sum[0] / length, sum[1] / length, sum[2] / length};
 }
 
@@ -99,6 +100,10 @@ std::size_t connected(const std::vector<std::vector<std::size_t>>& neighbours) {
 
 }  // namespace
 
+void require_few(double corners) {
+  if (corners > 1e6) throw InputError("would have more than 1,000,000 corners; make it coarser");
+}
+
 Polyset cube(const Point3& size, bool center) {
   Polyset out{{}, {}, true};
   const Point3 low = center ? Point3{-size[0] / 2, -size[1] / 2, -size[2] / 2} : Point3{};
@@ -113,6 +118,7 @@ Polyset cube(const Point3& size, bool center) {
 }
 
 Loop circle(double radius, int segments) {
+  require_few(segments);
   Loop out;
   for (int i = 0; i < segments; ++i) {
     const double degrees = 360.0 * i / segments;
@@ -123,6 +129,7 @@ Loop circle(double radius, int segments) {
 
 Polyset sphere(double radius, const Fineness& fineness) {
   const int segments = fineness.segments(radius), rings = (segments + 1) / 2;
+  require_few(double(segments) * rings);
   const auto n = static_cast<std::uint32_t>(segments);
   Polyset out{{}, {}, true};
   for (int i = rings - 1; i >= 0; --i) {
@@ -155,7 +162,7 @@ Polyset cylinder(double height, double bottom, double top, bool center, const Fi
 }
 
 double determinant(const Matrix& m) {
-  return dot({m[0][0], m[0][1], m[0][2]}, cross({m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}));
+  return scalar({m[0][0], m[0][1], m[0][2]}, product({m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}));
 }
 
 Polyset transformed(const Polyset& solid, const Matrix& m) {
@@ -207,8 +214,8 @@ bool is_convex(const Polyset& solid) {
     const std::size_t g = other->second;
     neighbours[f].push_back(g);
     const Point3 along = minus(solid.points[edge[1]], solid.points[edge[0]]);
-    const double bend = dot(cross(normals[f], normals[g]), along);
-    if (bend < 0 && dot(normals[f], normals[g]) < nearly_flat) return false;
+    const double bend = scalar(product(normals[f], normals[g]), along);
+    if (bend < 0 && scalar(normals[f], normals[g]) < nearly_flat) return false;
   }
   return connected(neighbours) == solid.faces.size();
 }
@@ -226,7 +233,7 @@ Polyset hull(std::vector<Point3> points) {
   Polyset out{std::move(points), {}, true};
   const auto spans = [&] {
     std::size_t b = 1, c = 2;
-    while (c < exact.size() && is_zero(cnrg::cross(exact[b] - exact[0], exact[c] - exact[0]))) ++c;
+    while (c < exact.size() && is_zero(cross(exact[b] - exact[0], exact[c] - exact[0]))) ++c;
     return std::any_of(exact.begin(), exact.end(), [&](const RationalPoint& p) {
       return c < exact.size() && volume6(exact[0], exact[b], exact[c], p) != 0;
     });
@@ -236,6 +243,7 @@ Polyset hull(std::vector<Point3> points) {
 }
 
 std::vector<Point3> sums(const std::vector<Point3>& a, const std::vector<Point3>& b) {
+  require_few(double(a.size()) * double(b.size()));
   std::vector<Point3> out;
   for (const Point3& p : a) {
     for (const Point3& q : b) out.push_back({p[0] + q[0], p[1] + q[1], p[2] + q[2]});

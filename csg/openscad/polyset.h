@@ -1,8 +1,8 @@
 // Solids as OpenSCAD has them before a Boolean: polygons over corners of doubles.
 //
 // A Boolean of OpenSCAD (2021.01) puts the corners onto a grid of 1/2^20 first, towards zero, joins those that are
-// then at most one step apart, and takes the hull of a solid that is known to be convex. `on_grid` does the same, so
-// that a result has the same cells.
+// then at most one step apart, and takes the hull of a solid that is known to be convex. `on_grid` does the same,
+// so that a result has the same cells.
 #pragma once
 
 #include <array>
@@ -25,6 +25,9 @@ struct Polyset {
   std::vector<Face> faces;
   std::optional<bool> convex{};  ///< empty: nobody knows
 };
+
+/// Throws InputError for a solid of more corners than is sensible.
+void require_few(double corners);
 
 Polyset cube(const Point3& size, bool center);
 Polyset sphere(double radius, const Fineness& fineness);
@@ -49,8 +52,8 @@ double determinant(const Matrix& matrix);
 
 /// As a Boolean takes it. Faces that vanish are left out.
 Polyset on_grid(const Polyset& solid);
-/// True where OpenSCAD takes a solid for convex: no edge is concave by more than a tenth of a degree, and all faces hang
-/// together.
+/// True where OpenSCAD takes a solid for convex: no edge is concave by more than a tenth of a degree, and all
+/// faces hang together.
 bool is_convex(const Polyset& solid);
 
 /// The convex hull of points; no faces, if all points are in one plane.

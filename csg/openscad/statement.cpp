@@ -153,7 +153,9 @@ class Parser {
       if (rest_.starts_with('\\')) {
         skip(1);
         const std::size_t letter = std::string_view("ntr").find(rest_.substr(0, 1));
-        out += rest_.empty() ? "" : letter < 3 ? std::string(1, "\n\t\r"[letter]) : std::string(rest_.substr(0, 1));
+        out += rest_.empty() ? ""
+               : letter < 3  ? std::string(1, "\n\t\r"[letter])
+                             : std::string(rest_.substr(0, 1));
       } else {
         out += rest_.substr(0, 1);
       }

@@ -1,7 +1,7 @@
 // The text of a `.csg` file as statements: `name(argument = value, ...) { children }`.
 //
-// OpenSCAD writes such files with all variables, loops and modules resolved. What is left are calls of modules with
-// numbers, texts, truth values and lists of these; anything else is an error with its line and column.
+// OpenSCAD writes such files with all variables, loops and modules resolved. What is left are calls of modules
+// with numbers, texts, truth values and lists of these; anything else is an error with its line and column.
 #pragma once
 
 #include <string>

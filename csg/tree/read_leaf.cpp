@@ -361,7 +361,8 @@ Shape read_hull(const Value& value, const LeafContext&) { return HullShape{{valu
 
 Shape read_minkowski(const Value& value, const LeafContext&) {
   HullShape shape{value.loops("minkowski")};
-  if (shape.summands.size() < 2) value.fail_type("minkowski", "two or more lists of points [[[x, y, z], ...], ...]");
+  if (shape.summands.size() < 2)
+    value.fail_type("minkowski", "two or more lists of points [[[x, y, z], ...], ...]");
   return shape;
 }
 

@@ -1,4 +1,5 @@
-// The tree of a `.csg` file is read as the tree file that it means, and every place moved back to where it is from.
+// The tree of a `.csg` file is read as the tree file that it means, and every place moved back to where it is
+// from.
 #include "csg/tree/read_openscad.h"
 
 #include <algorithm>

@@ -20,7 +20,8 @@ Transform read_matrix(const Value& value) {
     for (std::size_t k = 0; k < 3; ++k) out.linear[i][k] = row[k].number("an entry of `matrix`");
     out.offset[i] = row[3].number("an entry of `matrix`");
   }
-  if (out.determinant() == 0) value.fail("`matrix` makes a solid flat: its determinant is zero; use another matrix");
+  if (out.determinant() == 0)
+    value.fail("`matrix` makes a solid flat: its determinant is zero; use another matrix");
   return out;
 }
 

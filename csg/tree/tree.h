@@ -140,7 +140,8 @@ struct Instance {
 /// The names of the materials that a node puts on regions by itself: its own, those of a group's regions.
 std::vector<std::string> materials_of(const Node& node);
 
-/// What the reader warned of, and a warning for each node of `nodes` that none of the roots uses, nor a distance in a material of a used one.
+/// What the reader warned of, and a warning for each node of `nodes` that none of the roots uses, nor a distance
+/// in a material of a used one.
 std::vector<Diagnostic> reading_warnings(const Tree& tree, const std::vector<NodeId>& roots);
 
 struct ReadOptions {

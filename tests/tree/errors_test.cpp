@@ -55,6 +55,13 @@ TEST_CASE("what was probably meant is said", "[tree][errors]") {
   expect_node("simplify: p, front of: p", 14, {"`front of` is a criterion of `select`"});
   expect_node("of: p, translate: [1, 0, 0]", 1,
               {"`of` stands in the map of `select` or `simplify`", "{simplify: NODE, translate: [1, 0, 0]}"});
+  expect_node("hull: [[0, 0, 0]], matrix: [[1, 0, 0, 0], [0, 1, 0, 0], [1, 1, 0, 5]]", 28,
+              {"its determinant is zero"});
+  expect_node("hull: [[0, 0, 0]], matrix: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]", 29,
+              {"a row of `matrix` must be four numbers"});
+  expect_node("hull: [[0, 0, 0]], matrix: [[1, 0, 0, 0]]", 28, {"`matrix` must be three rows"});
+  expect_node("minkowski: [[[0, 0, 0]]]", 12, {"minkowski must be two or more lists of points"});
+  expect_node("csg: model.scad", 6, {"`csg` must be a file that ends as .csg"});
   for (const std::string word : {"yes", "No", "on", "\"true\""})
     expect_node("simplify: p, regularize: " + word, 26,
                 {"`regularize` must be true, false or the name of a node"});

@@ -101,6 +101,7 @@ TEST_CASE("transforms multiply in the order in which they are written", "[tree]"
   CHECK(image("rotate: {axis: [0, 0, 1], degrees: 180, center: [1, 0, 0]}") == RationalPoint{1, -2, 3});
   CHECK(image("mirror: {normal: [1, 0, 0]}") == RationalPoint{-1, 2, 3});
   CHECK(image("mirror: {normal: [0, 0, 5], point: [0, 0, 1]}") == RationalPoint{1, 2, -1});
+  CHECK(image("matrix: [[1, 1/2, 0, 7], [0, -2, 0, 1], [0, 0, 3, 0]]") == RationalPoint{9, -3, 9});
   CHECK(image("mirror: {normal: [1, 1, 0]}") == RationalPoint{-2, -1, 3});
   CHECK_FALSE(node(single("points: [[0, 0, 0]]"), "a").transform.has_value());
 }
@@ -115,6 +116,8 @@ TEST_CASE("every leaf has its form", "[tree]") {
   CHECK(
       std::get<TetrahedronShape>(read("tetrahedron: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 7]]")).points[3][2] ==
       7);
+  CHECK(std::get<HullShape>(read("hull: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 7]]")).summands[0][3][2] == 7);
+  CHECK(std::get<HullShape>(read("minkowski: [[[0, 0, 0]], [[1, 0, 0], [0, 1, 0]]]")).summands[1].size() == 2);
   CHECK(std::get<PolygonShape>(read("polygon: {outer: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], holes: []}"))
             .outer.size() == 3);
   CHECK(
