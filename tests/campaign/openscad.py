@@ -8,8 +8,10 @@ FOLDER has, in expected_openscad2021/SET/expected.json, volume, area, box and, w
 the Nef polyhedron for each input; an input is SET/NAME.csg, or NAME.csg beside expected.json. Each input with a result
 is evaluated: volume, area and box must agree to 1e-5, counts of vertices, edges and facets exactly, with
 expected.json or, if `openscad` is installed, with what it makes of the .csg file: expected.json is partly of .scad
-files, and OpenSCAD writes numbers of six digits. Prints what differs, and a line with the percentage. The exit status is 1 if something differs that is not
-explained below.
+files, and OpenSCAD writes numbers of six digits. Prints what differs, and a line with the percentage. The exit status
+is 1 if something differs that is not explained below.
+
+--random makes COUNT models in general position, from SEED on, and runs OpenSCAD on each.
 """
 import json
 import math
