@@ -26,12 +26,13 @@ import tempfile
 
 TOLERANCE = 1e-5
 
+ABSENT = "the file that it imports is not there"
 # Inputs of the folder that do not agree, and why.
 EXPLAINED = {
     "issue1069": "OpenSCAD rounds the parts of a Minkowski sum to doubles, and their union has slivers",
-    "issue1196": "the file that it imports is not there",
-    "issue1223": "the file that it imports is not there",
-    "issue1223b": "the file that it imports is not there",
+    "issue1196": ABSENT,
+    "issue1223": ABSENT,
+    "issue1223b": ABSENT,
     "issue1258": "OpenSCAD's difference is open, and its face does not join one that is closed",
     "issue2841": "OpenSCAD's sum does not hold its operands: its own issue 2841",
     "issue2841b": "OpenSCAD's sum does not hold its operands: its own issue 2841",
@@ -241,7 +242,7 @@ def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     cnrg, folder, names = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
-    total = same = counted = explained = 0
+    total = same = counted = explained = absent = 0
     with tempfile.TemporaryDirectory() as place:
         if folder == "--random":
             random_models(cnrg, int(names[0]), int(names[1]), place)
@@ -256,10 +257,11 @@ def main():
             same += not found
             reason = EXPLAINED.get(os.path.basename(name)) if found else None
             explained += reason is not None
+            absent += reason == ABSENT
             if found:
                 print(f"{name}: " + (f"{reason}: " if reason else "") + "; ".join(found), flush=True)
-    print(f"{same} of {total} agree, {100 * same / max(total, 1):.1f} %, {counted} of them also in counts; {explained} "
-          "of the others are explained")
+    print(f"{same} of {total} agree, {100 * same / max(total, 1):.1f} %, {100 * same / max(total - absent, 1):.1f} % of "
+          f"those whose files are there; {counted} of them also in counts; {explained} of the others are explained")
     sys.exit(same + explained < total)
 
 
