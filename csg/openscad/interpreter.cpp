@@ -3,80 +3,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <set>
 #include <utility>
 
-#include "csg/imports/mesh_file.h"
 #include "csg/leaves/leaf.h"
 #include "csg/openscad/arguments.h"
+#include "csg/openscad/primitives.h"
 #include "csg/text/escape.h"
 
 namespace cnrg::openscad {
 namespace {
 
-bool is_flat(const std::vector<Point3>& points) { return hull(points).faces.empty(); }
-
-/// What a Boolean takes; nothing if there is no volume.
-std::optional<Exact> exact_of(const Value& value) {
-  if (is_empty(value)) return {};
-  if (const Exact* known = std::get_if<Exact>(&value)) return *known;
-  const Solid& solid = std::get<Solid>(value);
-  ExactSolid made{ExactSolid::Kind::polyset, solid.from, on_grid(solid.polyset)};
-  made.polyset.convex = is_convex(made.polyset);
-  const bool convex = *made.polyset.convex;
-  if (made.polyset.faces.empty() || (convex && is_flat(made.polyset.points))) return {};
-  Exact out;
-  if (convex) out.parts = Parts{made.polyset.points};
-  out.solid = std::make_shared<const ExactSolid>(std::move(made));
-  return out;
-}
-
-Exact moved(const Exact& solid, const Matrix& m, const Statement& at) {
-  ExactSolid made{ExactSolid::Kind::moved, &at};
-  made.matrix = m;
-  made.operands = {solid.solid};
-  Exact out{std::make_shared<const ExactSolid>(std::move(made)), solid.parts};
-  if (out.parts) {
-    for (auto& part : *out.parts) part = transformed(Polyset{part, {}, true}, m).points;
-  }
-  return out;
-}
-
-/// The operands, or the only one.
-Value boolean(const Statement& at, ExactSolid::Kind kind, const std::vector<Exact>& operands) {
-  if (operands.empty()) return {};
-  if (operands.size() == 1) return operands.front();
-  ExactSolid solid{kind, &at};
-  for (const Exact& operand : operands) solid.operands.push_back(operand.solid);
-  return Exact{std::make_shared<const ExactSolid>(std::move(solid)), {}};
-}
-
 class Interpreter {
  public:
   Interpreter(const std::string& path, const std::string& inside, Report& report)
-      : path_(path), inside_(inside), report_(report) {}
+      : context_{path, inside, report} {}
 
   Value evaluate(const Statement& s) {
     for (const Module& module : modules()) {
-      if (module.name == s.name) return made(module.make, s);
+      if (module.name == s.name) return made(s, [&] { return (this->*module.make)(s); });
     }
+    if (const Maker make = primitive(s.name)) return made(s, [&] { return make(s, context_); });
     fail("is not read; " + remedy(), s);
   }
 
  private:
-  using Make = Value (Interpreter::*)(const Statement&);
+  using Method = Value (Interpreter::*)(const Statement&);
   struct Module {
     std::string_view name;
-    Make make;
+    Method make;
   };
   static const std::vector<Module>& modules();
 
-  Value made(Make make, const Statement& s) {
+  template <class Make>
+  Value made(const Statement& s, Make make) {
     try {
-      const Fineness parent = std::exchange(fineness_, fineness_of(path_, s, fineness_));
-      Value out = (this->*make)(s);
-      fineness_ = parent;
+      const Fineness parent = std::exchange(context_.fineness, fineness_of(context_.path, s, context_.fineness));
+      Value out = make();
+      context_.fineness = parent;
       if (const Area* area = std::get_if<Area>(&out)) {
         for (const Loop& loop : area->loops) require_near(loop);
       } else if (const Solid* solid = std::get_if<Solid>(&out)) {
@@ -102,17 +65,14 @@ class Interpreter {
     }
   }
 
-  [[noreturn]] void fail(const std::string& fault, const Statement& at) const { openscad::fail(path_, at, fault); }
-  void warn(const std::string& text, const Statement& at) {
-    report_.warnings.push_back({at.line, at.column, "`" + excerpt(at.name) + "` " + text});
+  [[noreturn]] void fail(const std::string& fault, const Statement& at) const {
+    openscad::fail(context_.path, at, fault);
   }
-  static std::string remedy() {
-    return "let OpenSCAD write the solid that it is part of as part.off, and put `import(file = \"part.off\");` "
-           "in "
-           "that solid's place";
+  void warn(const std::string& text, const Statement& at) {
+    context_.report.warnings.push_back({at.line, at.column, "`" + excerpt(at.name) + "` " + text});
   }
   Arguments arguments(const Statement& s, std::initializer_list<std::string_view> known) const {
-    return Arguments(path_, s, known);
+    return Arguments(context_.path, s, known);
   }
 
   /// Of areas and solids those that come first; OpenSCAD leaves out the others.
@@ -224,173 +184,17 @@ class Interpreter {
   Value make_hull(const Statement& s) {
     std::vector<Value> values = children(s);
     drop_empty(values);
-    if (are_areas(values)) return hull(areas(values));
-    std::vector<Point3> points;
-    const auto add_all = [&](const std::vector<Point3>& more) {
-      points.insert(points.end(), more.begin(), more.end());
-    };
-    for (const Value& value : values) {
-      const Exact* known = std::get_if<Exact>(&value);
-      if (!known) add_all(std::get<Solid>(value).polyset.points);
-      else add_all(known->parts ? joined(*known->parts) : corners(boundary(*known->solid)));
-    }
-    return Solid{hull(std::move(points)), &s};
+    return are_areas(values) ? Value(hull(areas(values))) : Value(Solid{hull(corners_of(values)), &s});
   }
-
-  static std::vector<Point3> joined(const Parts& parts) {
-    std::vector<Point3> out;
-    for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
-    return out;
-  }
-  /// The nearest doubles.
-  static std::vector<Point3> corners(const std::vector<ExactTriangle>& triangles) {
-    std::vector<Point3> out;
-    for (const ExactTriangle& t : triangles) {
-      for (const RationalPoint& p : t) out.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
-    }
-    return out;
-  }
-
-  /// The convex solids that a solid is the union of; nothing if nobody knows any.
-  static std::optional<Parts> parts_of(const Value& value) {
-    if (const Exact* known = std::get_if<Exact>(&value)) return known->parts;
-    const Polyset& polyset = std::get<Solid>(value).polyset;
-    return is_convex(polyset) ? std::optional(Parts{polyset.points}) : std::nullopt;
-  }
-
-  /// All sums of a point of each. Those of convex solids are the hull of the sums of corners. What has one that is
-  /// not convex, C, is C moved to a point inside of the convex one, and the sums of all triangles of C's boundary.
   Value make_minkowski(const Statement& s) {
     std::vector<Value> values = children(s);
     drop_empty(values);
     if (values.empty()) return {};
     if (values.size() == 1) return values.front();
     if (are_areas(values)) fail("of areas is not read; " + remedy(), s);
-    Parts sum{{{0, 0, 0}}};
-    std::optional<Value> concave;
-    for (const Value& value : values) {
-      const std::optional<Parts> parts = parts_of(value);
-      if (!parts && concave) fail("takes one solid that is not convex, and this has two; " + remedy(), s);
-      if (parts) sum = summed(sum, *parts);
-      else concave = value;
-    }
-    std::vector<Value> solids;
-    if (concave) solids = around(*concave, sum, s);
-    else
-      for (const auto& part : sum) solids.push_back(Solid{hull(part), &s});
-    return united(s, std::move(solids));
-  }
-
-  static Parts summed(const Parts& a, const Parts& b) {
-    Parts out;
-    for (const auto& p : a) {
-      for (const auto& q : b) out.push_back(corners(hull(sums(p, q)), sums(p, q)));
-    }
-    return out;
-  }
-  /// Of a hull; all points, if it is flat.
-  static std::vector<Point3> corners(const Polyset& hull, const std::vector<Point3>& all) {
-    std::set<Point3> used;
-    for (const Face& face : hull.faces) {
-      for (const std::uint32_t i : face) used.insert(hull.points[i]);
-    }
-    return used.empty() ? all : std::vector<Point3>(used.begin(), used.end());
-  }
-
-  static Point3 middle(const std::vector<Point3>& points) {
-    Point3 sum{};
-    for (const Point3& p : points) {
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += p[k] / double(points.size());
-    }
-    return sum;
-  }
-
-  std::vector<Value> around(const Value& solid, const Parts& parts, const Statement& at) {
-    const std::optional<Exact> placed = exact_of(solid);
-    if (!placed) return {};
-    const std::vector<ExactTriangle> skin = boundary(*placed->solid);
-    std::vector<Value> out;
-    for (const auto& part : parts) {
-      const Point3 by = middle(part);
-      out.push_back(moved(*placed, {{{1, 0, 0, by[0]}, {0, 1, 0, by[1]}, {0, 0, 1, by[2]}}}, at));
-      const std::vector<RationalPoint> around = exact_points(part);
-      for (const ExactTriangle& t : skin) {
-        ExactSolid sum{ExactSolid::Kind::sum, &at};
-        sum.sum.summands = {{t[0], t[1], t[2]}, around};
-        out.push_back(Exact{std::make_shared<const ExactSolid>(std::move(sum)), {}});
-      }
-    }
-    return out;
-  }
-
-  Value make_cube(const Statement& s) {
-    const Arguments a = arguments(s, {"size", "center"});
-    const std::vector<double> size = a.numbers("size", 3, 1);
-    if (*std::min_element(size.begin(), size.end()) <= 0) return {};
-    return Solid{cube({size[0], size[1], size[2]}, a.boolean("center")), &s};
-  }
-  Value make_sphere(const Statement& s) {
-    const Arguments a = arguments(s, {"r", "center"});  // a sphere is centred anyway
-    const double radius = a.number("r", 1);
-    if (radius <= 0) return {};
-    return Solid{sphere(radius, fineness_), &s};
-  }
-  Value make_cylinder(const Statement& s) {
-    const Arguments a = arguments(s, {"h", "r1", "r2", "center"});
-    const double height = a.number("h", 1), bottom = a.number("r1", 1), top = a.number("r2", 1);
-    if (height <= 0 || bottom < 0 || top < 0 || bottom + top == 0) return {};
-    return Solid{cylinder(height, bottom, top, a.boolean("center"), fineness_), &s};
-  }
-  Value make_polyhedron(const Statement& s) {
-    const Arguments a = arguments(s, {"points", "faces"});
-    Polyset out;
-    for (const auto& p : a.points("points", 3)) out.points.push_back({p[0], p[1], p[2]});
-    out.faces = a.indices("faces", out.points.size());
-    for (Face& face : out.faces) std::reverse(face.begin(), face.end());
-    std::erase_if(out.faces, [](const Face& face) { return face.size() < 3; });
-    return Solid{std::move(out), &s};
-  }
-  Value make_import(const Statement& s) {
-    const Arguments a = arguments(s, {"file", "layer", "origin", "scale", "center", "dpi", "id", "timestamp"});
-    const std::string name = a.text("file");
-    if (!is_mesh_file(name)) fail("reads meshes, and `" + excerpt(name) + "` is none; " + remedy(), s);
-    const auto path = std::filesystem::path(path_).parent_path() / name;
-    const MeshData mesh = read_mesh(path.string(), false, inside_);
-    report_.inputs.push_back(path.string());
-    Polyset out;
-    for (std::size_t i = 0; i < mesh.point_count(); ++i)
-      out.points.push_back({mesh.xyz[3 * i], mesh.xyz[3 * i + 1], mesh.xyz[3 * i + 2]});
-    for (std::size_t f = 0; f < mesh.face_count(); ++f)
-      out.faces.emplace_back(mesh.corners.begin() + mesh.offsets[f], mesh.corners.begin() + mesh.offsets[f + 1]);
-    return Solid{std::move(out), &s};
-  }
-
-  Value make_square(const Statement& s) {
-    const Arguments a = arguments(s, {"size", "center"});
-    const std::vector<double> size = a.numbers("size", 2, 1);
-    if (size[0] <= 0 || size[1] <= 0) return {};
-    const double x = a.boolean("center") ? -size[0] / 2 : 0, y = a.boolean("center") ? -size[1] / 2 : 0;
-    const double u = a.boolean("center") ? size[0] / 2 : size[0], v = a.boolean("center") ? size[1] / 2 : size[1];
-    return Area{{{{x, y}, {u, y}, {u, v}, {x, v}}}, true};
-  }
-  Value make_circle(const Statement& s) {
-    const Arguments a = arguments(s, {"r"});
-    const double radius = a.number("r", 1);
-    if (radius <= 0) return {};
-    return Area{{circle(radius, fineness_.segments(radius))}, true};
-  }
-  Value make_polygon(const Statement& s) {
-    const Arguments a = arguments(s, {"points", "paths"});
-    Loop points;
-    for (const auto& p : a.points("points", 2)) points.push_back({p[0], p[1]});
-    const std::vector<Face> paths = a.indices("paths", points.size());
-    if (paths.empty()) return Area{{points}};
-    Area out;
-    for (const Face& path : paths) {
-      Loop& loop = out.loops.emplace_back();
-      for (const std::uint32_t i : path) loop.push_back(points[i]);
-    }
-    return out;
+    std::optional<std::vector<Value>> sum = minkowski_sum(values, s);
+    if (!sum) fail("takes one solid that is not convex, and this has two; " + remedy(), s);
+    return united(s, std::move(*sum));
   }
 
   /// The area below an extrusion, clean.
@@ -409,22 +213,19 @@ class Interpreter {
     if (a.has("slices")) how.slices = static_cast<int>(std::clamp(a.number("slices", 1), 1.0, 1e6));
     const Area area = area_below(s);
     if (area.loops.empty() || how.height <= 0) return {};
-    return Solid{extruded(area, how, fineness_), &s};
+    return Solid{extruded(area, how, context_.fineness), &s};
   }
   Value make_rotate(const Statement& s) {
     const Arguments a = arguments(s, {"angle"});
     const double degrees = std::clamp(a.number("angle", 360), -360.0, 360.0);
     const Area area = area_below(s);
     if (area.loops.empty() || degrees == 0) return {};
-    auto out = revolved(area, degrees == -360 ? 360 : degrees, fineness_);
+    auto out = revolved(area, degrees == -360 ? 360 : degrees, context_.fineness);
     if (!out) fail("needs an area on one side of the y axis, and this crosses it; move it", s);
     return Solid{std::move(*out), &s};
   }
 
-  const std::string& path_;
-  const std::string& inside_;
-  Report& report_;
-  Fineness fineness_;  ///< of the statement that is evaluated
+  Context context_;
 };
 
 const std::vector<Interpreter::Module>& Interpreter::modules() {
@@ -433,23 +234,13 @@ const std::vector<Interpreter::Module>& Interpreter::modules() {
       {"color", &Interpreter::make_union},           {"render", &Interpreter::make_union},
       {"difference", &Interpreter::make_difference}, {"intersection", &Interpreter::make_intersection},
       {"multmatrix", &Interpreter::make_transform},  {"hull", &Interpreter::make_hull},
-      {"minkowski", &Interpreter::make_minkowski},   {"cube", &Interpreter::make_cube},
-      {"sphere", &Interpreter::make_sphere},         {"cylinder", &Interpreter::make_cylinder},
-      {"polyhedron", &Interpreter::make_polyhedron}, {"import", &Interpreter::make_import},
-      {"square", &Interpreter::make_square},         {"circle", &Interpreter::make_circle},
-      {"polygon", &Interpreter::make_polygon},       {"linear_extrude", &Interpreter::make_linear},
+      {"minkowski", &Interpreter::make_minkowski},   {"linear_extrude", &Interpreter::make_linear},
       {"rotate_extrude", &Interpreter::make_rotate},
   };
   return kModules;
 }
 
 }  // namespace
-
-bool is_empty(const Value& value) {
-  const Area* area = std::get_if<Area>(&value);
-  const Solid* solid = std::get_if<Solid>(&value);
-  return value.index() == 0 || (area && area->loops.empty()) || (solid && solid->polyset.faces.empty());
-}
 
 Value evaluate(const Statement& statement, const std::string& path, const std::string& inside, Report& report) {
   return Interpreter(path, inside, report).evaluate(statement);

@@ -1,33 +1,12 @@
-// What a statement makes: nothing, an area, polygons of doubles, or an exact solid, as OpenSCAD has it at that
-// place.
-//
-// One operand alone passes through a Boolean unchanged, so that it stays polygons of doubles. Of an exact solid
-// that is a union of convex ones the corners of these are kept: hulls and Minkowski sums are faster with them.
+// Statements of a file, evaluated: each makes a value (value.h).
 #pragma once
 
-#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "csg/openscad/exact_solid.h"
+#include "csg/openscad/value.h"
 
 namespace cnrg::openscad {
-
-using Parts = std::vector<std::vector<Point3>>;
-
-struct Solid {
-  Polyset polyset;
-  const Statement* from;
-};
-struct Exact {
-  ExactSolidRef solid;
-  std::optional<Parts> parts;  ///< of a union of convex ones
-};
-using Value = std::variant<std::monostate, Area, Solid, Exact>;
-
-/// Without area or volume.
-bool is_empty(const Value& value);
 
 /// What was met on the way.
 struct Report {

@@ -1,6 +1,6 @@
 // OpenSCAD's `.csg` files as tree files (csg/FORMATS.md#openscad).
 //
-// `interpreter.h` says what a statement makes; what is left in the end are nodes of the tree. What OpenSCAD keeps
+// `value.h` says what a statement makes; what is left in the end are nodes of the tree. What OpenSCAD keeps
 // as polygons of doubles (primitives, extrusions, hulls, also where they are moved) is worked out here, in
 // OpenSCAD's own arithmetic; where it makes an exact solid of them, for a Boolean, the tree has a leaf and the
 // Boolean a node. So the tree has the corners that OpenSCAD has, and is exact from there on, as OpenSCAD is.
