@@ -15,7 +15,7 @@ READ_BACK = {
     "papers/pereira2012/fig10-bolts.yaml": [("papers/pereira2012/fig10.yaml", node, f"out/pereira2012/{node}.json")
                                             for node in ("G1", "G3", "rocks")],
 }
-LEAVES = ("box prism pyramid tetrahedron polygon polyline points halfspace plane sphere cylinder cone torus extrude "
+LEAVES = ("box prism pyramid tetrahedron hull minkowski polygon polyline points halfspace plane sphere cylinder cone torus extrude "
           "revolve bezier bspline coons heightfield mesh step brep group cnrg").split()
 OPERATORS = ("union intersection difference aggregate sum product subtract unify complement interior closure boundary "
              "regularize below above simplify select").split()

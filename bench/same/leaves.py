@@ -149,6 +149,16 @@ class LeafMaker:
             if dot(cross(minus(b, a), minus(c, a)), minus(d, a)) > 0:
                 return [a, b, c, d]
 
+    def hull(self):
+        a, b, c, d = corners = self.corners_of_tetrahedron()
+        inside = [Fraction(p + q) / 2 for p, q in zip(a, b)]
+        return Leaf("hull", corners + [inside], [(a, c, b), (a, b, d), (b, c, d), (c, a, d)])
+
+    def minkowski(self):
+        a, b, c, d = corners = self.corners_of_tetrahedron()
+        step = self.random.choice(([1, 0, 0], [0, 1, 1], [0, 0, Fraction(1, 2)]))
+        return Leaf("minkowski", [corners, [[0, 0, 0], step]], [(a, c, b), (a, b, d), (b, c, d), (c, a, d)])
+
     def tetrahedron(self):
         a, b, c, d = corners = self.corners_of_tetrahedron()
         return Leaf("tetrahedron", corners, [(a, c, b), (a, b, d), (b, c, d), (c, a, d)])
@@ -482,7 +492,8 @@ class LeafMaker:
     def leaf(self, curved, unbounded):
         """One leaf; `curved` and `unbounded` say whether such leaves are meant, too."""
         makers = [self.box] * 5 + [self.prism] * 3 + [self.group] * 4 + [self.polygon] * 3 + [
-            self.polyline] * 2 + [self.points, self.pyramid, self.tetrahedron, self.mesh, self.heightfield]
+            self.polyline] * 2 + [
+                self.points, self.pyramid, self.hull, self.minkowski, self.tetrahedron, self.mesh, self.heightfield]
         if curved:
             makers = makers[::2] + [self.sphere, self.cylinder, self.cylinder, self.cone, self.torus, self.extrude,
                                     self.revolve, self.bezier, self.bezier, self.bspline, self.coons]

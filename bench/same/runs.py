@@ -126,7 +126,7 @@ def without_times(text):
     """Rows and the summary of `eval` without what tells how and not what: seconds, candidates, stages of predicates."""
     text = re.sub(rb"(?m)(; of )\d+( candidates)$", rb"\1-\2", text)
     text = re.sub(rb"(?m)^predicates: .*$", b"predicates: -", text)
-    text = re.sub(rb"(?m)  +\d+\.\d{3}(?=  \S)", b"  -.---", text)
+    text = re.sub(rb"(?m)  +\d+\.\d{3}(?=  +\S)", b"  -.---", text)
     text = re.sub(rb"(?m)^( +[a-z]+\b.*?) +\d+\.\d{3}$", rb"\1  -.---", text)  # of a stage, which has no name
     return re.sub(rb"(?m)(3-cells; )\d+\.\d{3} s$", rb"\1-.--- s", text)
 

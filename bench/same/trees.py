@@ -109,7 +109,9 @@ class TreeMaker:
 
     def motion(self):
         r = self.random
-        kind = r.randrange(4)
+        kind = r.randrange(5)
+        if kind == 4:
+            return {"matrix": [[1, r.choice((0, Fraction(1, 2))), 0, 1], [0, r.choice((1, -1)), 0, 0], [0, 1, 2, -1]]}
         if kind == 0:
             return {"translate": [r.choice((0, 1, -1, Fraction(1, 2))) for _ in range(3)]}
         if kind == 1:

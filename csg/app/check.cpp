@@ -19,7 +19,7 @@ namespace {
 int list_features(const CheckArguments& arguments) {
   const Tree tree = tree_of(arguments);
   const NodeId node = node_of(tree, arguments.node);
-  print(unused_nodes(tree, {tree.result, node}), false);
+  print(reading_warnings(tree, {tree.result, node}), false);
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.rows = Rows::none;
@@ -47,7 +47,7 @@ int run_check(const CheckArguments& arguments) {
     throw InputError("cnrg: error: --node says of which node to list features; add --features, or leave it out");
   }
   const Tree tree = tree_of(arguments);
-  print(unused_nodes(tree, {tree.result}), false);
+  print(reading_warnings(tree, {tree.result}), false);
   print(check(tree), false);
   const auto leaves =
       std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });

@@ -57,6 +57,20 @@ std::vector<FileRequest> requests(const Tree& tree, const EvalArguments& argumen
   return out;
 }
 
+/// The tree itself, of which nothing is evaluated.
+bool is_tree(const std::string& path) { return extension_of(path) == ".yaml"; }
+
+void check_trees(const EvalArguments& arguments, const Tree& tree) {
+  for (const std::string& path : arguments.files) {
+    if (!is_tree(path)) continue;
+    if (tree.yaml.empty())
+      throw InputError("-o " + path + " writes the tree of a .csg file, and " + tree.file +
+                       " is a tree already; copy it");
+    if (!arguments.nodes.empty() || !arguments.select.empty())
+      throw InputError("-o " + path + " writes the whole tree; leave out --node and --select");
+  }
+}
+
 /// The result of each node, joined once where that is asked for.
 class Results {
  public:
@@ -87,6 +101,7 @@ class FileWriter {
   void write_file(const FileRequest& file, const std::optional<PictureSize>& size) {
     const std::string& path = file.path;
     const NodeId node = file.node;
+    if (is_tree(path)) return replace_file(path, tree_.yaml);
     if (!file.panels.empty()) {
       ProgressBar bar(arguments_.quiet);
       bar.show("draw " + path);
@@ -179,12 +194,14 @@ int run_eval(const EvalArguments& arguments) {
   require_distinct(arguments.files);
   bool pictures = false;
   for (const std::string& path : arguments.files) {  // before the work, not after it
-    if (is_picture(path)) {
+    if (is_tree(path)) {
+      require_no_directory(path);
+    } else if (is_picture(path)) {
       pictures = true;
       require_no_directory(path);
       require_plugin(kPaperPlugin, path, "write .vtu or .json");
     } else {
-      check_file_name(path, " .svg .png .pdf");
+      check_file_name(path, " .svg .png .pdf .yaml");
     }
     if (arguments.binary) check_binary_file_name(path);
   }
@@ -198,6 +215,7 @@ int run_eval(const EvalArguments& arguments) {
   }
   Tree tree = tree_of(arguments);
   require_writable(arguments.files, tree);
+  check_trees(arguments, tree);
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.raw = arguments.raw;
@@ -209,7 +227,7 @@ int run_eval(const EvalArguments& arguments) {
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));
   std::vector<NodeId> roots = options.nodes;
   roots.push_back(tree.result);
-  print(unused_nodes(tree, roots), arguments.quiet);
+  print(reading_warnings(tree, roots), arguments.quiet);
   if (!arguments.select.empty()) select_in(tree, arguments.select, options.nodes, picture);
   const std::vector<FileRequest> files = requests(tree, arguments, options.nodes, picture);
   options.keep_all =

@@ -158,6 +158,7 @@ void require_writable(const std::vector<std::string>& files, const Tree& tree) {
     throw FileError(file + ": cannot be written: there is no folder '" + folder.string() + "'; make it first");
   }
   require(tree.file == kStandardInput ? "/dev/stdin" : tree.file, "the tree itself");
+  for (const std::string& input : tree.inputs) require(input, "a file that the tree reads");
   for (const Node& node : tree.nodes) {
     const std::string* const file = node.shape ? file_of(*node.shape) : nullptr;
     if (file != nullptr) require(*file, "a file that the node " + node.name + " reads");

@@ -75,8 +75,8 @@ void add_fineness(CLI::App* sub, Arguments& arguments) {
 template <class Arguments>
 void add_tree(CLI::App* sub, Arguments& arguments,
               const char* what =
-                  "Tree (YAML or JSON), exact result, mesh or CAD model; `-` for a tree on "
-                  "standard input") {
+                  "Tree (YAML or JSON, or a .csg file of OpenSCAD), exact result, mesh or CAD model; `-` "
+                  "for a tree on standard input") {
   sub->add_option("TREE", arguments.tree, what)->required()->check(name_fault);
   add_fineness(sub, arguments);
 }
@@ -230,10 +230,10 @@ int run(int argc, char** argv) {
       ->check(name_fault)
       ->expected(1)
       ->take_all();
-  sub->add_option(
-         "-o", eval.files,
-         "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
-         ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png .pdf")
+  sub->add_option("-o", eval.files,
+                  "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
+                  ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png "
+                  ".pdf; of a .csg the tree: .yaml")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)
@@ -311,7 +311,7 @@ int run(int argc, char** argv) {
 
   LocateArguments locate;
   sub = program.add_subcommand("locate", "Reads points `x y z` and prints `dim cell component name` for each");
-  add_tree(sub, locate, "Tree (YAML or JSON), exact result, mesh or CAD model");
+  add_tree(sub, locate, "Tree (YAML or JSON, or .csg), exact result, mesh or CAD model");
   sub->add_option("--node", locate.node, "Node to look into; the result without it")
       ->type_name("N")
       ->check(name_fault);

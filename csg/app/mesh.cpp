@@ -348,7 +348,7 @@ int run_mesh(const MeshArguments& arguments) {
   const Tree tree = tree_of(arguments);
   require_writable(arguments.files, tree);
   const NodeId node = node_of(tree, arguments.node);
-  print(unused_nodes(tree, {tree.result, node}), arguments.quiet);
+  print(reading_warnings(tree, {tree.result, node}), arguments.quiet);
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.rows = Rows::none;

@@ -27,6 +27,7 @@ struct Dispatch {
   Leaf operator()(const PrismShape& shape) const { return prepare_prism(shape); }
   Leaf operator()(const PyramidShape& shape) const { return prepare_pyramid(shape); }
   Leaf operator()(const TetrahedronShape& shape) const { return prepare_tetrahedron(shape); }
+  Leaf operator()(const HullShape& shape) const { return prepare_hull(shape); }
   Leaf operator()(const PolygonShape& shape) const { return prepare_polygon(shape); }
   Leaf operator()(const PolylineShape& shape) const { return prepare_polyline(shape); }
   Leaf operator()(const PointsShape& shape) const { return prepare_points(shape); }

@@ -14,6 +14,9 @@ std::unique_ptr<PreparedLeaf> prepare_prism(const PrismShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_pyramid(const PyramidShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_tetrahedron(const TetrahedronShape& shape);
 
+// shapes/hull.cpp: likewise.
+std::unique_ptr<PreparedLeaf> prepare_hull(const HullShape& shape);
+
 // shapes/open_shapes.cpp: no regions.
 std::unique_ptr<PreparedLeaf> prepare_polygon(const PolygonShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_polyline(const PolylineShape& shape);

@@ -39,6 +39,12 @@ struct PyramidShape {
 struct TetrahedronShape {
   std::array<RationalPoint, 4> points;
 };
+/// `{hull: [p, ...]}`: the convex hull; `{minkowski: [[p, ...], [p, ...], ...]}`: all sums of a point of each
+/// hull.
+struct HullShape {
+  std::vector<std::vector<RationalPoint>> summands;  ///< one of `hull`, two or more of `minkowski`
+  const char* name() const { return summands.size() == 1 ? "hull" : "minkowski"; }
+};
 /// `{polygon: [p, ...]}` or `{polygon: {outer: [p, ...], holes: [[p, ...], ...]}}`: planar, simple loops.
 struct PolygonShape {
   std::vector<RationalPoint> outer;
@@ -226,9 +232,9 @@ struct ResultShape {
   std::string inside{};  ///< as of a heightfield
 };
 
-using Shape = std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape, PolygonShape, PolylineShape,
-                           PointsShape, PlaneShape, HalfspaceShape, SphereShape, CylinderShape, ConeShape,
-                           TorusShape, BezierShape, CoonsShape, ExtrudeShape, RevolveShape, HeightfieldShape,
-                           MeshShape, CadShape, GroupShape, ResultShape>;
+using Shape = std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape, HullShape, PolygonShape,
+                           PolylineShape, PointsShape, PlaneShape, HalfspaceShape, SphereShape, CylinderShape,
+                           ConeShape, TorusShape, BezierShape, CoonsShape, ExtrudeShape, RevolveShape,
+                           HeightfieldShape, MeshShape, CadShape, GroupShape, ResultShape>;
 
 }  // namespace cnrg

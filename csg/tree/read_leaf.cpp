@@ -18,10 +18,6 @@
 namespace cnrg {
 namespace {
 
-std::string path_in_folder(const std::string& path, const LeafContext& context) {
-  return (std::filesystem::path(context.folder) / path).lexically_normal().string();
-}
-
 int segments(const Fields& fields, const char* key, int otherwise) {
   const Value* value = fields.find(key);
   return value ? static_cast<int>(value->integer(fields.name(key), 3, Fineness::kMostSegments)) : otherwise;
@@ -361,16 +357,27 @@ Shape read_result(const Value& value, const LeafContext& context) {
   return ResultShape{path_in_folder(name, context), context.inside};
 }
 
+Shape read_hull(const Value& value, const LeafContext&) { return HullShape{{value.points("hull")}}; }
+
+Shape read_minkowski(const Value& value, const LeafContext&) {
+  HullShape shape{value.loops("minkowski")};
+  if (shape.summands.size() < 2)
+    value.fail_type("minkowski", "two or more lists of points [[[x, y, z], ...], ...]");
+  return shape;
+}
+
 struct Reader {
   std::string_view name;
   Shape (*read)(const Value&, const LeafContext&);
 };
 
-constexpr std::array<Reader, 24> kReaders{{
+constexpr std::array<Reader, 26> kReaders{{
     {"box", read_box},
     {"prism", read_prism},
     {"pyramid", read_pyramid},
     {"tetrahedron", read_tetrahedron},
+    {"hull", read_hull},
+    {"minkowski", read_minkowski},
     {"polygon", read_polygon},
     {"polyline", read_polyline},
     {"points", read_points},
@@ -394,6 +401,10 @@ constexpr std::array<Reader, 24> kReaders{{
 }};
 
 }  // namespace
+
+std::string path_in_folder(const std::string& path, const LeafContext& context) {
+  return (std::filesystem::path(context.folder) / path).lexically_normal().string();
+}
 
 std::span<const std::string_view> leaf_names() {
   static const auto names = [] {

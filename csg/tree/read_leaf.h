@@ -17,6 +17,9 @@ struct LeafContext {
   std::function<void(const Value&)> check_material;  ///< fails when the material is not declared
 };
 
+/// The path of a file that the tree names.
+std::string path_in_folder(const std::string& path, const LeafContext& context);
+
 /// The names of all leaves that can be read.
 std::span<const std::string_view> leaf_names();
 

@@ -4,8 +4,32 @@
 
 namespace cnrg {
 
+namespace {
+
+constexpr const char *kMatrixRows = "three rows of four numbers [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]",
+                     *kMatrixRow = "four numbers [1, 0, 0, 0]";
+
+/// Three rows of four numbers: p -> A p + b.
+Transform read_matrix(const Value& value) {
+  const std::vector<Value> rows = value.list("`matrix`", kMatrixRows);
+  if (rows.size() != 3) value.fail_type("`matrix`", kMatrixRows);
+  Transform out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::vector<Value> row = rows[i].list("a row of `matrix`", kMatrixRow);
+    if (row.size() != 4) rows[i].fail_type("a row of `matrix`", kMatrixRow);
+    for (std::size_t k = 0; k < 3; ++k) out.linear[i][k] = row[k].number("an entry of `matrix`");
+    out.offset[i] = row[3].number("an entry of `matrix`");
+  }
+  if (out.determinant() == 0)
+    value.fail("`matrix` makes a solid flat: its determinant is zero; use another matrix");
+  return out;
+}
+
+}  // namespace
+
 Transform read_transform(const Value::Entry& e) {
   if (e.key == "translate") return Transform::translation(e.value.point("`translate`"));
+  if (e.key == "matrix") return read_matrix(e.value);
   if (e.key == "scale") {
     RationalPoint factors;
     if (e.value.is_text()) {

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "csg/openscad/openscad_tree.h"
 #include "csg/text/escape.h"
 #include "csg/text/input_file.h"
 #include "csg/text/number.h"
@@ -19,6 +20,7 @@
 #include "csg/tree/read_from_input.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
+#include "csg/tree/read_openscad.h"
 #include "csg/tree/read_parameters.h"
 #include "csg/tree/read_properties.h"
 #include "csg/tree/read_selector.h"
@@ -31,11 +33,13 @@
 namespace cnrg {
 namespace {
 
+constexpr std::size_t kMostBytes = 100'000'000;
+
 struct OperatorName {
   std::string_view name;
   Operator op;
 };
-constexpr std::array<OperatorName, 18> kOperators{{
+constexpr std::array<OperatorName, 19> kOperators{{
     {"union", Operator::unite},
     {"repeat", Operator::unite},
     {"intersection", Operator::intersect},
@@ -53,12 +57,13 @@ constexpr std::array<OperatorName, 18> kOperators{{
     {"below", Operator::below},
     {"above", Operator::above},
     {"simplify", Operator::simplify},
+    {"csg", Operator::simplify},
     {"select", Operator::select},
 }};
 
-constexpr std::array<std::string_view, 11> kAttributes{"material",  "name",  "attributes", "size",
+constexpr std::array<std::string_view, 12> kAttributes{"material",  "name",  "attributes", "size",
                                                        "dominance", "blend", "each",       "translate",
-                                                       "rotate",    "scale", "mirror"};
+                                                       "rotate",    "scale", "mirror",     "matrix"};
 
 constexpr std::array<std::string_view, 12> kCriteria{"dimension",   "name",     "material", "attributes",
                                                      "region",      "front of", "behind",   "from",
@@ -229,6 +234,29 @@ class TreeReader {
     document_.parameters.erase(name);
   }
 
+  /// All nodes of a `.csg` file, called `NODE/NAME`, and its result as the only operand.
+  void read_csg(NodeId id, const Value& value) {
+    const std::string file = path_in_folder(value.text("`csg`, an OpenSCAD file,"), context_);
+    if (!is_openscad_file(file)) value.fail_type("`csg`", "a file that ends as .csg");
+    const Tree tree = parse_openscad(read_file(file, context_.inside, kMostBytes), file, {options_.inside});
+    tree_.warnings.insert(tree_.warnings.end(), tree.warnings.begin(), tree.warnings.end());
+    tree_.inputs.push_back(file);
+    tree_.inputs.insert(tree_.inputs.end(), tree.inputs.begin(), tree.inputs.end());
+    const auto here = [first = tree_.nodes.size()](NodeId of) { return NodeId(first + of.index()); };
+    for (const Node& node : tree.nodes) {
+      Node& copy = tree_.nodes[add_node(tree_.nodes[id].name + "/" + node.name, true, value.at())];
+      std::string name = std::move(copy.name);
+      copy = node;
+      copy.name = std::move(name);
+      copy.is_inline = true;
+      copy.at = copy.operator_at = value.at();
+    }
+    for (const NodeId of : IdRange<NodeId>(tree.nodes.size())) {
+      for (const NodeId operand : tree.operands(of)) dag_.add_operand(here(of), here(operand), value.at());
+    }
+    dag_.add_operand(id, here(tree.result), value.at());
+  }
+
   /// The operand of which the result is a part, or another form: written inline, it has no name but that of its
   /// user.
   static bool is_subject(Operator op, std::size_t number) {
@@ -385,6 +413,7 @@ class TreeReader {
     }
     tree_.nodes[id].op = known->op;
     if (known->name == "repeat") return read_repeat(id, e.value);
+    if (known->name == "csg") return read_csg(id, e.value);
     if (takes_a_list(known->op)) {
       const std::vector<Value> operands = e.value.list("`" + e.key + "`", "a list of two or more nodes [a, b]");
       const std::size_t least = known->op == Operator::aggregate ? 1 : 2;
@@ -619,8 +648,6 @@ class TreeReader {
 
 namespace {
 
-constexpr std::size_t kMostBytes = 100'000'000;
-
 [[noreturn]] void refuse_size(const std::string& file, const std::string& what) {
   throw TreeError(file, {}, what + "; give large shapes as files that the tree names");
 }
@@ -679,7 +706,7 @@ Tree tree_in(const std::string& file, const ReadOptions& options, Read read) {
   } catch (const FileError& e) {
     throw FileError(to_string(file, {}) + ": error: the tree file: " + e.what());
   }
-  return parse_tree(text, file, options);
+  return (is_openscad_file(file) ? parse_openscad : parse_tree)(text, file, options);
 }
 
 }  // namespace

@@ -75,8 +75,8 @@ std::vector<std::string> materials_of(const Node& node) {
   return out;
 }
 
-std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots) {
-  std::vector<Diagnostic> result;
+std::vector<Diagnostic> reading_warnings(const Tree& tree, const std::vector<NodeId>& roots) {
+  std::vector<Diagnostic> result = tree.warnings;
   std::vector<NodeId> all = roots;
   std::vector<char> used;
   for (std::size_t before = 0; before != all.size();) {

@@ -107,6 +107,9 @@ struct Tree {
   std::map<std::string, Rational> parameters{};  ///< that expressions name (expression.h)
   std::optional<Rational> weld{};                ///< what is that near is made to coincide; above 0
   Position weld_at{};                            ///< of its value
+  std::string yaml{};                            ///< of a `.csg` file: the tree file that it means
+  std::vector<Diagnostic> warnings{};            ///< of the reader
+  std::vector<std::string> inputs{};             ///< files of OpenSCAD, and those that they import
 
   /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws InputError, without a
   /// place in the file, with the nearest name or some of all names when there is none.
@@ -137,8 +140,9 @@ struct Instance {
 /// The names of the materials that a node puts on regions by itself: its own, those of a group's regions.
 std::vector<std::string> materials_of(const Node& node);
 
-/// A warning for each node of `nodes` that none of the roots uses, nor a distance in a material of a used one.
-std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots);
+/// What the reader warned of, and a warning for each node of `nodes` that none of the roots uses, nor a distance
+/// in a material of a used one.
+std::vector<Diagnostic> reading_warnings(const Tree& tree, const std::vector<NodeId>& roots);
 
 struct ReadOptions {
   /// A folder. If it is given, every file that the tree names must lie in it after links are resolved, or the leaf

@@ -56,7 +56,7 @@ result: r
     CHECK(sampler.at(p) == expected);
   }
   // Nobody warns of the node that an inner distance is measured to.
-  CHECK(unused_nodes(r.tree, {r.tree.result}).empty());
+  CHECK(reading_warnings(r.tree, {r.tree.result}).empty());
 }
 
 TEST_CASE("nested gradients stand where the outer one does", "[grades]") {

@@ -95,7 +95,7 @@ TEST_CASE("random trees are those of their seed and have every leaf, operator an
         "simplify: points", "regularize: true", "each: true",    "dominance: left", "dominance: right",
         "dominance: equal", "dominance: 1",     "material: ",    "name: ",          "translate: ",
         "rotate: ",         "scale: ",          "mirror: ",      "linear: ",        "distance: ",
-        "holes: ",          "sides: ",          "regions: "}) {
+        "holes: ",          "sides: ",          "regions: ",     "matrix: "}) {
     INFO(word);
     CHECK(trees.find(word) != std::string::npos);
   }

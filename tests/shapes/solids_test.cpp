@@ -70,6 +70,34 @@ TEST_CASE("pyramid and tetrahedron") {
              Catch::Contains("one plane"));
 }
 
+TEST_CASE("hull and Minkowski sum") {
+  std::vector<RationalPoint> cube;
+  for (int i = 0; i < 8; ++i) cube.push_back({i & 1, i >> 1 & 1, i >> 2});
+  std::vector<RationalPoint> points = cube;
+  points.push_back({r("1/2"), r("1/3"), r("1/7")});  // inside
+  points.push_back({r("1/2"), 0, 0});                // on an edge
+  points.push_back({1, 1, 1});                       // twice
+  const Soup hull = soup_of(HullShape{{points}});
+  check_solid(hull);
+  CHECK(volume(hull) == 1);
+  CHECK(hull.face_count() == 6);
+  CHECK(leaf_faces(hull) == 6);
+  // A cube and a segment along its diagonal: three boxes' worth on top of the cube.
+  const Soup swept = soup_of(HullShape{{cube, {{0, 0, 0}, {1, 2, 3}}}});
+  check_solid(swept);
+  CHECK(volume(swept) == 1 + 1 + 2 + 3);
+  CHECK(leaf_faces(swept) == 12);
+  // Three segments make a box, and one moved point moves it.
+  const Soup box =
+      soup_of(HullShape{{{{0, 0, 0}, {2, 0, 0}}, {{0, 0, 0}, {0, 3, 0}}, {{5, 5, 5}, {5, 5, r("11/2")}}}});
+  check_solid(box);
+  CHECK(volume(box) == 3);
+  CHECK_THAT(error_of(HullShape{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {3, 2, 0}}}}),
+             Catch::Contains("hull: the points lie in one plane"));
+  CHECK_THAT(error_of(HullShape{{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}}}), Catch::Contains("in one plane"));
+  CHECK_THAT(error_of(HullShape{{cube, {}}}), Catch::Contains("minkowski: the points lie in one plane"));
+}
+
 TEST_CASE("cylinder") {
   for (int n : {3, 4, 5, 12, 48}) {
     const Soup soup = soup_of(CylinderShape{{0, 0, 0}, {0, 0, 2}, 6, n});

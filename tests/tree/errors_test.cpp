@@ -55,6 +55,13 @@ TEST_CASE("what was probably meant is said", "[tree][errors]") {
   expect_node("simplify: p, front of: p", 14, {"`front of` is a criterion of `select`"});
   expect_node("of: p, translate: [1, 0, 0]", 1,
               {"`of` stands in the map of `select` or `simplify`", "{simplify: NODE, translate: [1, 0, 0]}"});
+  expect_node("hull: [[0, 0, 0]], matrix: [[1, 0, 0, 0], [0, 1, 0, 0], [1, 1, 0, 5]]", 28,
+              {"its determinant is zero"});
+  expect_node("hull: [[0, 0, 0]], matrix: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]", 29,
+              {"a row of `matrix` must be four numbers"});
+  expect_node("hull: [[0, 0, 0]], matrix: [[1, 0, 0, 0]]", 28, {"`matrix` must be three rows"});
+  expect_node("minkowski: [[[0, 0, 0]]]", 12, {"minkowski must be two or more lists of points"});
+  expect_node("csg: model.scad", 6, {"`csg` must be a file that ends as .csg"});
   for (const std::string word : {"yes", "No", "on", "\"true\""})
     expect_node("simplify: p, regularize: " + word, 26,
                 {"`regularize` must be true, false or the name of a node"});
@@ -166,10 +173,10 @@ nodes:
 result: a
 )",
                                "t.yaml");
-  const std::vector<Diagnostic> warnings = unused_nodes(tree, {tree.result});
+  const std::vector<Diagnostic> warnings = reading_warnings(tree, {tree.result});
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0].text(), Catch::StartsWith("t.yaml:4:3: warning: the node `left_over` is not used"));
-  CHECK(unused_nodes(tree, {tree.result, tree.find("left_over")}).empty());
+  CHECK(reading_warnings(tree, {tree.result, tree.find("left_over")}).empty());
 }
 
 TEST_CASE("operands of the wrong type or number", "[tree][errors]") {

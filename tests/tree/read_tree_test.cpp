@@ -39,7 +39,7 @@ Tree single(const std::string& inside) {
 TEST_CASE("a tree with every kind of node reads as it is written", "[tree]") {
   const Tree tree = parse_tree(kModel, "models/mine.yaml");
   REQUIRE(tree.nodes.size() == 8);
-  CHECK(unused_nodes(tree, {tree.result}).empty());
+  CHECK(reading_warnings(tree, {tree.result}).empty());
   CHECK(tree.nodes[tree.result].name == "solid");
   REQUIRE(tree.materials.size() == 2);
   CHECK(tree.materials[0].name == "rock");
@@ -101,6 +101,7 @@ TEST_CASE("transforms multiply in the order in which they are written", "[tree]"
   CHECK(image("rotate: {axis: [0, 0, 1], degrees: 180, center: [1, 0, 0]}") == RationalPoint{1, -2, 3});
   CHECK(image("mirror: {normal: [1, 0, 0]}") == RationalPoint{-1, 2, 3});
   CHECK(image("mirror: {normal: [0, 0, 5], point: [0, 0, 1]}") == RationalPoint{1, 2, -1});
+  CHECK(image("matrix: [[1, 1/2, 0, 7], [0, -2, 0, 1], [0, 0, 3, 0]]") == RationalPoint{9, -3, 9});
   CHECK(image("mirror: {normal: [1, 1, 0]}") == RationalPoint{-2, -1, 3});
   CHECK_FALSE(node(single("points: [[0, 0, 0]]"), "a").transform.has_value());
 }
@@ -115,6 +116,8 @@ TEST_CASE("every leaf has its form", "[tree]") {
   CHECK(
       std::get<TetrahedronShape>(read("tetrahedron: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 7]]")).points[3][2] ==
       7);
+  CHECK(std::get<HullShape>(read("hull: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 7]]")).summands[0][3][2] == 7);
+  CHECK(std::get<HullShape>(read("minkowski: [[[0, 0, 0]], [[1, 0, 0], [0, 1, 0]]]")).summands[1].size() == 2);
   CHECK(std::get<PolygonShape>(read("polygon: {outer: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], holes: []}"))
             .outer.size() == 3);
   CHECK(
@@ -188,7 +191,7 @@ TEST_CASE("operands are names or inline nodes of any depth", "[tree]") {
   CHECK(tree.nodes[NodeId(1)].name == "a/1");
   CHECK(tree.nodes[NodeId(1)].is_inline);
   CHECK(tree.find("a/1/2") == NodeId(201));
-  CHECK(unused_nodes(tree, {tree.result}).empty());
+  CHECK(reading_warnings(tree, {tree.result}).empty());
 }
 
 TEST_CASE("a YAML alias of an inline node is the same node", "[tree]") {

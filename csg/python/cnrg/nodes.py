@@ -389,7 +389,7 @@ class Node:
 
     def with_(self, **attributes: Any) -> Node:
         """The same node with more attributes: material, name, attributes, size, dominance, translate, rotate, scale,
-        mirror.
+        mirror, matrix.
 
         material: a name or a `material(...)`. name: of its regions, sheets, wires and points. attributes: numbers and
         texts by keys of your own, `{"diameter": 25}`. size: how long edges of a mesh are to be on what comes from the
@@ -432,6 +432,10 @@ class Node:
             plane["point"] = point
         return self.with_(mirror=plane)
 
+    def matrix(self, rows: Sequence[Sequence[Number]]) -> Node:
+        """Moved by an affine map: three rows of four numbers, the last of each added."""
+        return self.with_(matrix=rows)
+
     def named(self, key: str) -> Node:
         """The same node under this name in trees: rows, messages and `Evaluation[...]` call it so, and so are the
         regions of a leaf that has no attribute `name`."""
@@ -468,8 +472,8 @@ def _again(operator: str, operands: Any, value: Any, attributes: Any, key: Any, 
     return Node(operator, operands, value, attributes, key=key, is_inline=is_inline, site=site)
 
 
-_TRANSFORMS = ("translate", "rotate", "scale", "mirror")
-_FILES = ("mesh", "heightfield", "step", "brep", "cnrg")  # leaves that may read one
+_TRANSFORMS = ("translate", "rotate", "scale", "mirror", "matrix")
+_FILES = ("mesh", "heightfield", "step", "brep", "cnrg", "csg")  # leaves that may read one
 _ATTRIBUTES = (
     "material", "name", "attributes", "size", "dominance", "blend", "regularize", "simplify", "each",
 ) + _TRANSFORMS

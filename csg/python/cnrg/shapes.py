@@ -46,6 +46,16 @@ def tetrahedron(a: Point, b: Point, c: Point, d: Point, **attributes: Any) -> No
     return leaf("tetrahedron", _exactly([a, b, c, d]), attributes)
 
 
+def hull(points: Loop, **attributes: Any) -> Node:
+    """The convex hull of points that are not all in one plane, a face for each of its planes."""
+    return leaf("hull", _exactly(points), attributes)
+
+
+def minkowski(*summands: Loop, **attributes: Any) -> Node:
+    """All sums of a point of the convex hull of each list of points; two lists or more."""
+    return leaf("minkowski", _exactly(list(summands)), attributes)
+
+
 def polygon(outer: Loop, *, holes: Sequence[Loop] | None = None, **attributes: Any) -> Node:
     """A surface: a simple polygon, exactly in a plane, with holes."""
     return leaf("polygon", {"outer": _exactly(outer), "holes": _optional(holes)}, attributes)
@@ -292,7 +302,7 @@ _NUMBERS = ("chord", "segments", "weld", "base")
 
 def load(path: str | os.PathLike[str], **keys: Any) -> Node:
     """A leaf from a file, by its extension: meshes (.off .obj .stl .ply .vtp .vtk .ts .pl .wl), CAD models (.step .stp
-    .brep), grids of heights (.asc), results (.json of `Result.write`). The path is relative to the current folder. keys:
+    .brep), grids of heights (.asc), results (.json of `Result.write`), OpenSCAD (.csg). The path is relative to the current folder. keys:
     those of the leaf in a tree file (fill, weld, chord, segments, unit, solids, seams, coordinates, base), and
     attributes."""
     name = _path(path)
@@ -304,10 +314,10 @@ def load(path: str | os.PathLike[str], **keys: Any) -> Node:
         value = keys.pop(key, None)
         if value is not None:
             own[key] = exact(value) if key in _NUMBERS else data_of(value)
-    if extension == ".json":
+    if extension in (".json", ".csg"):
         if own:
-            raise TypeError(f"load: a result has no {next(iter(own))!r}")
-        return leaf("cnrg", name, keys)
+            raise TypeError(f"load: a {extension} file has no {next(iter(own))!r}")
+        return leaf("cnrg" if extension == ".json" else "csg", name, keys)
     operator = _CAD.get(extension) or ("heightfield" if extension == ".asc" else "mesh")
     return leaf(operator, {"file": name, **own}, keys)
 

@@ -81,7 +81,7 @@ def _operator_value(node: Node, operand: Callable[[Node], Any], path: Callable[[
         yield keys + "}"
     elif not node.operands:
         value = node.value
-        if node.operator == "cnrg":
+        if node.operator in ("cnrg", "csg"):
             value = path(value)
         elif isinstance(value, dict) and isinstance(value.get("file"), str):
             value = {**value, "file": path(value["file"])}

@@ -35,6 +35,7 @@ void run_stl(std::string_view bytes);
 void run_vtp(std::string_view bytes);
 void run_vtk(std::string_view bytes);
 void run_gocad(std::string_view bytes);
+void run_csg(std::string_view bytes);
 void run_grid(std::string_view bytes);
 void run_points(std::string_view bytes);
 void run_json(std::string_view bytes);

@@ -45,6 +45,14 @@ void run_vtp(std::string_view bytes) { run_mesh("mesh.vtp", bytes); }
 void run_vtk(std::string_view bytes) { run_mesh("mesh.vtk", bytes); }
 void run_gocad(std::string_view bytes) { run_mesh("mesh.ts", bytes); }
 
+void run_csg(std::string_view bytes) {
+  accept_errors([&] {
+    folder().write("model.csg", bytes);
+    Tree tree = parse_tree("cnrg: 1\nnodes:\n  a: {csg: model.csg}\nresult: a\n", folder().path("tree.yaml"));
+    evaluate_small(tree);
+  });
+}
+
 void run_grid(std::string_view bytes) {
   run_file("heightfield", "grid.asc", choice(bytes, 2) == 0 ? "" : ", base: -3", bytes);
 }
