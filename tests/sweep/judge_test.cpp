@@ -231,6 +231,14 @@ TEST_CASE("a rounded result of the right volume and another topology is right wi
   CHECK_FALSE(is_failure(j.verdict));
 }
 
+TEST_CASE("a sliver where solids only touch is within the rounding") {
+  const Problem problem = problem_of(kCube, Operation::intersect, kAtEdge);
+  const Model sliver = box({2 - kTiny, 2 - kTiny, 0}, {2, 2, 2});
+  CHECK(judge(problem, sliver, 0).verdict == Verdict::wrong);
+  CHECK(judge(problem, sliver, kDouble).verdict == Verdict::within_rounding);
+  CHECK(judge(problem, box({Rational(3, 2), 1, 0}, {2, 2, 2}), kDouble).verdict == Verdict::wrong);
+}
+
 TEST_CASE("models are written and read") {
   Model model = together(kCube, sheet({{Rational("1/3"), 0, 0}, {1, 0, 0}, {0, 0, 7}}));
   model.wires.push_back({0, 9});
