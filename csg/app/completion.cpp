@@ -156,11 +156,14 @@ std::string value_cases(const CommandText& command) {
 }
 
 std::string argument_cases(const CommandText& command) {
+  static constexpr const char* kModels =
+      " .yaml .yml .json .csg .off .obj .stl .ply .vtp .vtk .ts .step .stp .brep";
   std::string out;
   std::size_t i = 0;
   for (const OptionText& option : command.options) {
     if (!option.positional) continue;
-    out += "    '" + command.name + " " + std::to_string(i++) + "') _cnrg_files \"$word\" ;;\n";
+    const std::string endings = option.names[0] == "TREE" ? kModels : "";
+    out += "    '" + command.name + " " + std::to_string(i++) + "') _cnrg_files \"$word\"" + endings + " ;;\n";
   }
   return out;
 }

@@ -13,6 +13,9 @@ std::map<LeafId, std::size_t> leaf_numbers(const ResultView& view, const FlatCom
     for (const auto& cell : cells) see(cell.origin.leaves);
   };
   see_all(flat.vertices), see_all(flat.edges), see_all(flat.faces), see_all(flat.regions);
+  for (const FlatComplex::Face& face : flat.faces) {
+    if (!face.cells.empty()) see({&face.patch->first, 1});  // its parameters name it
+  }
   for (Component i = 1; i <= view.value->component_count(); ++i) see(view.value->attributes(i).leaves);
   std::vector<LeafId> order;
   for (const auto& [leaf, number] : numbers) order.push_back(leaf);

@@ -16,8 +16,9 @@
 #include "csg/text/input_file.h"
 #include "csg/text/number.h"
 #include "csg/text/table.h"
+#include "csg/tree/check_tree.h"
 #include "csg/tree/dag.h"
-#include "csg/tree/read_from_input.h"
+#include "csg/tree/operator_names.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
 #include "csg/tree/read_openscad.h"
@@ -28,42 +29,11 @@
 #include "csg/tree/selector.h"
 #include "csg/tree/suggest.h"
 #include "csg/tree/tree.h"
+#include "csg/tree/tree_of_file.h"
 #include "csg/tree/yaml_value.h"
 
 namespace cnrg {
 namespace {
-
-constexpr std::size_t kMostBytes = 100'000'000;
-
-struct OperatorName {
-  std::string_view name;
-  Operator op;
-};
-constexpr std::array<OperatorName, 19> kOperators{{
-    {"union", Operator::unite},
-    {"repeat", Operator::unite},
-    {"intersection", Operator::intersect},
-    {"difference", Operator::subtract},
-    {"aggregate", Operator::aggregate},
-    {"unify", Operator::unify},
-    {"sum", Operator::sum},
-    {"product", Operator::product},
-    {"subtract", Operator::cnrg_subtract},
-    {"complement", Operator::complement},
-    {"interior", Operator::interior},
-    {"closure", Operator::closure},
-    {"boundary", Operator::boundary},
-    {"regularize", Operator::regularize},
-    {"below", Operator::below},
-    {"above", Operator::above},
-    {"simplify", Operator::simplify},
-    {"csg", Operator::simplify},
-    {"select", Operator::select},
-}};
-
-constexpr std::array<std::string_view, 12> kAttributes{"material",  "name",  "attributes", "size",
-                                                       "dominance", "blend", "each",       "translate",
-                                                       "rotate",    "scale", "mirror",     "matrix"};
 
 constexpr std::array<std::string_view, 12> kCriteria{"dimension",   "name",     "material", "attributes",
                                                      "region",      "front of", "behind",   "from",
@@ -73,25 +43,6 @@ template <class Range>
 bool contains(const Range& range, std::string_view name) {
   return std::find(range.begin(), range.end(), name) != range.end();
 }
-
-const OperatorName* find_operator(std::string_view name) {
-  const auto it =
-      std::find_if(kOperators.begin(), kOperators.end(), [&](const auto& o) { return o.name == name; });
-  return it == kOperators.end() ? nullptr : &*it;
-}
-
-bool is_boolean(Operator op) {
-  return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
-}
-
-/// Operators on two or more operands.
-bool takes_a_list(Operator op) {
-  return is_boolean(op) || op == Operator::aggregate || op == Operator::sum || op == Operator::product ||
-         op == Operator::cnrg_subtract;
-}
-
-/// Operators whose operands meet, so that one of them may dominate.
-bool has_sides(Operator op) { return is_boolean(op) || op == Operator::sum || op == Operator::product; }
 
 class TreeReader {
  public:
@@ -124,9 +75,9 @@ class TreeReader {
       tree_.weld = read_weld(*weld, fields.name("weld"));
       tree_.weld_at = weld->at();
     }
-    check_graph();
-    check_selectors();
-    check_distances();
+    check_graph(tree_, dag_);
+    check_selectors(tree_, dag_);
+    check_distances(tree_);
     tree_.dag = std::make_shared<const Dag>(std::move(dag_));
   }
 
@@ -144,7 +95,7 @@ class TreeReader {
     node.operator_name = "select";
     node.operator_at = criteria.at();
     read_selection(id, criteria, of);
-    check_selectors();
+    check_selectors(tree_, dag_);
     tree_.dag = std::make_shared<const Dag>(std::move(dag_));
     return id;
   }
@@ -238,7 +189,7 @@ class TreeReader {
   void read_csg(NodeId id, const Value& value) {
     const std::string file = path_in_folder(value.text("`csg`, an OpenSCAD file,"), context_);
     if (!is_openscad_file(file)) value.fail_type("`csg`", "a file that ends as .csg");
-    const Tree tree = parse_openscad(read_file(file, context_.inside, kMostBytes), file, {options_.inside});
+    const Tree tree = parse_openscad(read_file(file, context_.inside, kMostTreeBytes), file, {options_.inside});
     tree_.warnings.insert(tree_.warnings.end(), tree.warnings.begin(), tree.warnings.end());
     tree_.inputs.push_back(file);
     tree_.inputs.insert(tree_.inputs.end(), tree.inputs.begin(), tree.inputs.end());
@@ -578,62 +529,6 @@ class TreeReader {
     }
   }
 
-  /// What is asked for is below what it is picked from.
-  void check_selectors() {
-    NodeId last;  // many pick from one node
-    std::vector<char> below;
-    for (const NodeId id : IdRange<NodeId>(tree_.nodes.size())) {
-      const Node& node = tree_.nodes[id];
-      if (node.op != Operator::select || (node.selector->from.empty() && node.selector->sides.empty())) continue;
-      const NodeId of = dag_.operands(id).front();
-      if (last != of) below = dag_.reachable({of});
-      last = of;
-      for (const NodeId from : node.selector->from) {
-        if (!node.selector->criteria.source_faces.empty() && tree_.nodes[from].op != Operator::leaf) {
-          document_.fail(node.selector->from_at, "`source face` is a face of a leaf, and `" +
-                                                     tree_.nodes[from].name + "` is a `" +
-                                                     tree_.nodes[from].operator_name + "`; name the leaf");
-        }
-        if (!below[from.index()]) fail_as_not_below(of, from, node.selector->from_at);
-      }
-      for (const Selector::Side& side : node.selector->sides) {
-        if (!below[side.of.index()]) fail_as_not_below(of, side.of, side.at);
-      }
-    }
-  }
-
-  [[noreturn]] void fail_as_not_below(NodeId of, NodeId from, Position at) const {
-    document_.fail(at, "nothing of `" + tree_.nodes[of].name + "` is from `" + tree_.nodes[from].name +
-                           "`; name a leaf or another node that it is made of");
-  }
-
-  void check_distances() {
-    for (const Material& m : tree_.materials) {
-      const auto* distance = m.grade ? std::get_if<DistanceGrade>(&m.grade->along) : nullptr;
-      if (distance == nullptr || tree_.names.count(distance->to) != 0) continue;
-      std::vector<std::string_view> known;
-      for (const auto& [key, id] : tree_.names) known.push_back(key);
-      const std::string hint = did_you_mean(distance->to, known);
-      document_.fail(m.to_at, "there is no node called `" + distance->to + "` to measure a distance to" +
-                                  (hint.empty() ? "; use one of the names in `nodes`" : hint));
-    }
-  }
-
-  void check_graph() {
-    const Dag::Cycle cycle = dag_.find_cycle();
-    if (!cycle.nodes.empty()) {
-      constexpr std::size_t kListed = 20;
-      std::string way;
-      for (std::size_t i = 0; i < std::min(cycle.nodes.size(), kListed); ++i) {
-        const Node& node = tree_.nodes[cycle.nodes[i]];
-        way += "`" + node.name + "` (line " + std::to_string(node.at.line) + ") -> ";
-      }
-      if (cycle.nodes.size() > kListed) way += std::to_string(cycle.nodes.size() - kListed) + " more -> ";
-      document_.fail(cycle.mention, "these nodes use each other in a cycle: " + way + "`" +
-                                        tree_.nodes[cycle.nodes.front()].name + "`; remove one of the uses");
-    }
-  }
-
   Document& document_;
   Tree& tree_;
   const ReadOptions& options_;
@@ -646,19 +541,12 @@ class TreeReader {
 
 }  // namespace
 
-namespace {
-
-[[noreturn]] void refuse_size(const std::string& file, const std::string& what) {
-  throw TreeError(file, {}, what + "; give large shapes as files that the tree names");
-}
-
-}  // namespace
-
 Tree parse_tree(const std::string& text, const std::string& file, const ReadOptions& options) {
   constexpr std::size_t kHonestAliases = 1'000'000;
-  if (text.size() > kMostBytes) {
-    refuse_size(file, "this text has " + grouped(text.size()) + " bytes, and at most " + grouped(kMostBytes) +
-                          " are read");
+  if (text.size() > kMostTreeBytes) {
+    throw TreeError(file, {},
+                    "this text has " + grouped(text.size()) + " bytes, and at most " + grouped(kMostTreeBytes) +
+                        " are read" + kSmallerTree);
   }
   Document document{file, text.size() + kHonestAliases};
   Tree tree;
@@ -691,32 +579,6 @@ NodeId add_selection(Tree& tree, NodeId of, const std::string& criteria, const s
     tree.nodes.resize(before);
     throw;
   }
-}
-
-namespace {
-
-/// The tree in the text that `read` gives.
-template <class Read>
-Tree tree_in(const std::string& file, const ReadOptions& options, Read read) {
-  std::string text;
-  try {
-    text = read();
-  } catch (const InputError& e) {
-    refuse_size(file, e.what());
-  } catch (const FileError& e) {
-    throw FileError(to_string(file, {}) + ": error: the tree file: " + e.what());
-  }
-  return (is_openscad_file(file) ? parse_openscad : parse_tree)(text, file, options);
-}
-
-}  // namespace
-
-Tree read_tree(const std::string& path, const ReadOptions& options) {
-  return tree_in(path, options, [&] { return read_file(path, {}, kMostBytes); });
-}
-
-Tree read_tree_from_input(const ReadOptions& options) {
-  return tree_in(kStandardInput, options, [] { return read_standard_input(kMostBytes); });
 }
 
 }  // namespace cnrg

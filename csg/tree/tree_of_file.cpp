@@ -5,9 +5,12 @@
 #include <set>
 
 #include "csg/imports/mesh_file.h"
+#include "csg/openscad/openscad_tree.h"
 #include "csg/text/file.h"
 #include "csg/text/input_file.h"
 #include "csg/tree/dag.h"
+#include "csg/tree/read_from_input.h"
+#include "csg/tree/read_openscad.h"
 
 namespace cnrg {
 namespace {
@@ -54,7 +57,29 @@ std::optional<std::pair<Shape, const char*>> shape_of(const std::string& path) {
   return std::nullopt;
 }
 
+/// The tree in the text that `read` gives.
+template <class Read>
+Tree tree_in(const std::string& file, const ReadOptions& options, Read read) {
+  std::string text;
+  try {
+    text = read();
+  } catch (const InputError& e) {
+    throw TreeError(file, {}, e.what() + std::string(kSmallerTree));
+  } catch (const FileError& e) {
+    throw FileError(to_string(file, {}) + ": error: the tree file: " + e.what());
+  }
+  return (is_openscad_file(file) ? parse_openscad : parse_tree)(text, file, options);
+}
+
 }  // namespace
+
+Tree read_tree(const std::string& path, const ReadOptions& options) {
+  return tree_in(path, options, [&] { return read_file(path, {}, kMostTreeBytes); });
+}
+
+Tree read_tree_from_input(const ReadOptions& options) {
+  return tree_in(kStandardInput, options, [] { return read_standard_input(kMostTreeBytes); });
+}
 
 Tree tree_of_file(const std::string& path, const ReadOptions& options) {
   auto found = shape_of(path);

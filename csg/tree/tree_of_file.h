@@ -8,6 +8,9 @@
 
 namespace cnrg {
 
+inline constexpr std::size_t kMostTreeBytes = 100'000'000;
+inline constexpr const char* kSmallerTree = "; give large shapes as files that the tree names";
+
 /// A tree with one leaf: a mesh, a CAD model or a result, read from a file as the leaf of that kind would. Any
 /// other file is read as a tree. Throws what `read_tree` throws.
 Tree tree_of_file(const std::string& path, const ReadOptions& options = {});
