@@ -368,7 +368,8 @@ Judgement judge(const Problem& problem, const Model& result, double rounding) {
   const double unit = whole > 0 ? whole : c.extent * c.extent * c.extent;
   j.excess = excess / unit;
   j.missing = missing / unit;
-  // Moving the boundary by the rounding changes the volume by that much; where solids only touch, that of a sliver.
+  // Moving the boundary by the rounding changes the volume by that much; where solids only touch, that of a
+  // sliver.
   const double moved = std::max(area(complex, c.boundary(c.exact)), area(complex, c.boundary(c.found)));
   const double allowed = rounding == 0 ? 0 : 16 * rounding * c.extent * moved;
   const Rational around = signed_volume(result), inside = volume(complex, c.found.regions).value();
