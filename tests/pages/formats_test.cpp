@@ -154,8 +154,8 @@ TEST_CASE("csg/FORMATS.md has the keys of every part of a leaf and an attribute"
 
 TEST_CASE("csg/FORMATS.md has the operators and attributes that the reader has", "[pages][formats]") {
   CHECK(first_words(formats(), "operator") ==
-        words_in_source("csg/tree/read_tree.cpp", "kOperators{{", "\\{\"([a-z]+)\", Operator::"));
-  Words attributes = words_in_source("csg/tree/read_tree.cpp", "kAttributes{", "\"([a-z]+)\"");
+        words_in_source("csg/tree/operator_names.h", "kOperators{{", "\\{\"([a-z]+)\", Operator::"));
+  Words attributes = words_in_source("csg/tree/operator_names.h", "kAttributes{", "\"([a-z]+)\"");
   attributes.insert({"regularize", "simplify"});  // which are operators, too
   CHECK(first_words(formats(), "attribute") == attributes);
 }
