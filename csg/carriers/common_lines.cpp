@@ -1,6 +1,8 @@
 // The stage between prepared leaves and their soup.
 #include "csg/carriers/common_lines.h"
 
+#include <algorithm>
+
 #include "csg/carriers/axes.h"
 #include "csg/carriers/axial.h"
 #include "csg/carriers/bands.h"
@@ -9,6 +11,9 @@
 #include "csg/carriers/nets.h"
 #include "csg/carriers/revolved_families.h"
 #include "csg/carriers/round_spaces.h"
+#include "csg/geometry/placement.h"
+#include "kernel/base/sorted.h"
+#include "kernel/base/union_find.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
 
@@ -24,27 +29,22 @@ bool in_range_of_doubles(const RationalPoint& axis, const Transform& transform) 
   return to_double(dot(direction, direction)) < 1e300 && to_double(dot(axis, axis)) < 1e300;
 }
 
-}  // namespace
-
-std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near,
-                                            std::vector<LeafWords>* apart, const std::vector<Index>& anew,
-                                            const ExtraOfInstances& extra, std::set<Index>* drawn,
-                                            DrawnLeaves* known) {
-  std::set<Index> have_lines;
-  DrawnLeaves none_known;
-  if (drawn == nullptr) drawn = &have_lines;
-  if (known == nullptr) known = &none_known;
-  instances = with_common_nets(instances, extra, drawn);
-  const std::map<Index, LeafInstance> stretched = replace_axial(instances);
+/// Leaves of revolution, arcs of extrusions and bands, and which of them are near each other.
+struct RoundLeaves {
+  std::vector<Index> all;
   std::vector<RevolvedInstance> revolved;
-  std::vector<Index> round;
+  std::vector<std::array<Index, 2>> pairs;  ///< whose boxes meet, each once
+};
+
+RoundLeaves round_leaves(const std::vector<LeafInstance>& instances) {
+  RoundLeaves round;
   std::vector<Box> boxes;
   for (Index i = 0; i < instances.size(); ++i) {
     const CurvedForm* const form = instances[i].leaf->form().get();
     if (const auto* of = dynamic_cast<const RevolvedForm*>(form)) {
       if (!in_range_of_doubles(of->axis, instances[i].transform)) continue;
       boxes.push_back(box_of(*of, instances[i].transform));
-      revolved.push_back({i, instances[i].transform, boxes.back()});
+      round.revolved.push_back({i, instances[i].transform, boxes.back()});
     } else if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(form)) {
       if (!in_range_of_doubles(extrusion->shape.vector, instances[i].transform)) continue;
       boxes.push_back(box_of(*extrusion, instances[i].transform));
@@ -55,23 +55,163 @@ std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
     } else {
       continue;
     }
-    round.push_back(i);
+    round.all.push_back(i);
   }
-  if (round.empty()) return instances;  // so none was replaced
-  std::vector<std::array<Index, 2>> pairs;
   const BoxTree tree(boxes);
-  for (Index a = 0; a < round.size(); ++a) {
+  for (Index a = 0; a < round.all.size(); ++a) {
     tree.query([&](const Box& box) { return box.meets(boxes[a]); },
                [&](Index b) {
-                 if (b < a) pairs.push_back({round[b], round[a]});
+                 if (b < a) round.pairs.push_back({round.all[b], round.all[a]});
                });
   }
-  const std::vector<std::array<Index, 2>> about_one_axis = near_axes(instances, pairs);
-  if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
+  return round;
+}
+
+/// Leaves that are drawn on lines in common, and where.
+struct Moved {
+  std::vector<Index> members;  ///< ascending
+  Transform space;             ///< to the space of the tree
+};
+
+/// Where leaves stand that were moved together: what moves most of them. If that is not one transform, it is the
+/// one from which the others are seen as the least ones, so that a move of all changes nothing.
+Transform space_of(const std::vector<Index>& members, const std::vector<LeafInstance>& instances) {
+  std::map<Placement, std::pair<std::size_t, const Transform*>> moves;
+  for (const Index i : members) {
+    const auto it = moves.try_emplace(Placement(instances[i].above), 0, &*instances[i].above).first;
+    ++it->second.first;
+  }
+  const auto seen_from = [&](const Transform& space) {
+    const Placement back(space.inverse());
+    std::vector<std::pair<Placement, std::size_t>> seen;
+    for (const auto& [move, entry] : moves) seen.emplace_back(back * move, entry.first);
+    std::sort(seen.begin(), seen.end());
+    return seen;
+  };
+  const std::pair<std::size_t, const Transform*>* best = nullptr;
+  for (const auto& [move, entry] : moves) {
+    if (best == nullptr || entry.first > best->first ||
+        (entry.first == best->first && seen_from(*entry.second) < seen_from(*best->second)))
+      best = &entry;
+  }
+  return *best->second;
+}
+
+/// Takes those leaves out of the spaces that are to be drawn elsewhere than in the space of the tree.
+std::vector<Moved> take_moved(const std::vector<LeafInstance>& instances, std::vector<RoundSpace>& spaces) {
+  std::vector<Moved> moved;
+  if (std::ranges::all_of(instances, [](const LeafInstance& one) { return one.above->identity(); })) return moved;
+  for (RoundSpace& of : spaces) {
+    UnionFind sets(instances.size());
+    for (const auto& [a, b] : of.near) sets.unite(a, b);
+    for (const auto& [a, b] : of.contacts.nested) sets.unite(a, b);
+    for (const Inside& pair : of.contacts.inside) sets.unite(pair.inner, pair.outer);
+    for (const auto& [circle, all] : of.contacts.circles) {
+      for (const HasCircle& one : all) sets.unite(one.instance, all.begin()->instance);
+    }
+    std::map<Index, std::vector<Index>> groups;
+    for (const Index i : of.instances) groups[sets.find(i)].push_back(i);
+    std::set<Index> gone;
+    for (const auto& [first, members] : groups) {
+      Transform space = space_of(members, instances);
+      if (space.identity()) continue;
+      gone.insert(members.begin(), members.end());
+      moved.push_back({members, std::move(space)});
+    }
+    std::erase_if(of.instances, [&](Index i) { return gone.contains(i); });
+    std::erase_if(of.contacts.circles,
+                  [&](const auto& entry) { return gone.contains(entry.second.begin()->instance); });
+  }
+  return moved;
+}
+
+class CommonLines {
+ public:
+  CommonLines(const ExtraOfInstances& extra, std::set<Index>& drawn, std::vector<LeafWords>& told,
+              DrawnLeaves& known)
+      : extra_(extra), drawn_(drawn), told_(told), known_(known) {}
+
+  void draw(std::vector<LeafInstance>& instances, std::vector<NearSurfaces>* near,
+            const std::vector<Index>& anew) const {
+    const std::vector<LeafInstance> given = instances;
+    const std::map<Index, LeafInstance> stretched = replace_axial(instances);
+    const RoundLeaves round = round_leaves(instances);
+    if (round.all.empty()) return;  // so none was replaced
+    const std::vector<std::array<Index, 2>> about_one_axis = near_axes(instances, round.pairs);
+    if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
+    std::vector<RoundSpace> spaces =
+        round_spaces(instances, round.revolved, round.pairs, about_one_axis, anew, extra_);
+    const std::vector<Moved> moved = take_moved(given, spaces);
+    share_axes(instances, spaces, extra_, drawn_, told_, known_);
+    restore_axial(stretched, instances);
+    if (!moved.empty()) draw_moved(moved, given, round, instances);
+  }
+
+ private:
+  /// Leaves that were moved together are drawn as if they had not been, with all that they may touch, and moved
+  /// then.
+  void draw_moved(const std::vector<Moved>& moved, const std::vector<LeafInstance>& given,
+                  const RoundLeaves& round, std::vector<LeafInstance>& instances) const {
+    std::map<Index, std::vector<Index>> beside;
+    for (const auto& [a, b] : round.pairs) {
+      beside[a].push_back(b);
+      beside[b].push_back(a);
+    }
+    for (const BesidePlanes& one : beside_planes(given, round.revolved, {})) {
+      for (const Index i : one.revolved) beside[i].push_back(one.instance);
+    }
+    for (const auto& [members, space] : moved) {
+      std::vector<Index> here = members;
+      for (const Index i : members) here.insert(here.end(), beside[i].begin(), beside[i].end());
+      sort_unique(here);
+      draw_in(space, members, here, given, instances);
+    }
+  }
+
+  void draw_in(const Transform& space, const std::vector<Index>& members, const std::vector<Index>& here,
+               const std::vector<LeafInstance>& given, std::vector<LeafInstance>& instances) const {
+    const Transform back = space.inverse();
+    std::vector<LeafInstance> there;
+    ExtraOfInstances extra;
+    for (const Index i : here) {
+      if (const auto lines = extra_.find(i); lines != extra_.end())
+        extra.emplace(static_cast<Index>(there.size()), lines->second);
+      there.push_back({given[i].leaf, back * given[i].transform});
+    }
+    std::set<Index> drawn;
+    std::vector<LeafWords> told;
+    CommonLines(extra, drawn, told, known_).draw(there, nullptr, {});
+    const auto is_member = [&](Index k) { return std::ranges::binary_search(members, here[k]); };
+    for (Index k = 0; k < here.size(); ++k) {
+      if (!is_member(k) || there[k].leaf == given[here[k]].leaf) continue;
+      instances[here[k]] = {there[k].leaf, space * there[k].transform};
+    }
+    for (const Index k : drawn) {
+      if (is_member(k)) drawn_.insert(here[k]);
+    }
+    for (const LeafWords& words : told) {
+      if (is_member(words.places().front().leaf)) told_.push_back(words.renumbered(here));
+    }
+  }
+
+  const ExtraOfInstances& extra_;
+  std::set<Index>& drawn_;
+  std::vector<LeafWords>& told_;
+  DrawnLeaves& known_;
+};
+
+}  // namespace
+
+std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near,
+                                            std::vector<LeafWords>* apart, const std::vector<Index>& anew,
+                                            const ExtraOfInstances& extra, std::set<Index>* drawn,
+                                            DrawnLeaves* known) {
+  std::set<Index> have_lines;
   std::vector<LeafWords> told;
-  share_axes(instances, round_spaces(instances, revolved, pairs, about_one_axis, anew, extra), extra, *drawn, told,
-             *known);
-  restore_axial(stretched, instances);
+  DrawnLeaves none_known;
+  if (drawn == nullptr) drawn = &have_lines;
+  instances = with_common_nets(instances, extra, drawn);
+  CommonLines(extra, *drawn, told, known == nullptr ? none_known : *known).draw(instances, near, anew);
   if (apart != nullptr) *apart = std::move(told);
   return instances;
 }

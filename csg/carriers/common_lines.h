@@ -5,7 +5,7 @@
 // tolerance would hide that and break what is exact. Instead the surfaces themselves are compared, exactly, before
 // any facet is refined: leaves that lie on one carrier, or touch along one, are tessellated once more, all on the
 // same lines. Those that share nothing stay as they are. Which lines these are depends on the set of leaves, not
-// on their order.
+// on their order. Leaves that were moved together are drawn where they stood, and moved then.
 #pragma once
 
 #include <set>

@@ -33,6 +33,7 @@ Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>&
   if (weld) {
     round = weld_surfaces(instances, *weld);
     instances = round.instances;
+    for (LeafInstance& instance : instances) instance.above = {};  // lengths of the whole tree decide
     if (!round.notice.empty()) out.welded.push_back(round.notice);
   }
   out.placed.surfaces = surface_numbers(instances, &out.placed.equations);

@@ -77,7 +77,7 @@ RegionMaterial Grades::on(const Instance& instance, const std::string& name) {
   RegionMaterial out(name);
   if (const auto it = graded_.find(name); it != graded_.end()) {
     PlacedGrade grade = it->second;
-    grade.placement = placement(instance);
+    grade.placement = transform_above(tree_, instance);
     out = placed(name, std::move(grade));
   }
   const Material* declared = name.empty() ? nullptr : tree_.material(name);
@@ -92,12 +92,6 @@ RegionMaterial Grades::moved(const Instance& instance, const RegionMaterial& own
   RegionMaterial out = placed(own.name(), std::move(grade));
   out.set_dominance(own.dominance());
   return out;
-}
-
-SharedTransform Grades::placement(const Instance& instance) const {
-  if (instance.transform == nullptr) return {};
-  const std::optional<Transform>& own = tree_.nodes[instance.node].transform;
-  return own ? SharedTransform(*instance.transform * own->inverse()) : SharedTransform(instance.transform);
 }
 
 }  // namespace cnrg

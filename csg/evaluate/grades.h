@@ -28,9 +28,6 @@ class Grades {
   /// A material that a leaf brings along in its own coordinates, where the instance puts the leaf; its
   /// dominance is its own.
   RegionMaterial moved(const Instance& instance, const RegionMaterial& own);
-  /// From the coordinates in which a node is given, its own transform done, to those of the complex. For instances
-  /// that have a transform; the identity for others.
-  SharedTransform placement(const Instance& instance) const;
 
  private:
   const Tree& tree_;

@@ -73,7 +73,8 @@ PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding, con
     if (!leaf.valid()) continue;
     const Instance& instance = unfolding.instances[i];
     instances_.resize(leaf.index(), {no_geometry(), {}});
-    instances_.push_back({prepared_[instance.node], instance.transform});
+    instances_.push_back({prepared_[instance.node], instance.transform, {}});
+    if (prepared_[instance.node]->form() != nullptr) instances_.back().above = transform_above(tree, instance);
   }
   instances_.resize(numbers_.count(), {no_geometry(), {}});
 }

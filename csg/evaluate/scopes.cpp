@@ -244,7 +244,7 @@ class Scopes {
     try {
       return operate(*scope.complex, node, x_.grades.on(instance, node.material), operands_of(scope, id),
                      x_.options.validate,
-                     {instance.transform, x_.grades.placement(instance), order_below(id), removed()});
+                     {instance.transform, transform_above(x_.tree, instance), order_below(id), removed()});
     } catch (const FaultAt& e) {
       throw TreeError(file_of(node), e.at(), e.what());
     } catch (const InputError& e) {
@@ -300,7 +300,7 @@ class Scopes {
       const SimplifiedValue simplified(scope.complex, scope.values.share(id));
       append(told_[id].diagnostics,
              material_conflicts(tree_, tree_.nodes[node], value, conflicts, *scope.complex, simplified,
-                                x_.grades.placement(x_.unfolding.instances[id])));
+                                transform_above(x_.tree, x_.unfolding.instances[id])));
       append(told_[id].diagnostics, empty_selection(tree_, node, value));
       const bool is_root = top && std::find(roots.begin(), roots.end(), id) != roots.end();
       const bool last = is_root && id == roots.front() && scope.values.used_once_more(id) && !x_.options.raw;

@@ -118,6 +118,7 @@ std::shared_ptr<const PreparedLeaf> prepare(const Shape& shape);
 struct LeafInstance {
   std::shared_ptr<const PreparedLeaf> leaf;
   SharedTransform transform{};
+  SharedTransform above{};  ///< what the leaf's users add to its own transform: `transform` less that
 };
 
 /// Makes the soup of all instances, which it copies; LeafId(i) is instance i. If one is unbounded, the frame

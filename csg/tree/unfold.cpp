@@ -130,6 +130,12 @@ Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t
   return result;
 }
 
+SharedTransform transform_above(const Tree& tree, const Instance& instance) {
+  const std::optional<Transform>& own = tree.nodes[instance.node].transform;
+  if (instance.transform == nullptr || (own && *own == *instance.transform)) return {};
+  return own ? SharedTransform(*instance.transform * own->inverse()) : SharedTransform(instance.transform);
+}
+
 std::vector<InstanceId> instances_below(const IdVector<InstanceId, Instance>& instances, InstanceId root) {
   std::vector<char> below(root.index() + 1, 0);
   below[root.index()] = 1;

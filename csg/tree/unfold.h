@@ -27,6 +27,10 @@ inline constexpr std::size_t kMostBits = 100'000;
 /// transforms has numbers of more than kMostBits bits.
 Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t most = 1'000'000);
 
+/// What the users of an instance add to its node's own transform: from the coordinates in which the node stands to
+/// those of the root. For instances that have a transform; the identity for others.
+SharedTransform transform_above(const Tree& tree, const Instance& instance);
+
 /// An instance and all below it, ascending: operands before users, itself the last.
 std::vector<InstanceId> instances_below(const IdVector<InstanceId, Instance>& instances, InstanceId root);
 

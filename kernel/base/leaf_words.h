@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -47,6 +48,13 @@ class LeafWords {
       const auto* const place = std::get_if<LeafPlace>(&part);
       out += place != nullptr ? words_of(*place) : std::get<std::string>(part);
     }
+    return out;
+  }
+  /// With numbers of leaves in place of their places in a list.
+  LeafWords renumbered(std::span<const std::uint32_t> leaves) const {
+    LeafWords out = *this;
+    for (auto& part : out.parts_)
+      if (auto* const place = std::get_if<LeafPlace>(&part)) place->leaf = leaves[place->leaf];
     return out;
   }
   /// In their order.
