@@ -162,9 +162,9 @@ def beside_gmsh(kept):
 # --- Mäntylä
 
 def tallies(line):
-    """`k 5:  double, right 59, connecting 1  exact, same 60` to {"double": {"right": 59, "connecting": 1}, ...}."""
+    """`double, right 59, connecting 1  exact, same 60` to {"double": {"right": 59, "connecting": 1}, ...}."""
     found = {}
-    for part in line.strip().split("  ")[1:]:
+    for part in line.strip().split("  "):
         words = part.split(", ")
         counts = [w for w in words if re.search(r" \d+$", w)]
         found[", ".join(w for w in words if w not in counts)] = {w.rsplit(" ", 1)[0]: int(w.rsplit(" ", 1)[1]) for w in counts}
@@ -309,10 +309,10 @@ def growth(kept):
 BASELINE = "CNRG_SEEDS={} build/release/tests/test_baseline \"{}\""
 CONSERVE = "bench/run conserve FOLDER/{} --count{} --seconds 60 --json out/{}.json"
 MEASUREMENTS = [
-    Measurement("keyser-errors", "papers/keyser2004/measure.py PROGRAM", printed_rows(0)),
-    Measurement("keyser-distances", "papers/keyser2004/measure.py PROGRAM", printed_rows(1)),
-    Measurement("keyser-curved", "papers/keyser2004/curved.py PROGRAM", printed_rows(0)),
-    Measurement("keyser-coincidences", "papers/keyser2004/coincidences.py PROGRAM", printed_rows(0), long=True),
+    Measurement("keyser-errors", "python3 papers/keyser2004/measure.py PROGRAM", printed_rows(0)),
+    Measurement("keyser-distances", "python3 papers/keyser2004/measure.py PROGRAM", printed_rows(1)),
+    Measurement("keyser-curved", "python3 papers/keyser2004/curved.py PROGRAM", printed_rows(0)),
+    Measurement("keyser-coincidences", "python3 papers/keyser2004/coincidences.py PROGRAM", printed_rows(0), long=True),
     Measurement("mantyla-folds", BASELINE.format(2000, "hunt with folds on the grid"), read_folds),
     Measurement("mantyla-near", "CNRG_FIRST_SEED=50000 " + BASELINE.format(600, "hunt near the grid"), read_near),
     Measurement("mantyla-rules", BASELINE.format(3000, "hunt for departures"), read_rules),
