@@ -73,11 +73,9 @@ def whole_jobs(kept):
 
 
 def beside_corefinement(kept):
-    """The ratios thread for thread of the two pairs of 100,000 triangles each."""
-    cases = [kept[name] for name in ("bunny100k+cow100k", "armadillo")]
-    ratios = [median(seconds_of(c, "cnrg, 1 thread")) / median(seconds_of(c, "CGAL corefinement")) for c in cases]
-    return (f"Two meshes of 100,000 triangles each are united in {span(ratios)} of the time of CGAL's corefinement, with one thread "
-            f"each, at `{cases[0]['commit']}`: [all figures](bench/README.md#what-was-measured).")
+    entry = kept["speed-nef"]
+    return (f"Two meshes of 100,000 triangles each are united in {span(entry['values']['corefinement'])} of the time of CGAL's "
+            f"corefinement, with one thread each, at `{entry['commit']}`: [all figures](bench/README.md#what-was-measured).")
 
 
 def read_nef(text):
@@ -104,7 +102,7 @@ def nef(kept):
              f"of Nef polyhedra; {span(v['bytes'], 3)} bytes per triangle"),
             ("64 overlapping spheres", part(v["spheres"]) + " of Nef"),
             ("200 integer boxes", f"{part(v['boxes'])} of Nef with all operands at once, {part(v['boxes one by one'])} one after the other"),
-            ("10,000 to 1,000,000 triangles per operand", f"time per cell within {v['growth']:.2g} times")]
+            ("10,000 to 1,000,000 triangles per operand", f"time per cell within {v['growth']:.3g} times")]
     return table(["one thread each", "time"], rows) + "\n\n" + by(kept["speed-nef"])
 
 
@@ -161,6 +159,9 @@ def beside_gmsh(kept):
 
 # --- Mäntylä
 
+RULES = "sides single arcs pairs order nearest rings curves checks".split()
+
+
 def tallies(line):
     """`double, right 59, connecting 1  exact, same 60` to {"double": {"right": 59, "connecting": 1}, ...}."""
     found = {}
@@ -172,23 +173,21 @@ def tallies(line):
 
 
 def read_near(text):
-    rows = {}
+    columns, pairs = [], set()
     for k, line in re.findall(r"^k (\d+):(.*)$", text, re.M):
         checked, free = (tallies(line)[name] for name in ("double", "double, no checks"))
-        answers = sum(checked.get(word, 0) for word in ("right", "within 1e-6", "wrong"))
-        rows[k] = [sum(checked.values()) - answers, free.get("right", 0) - checked.get("right", 0), free.get("wrong", 0),
-                   sum(checked.values())]
-    return rows
+        pairs.add(sum(checked.values()))
+        failures = sum(n for word, n in checked.items() if word not in ("right", "within 1e-6", "wrong"))
+        if failures:
+            columns.append((k, failures, free.get("right", 0) - checked.get("right", 0), free.get("wrong", 0)))
+    titles = ("k", "failures", "of these, without `checks`: right", "wrong, unsaid")
+    return {"rows": [" | ".join(map(str, (title, *row))) for title, row in zip(titles, zip(*columns))], "pairs": min(pairs)}
 
 
 def near(kept):
-    values = kept["mantyla-near"]["values"]
-    failing = {k: row for k, row in values.items() if row[0]}
-    rows = [[title, *(row[i] for row in failing.values())]
-            for i, title in enumerate(("failures", "of these, without `checks`: right", "wrong, unsaid"))]
-    pairs = next(iter(values.values()))[3]
-    return (f"**Doubles fail near their epsilon** (10<sup>-10</sup> of the size): operands on a grid that are moved by 10<sup>-k</sup>, {pairs} "
-            f"pairs for each k from 2 to 16:\n\n" + table(["k", *failing], rows) + "\n\n" + by(kept["mantyla-near"]))
+    v = kept["mantyla-near"]["values"]
+    return (f"**Doubles fail near their epsilon** (10<sup>-10</sup> of the size): operands on a grid that are moved by 10<sup>-k</sup>, {v['pairs']} "
+            f"pairs for each k from 2 to 16:\n\n" + table(cells(v["rows"][0]), v["rows"][1:]) + "\n\n" + by(kept["mantyla-near"]))
 
 
 def read_folds(text):
@@ -206,29 +205,28 @@ def folds(kept):
 
 def read_rules(text):
     totals = {f"{who} {what}": int(n) for who, what, n in re.findall(r"^(baseline|published) (\w+) (\d+)$", text, re.M)}
-    rules = {}
+    changes = {}
     for who, name, line in re.findall(r"^(baseline -|published \+)(\w+):(.*)$", text, re.M):
-        rules.setdefault(name, {})[who.split()[0]] = {change: int(n) for change, n in re.findall(r"(\w+ to \w+) (\d+)", line)}
-    return {"totals": totals, "rules": rules}
+        changes.setdefault(name, {})[who[0]] = Counter({change: int(n) for change, n in re.findall(r"(\w+ to \w+) (\d+)", line)})
+
+    def count(rule, who, before, after):
+        return sum(changes[rule][who][f"{b} to {a}"] for b in before for a in after)
+    failed, right = ("wrong", "refused"), ("same",)
+    return {"totals": totals, "rows": [" | ".join(map(str, (f"`{r}`", count(r, "b", failed, right), count(r, "p", failed, right),
+                                                            count(r, "p", right, failed)))) for r in RULES],
+            "checks": [count("checks", "p", ("wrong",), ("refused",)), count("checks", "p", right, ("refused",))],
+            "nearest": count("nearest", "p", ("wrong",), ("refused",))}
 
 
 def rules(kept):
     v = kept["mantyla-rules"]["values"]
-    t, effects = v["totals"], v["rules"]
-
-    def changes(rule, who, *names):
-        return sum(effects[rule][who].get(name, 0) for name in names)
-    order = "sides single arcs pairs order nearest rings curves checks".split()
-    rows = [[f"`{r}`", changes(r, "baseline", "wrong to same", "refused to same"), changes(r, "published", "wrong to same", "refused to same"),
-             changes(r, "published", "same to wrong", "same to refused")] for r in order]
-    right, wrong, ended = (t.get("published " + what, 0) for what in ("same", "wrong", "refused"))
-    return (f"On a grid, {right + wrong + ended:,} Booleans whose boundaries cross, in fractions: the baseline does {t['baseline same']:,} right; "
-            f"the published algorithm {right}, {wrong} are wrong and {ended} end in a stage. \"Fail without it\": the baseline with that rule "
-            "off. \"By it alone\": the published algorithm with `shells` and that rule.\n\n"
-            + table(["rule", "fail without it", "repaired by it alone", "broken by it alone"], rows) +
-            f"\n\n`checks` turn {changes('checks', 'published', 'wrong to refused')} wrong results into refusals, and "
-            f"{changes('checks', 'published', 'same to refused')} right ones; `nearest`, which needs `rings`, "
-            f"{changes('nearest', 'published', 'wrong to refused')} of the wrong. {by(kept['mantyla-rules'])}")
+    right, wrong, ended = (v["totals"].get("published " + what, 0) for what in ("same", "wrong", "refused"))
+    return (f"On a grid, {right + wrong + ended:,} Booleans whose boundaries cross, in fractions: the baseline does "
+            f"{v['totals']['baseline same']:,} right; the published algorithm {right}, {wrong} are wrong and {ended} end in a stage. \"Fail "
+            "without it\": the baseline with that rule off. \"By it alone\": the published algorithm with `shells` and that rule.\n\n"
+            + table(["rule", "fail without it", "repaired by it alone", "broken by it alone"], v["rows"]) +
+            f"\n\n`checks` turn {v['checks'][0]} wrong results into refusals, and {v['checks'][1]} right ones; `nearest`, which needs "
+            f"`rings`, {v['nearest']} of the wrong. {by(kept['mantyla-rules'])}")
 
 
 def rights(tally):
