@@ -8,7 +8,7 @@ import json
 import re
 from collections import Counter
 from dataclasses import dataclass, field
-from statistics import median
+from statistics import median, quantiles
 from typing import Callable
 
 
@@ -68,8 +68,10 @@ def whole_jobs(kept):
         return " / ".join(f"{median(t):.{0 if median(t) >= 99.5 else 2}{'f' if median(t) >= 99.5 else 'g'}}" for t in times if t)
     systems = {"ours": "cnrg", "Manifold": "manifold", "trueform": "trueform", "corefinement": "CGAL corefinement"}
     cases = [case for case in kept.cases if "rows" in case]
+    runs = [sorted(row["seconds"]) for case in cases for row in case["rows"] if row["system"].startswith("cnrg") and row["seconds"][1:]]
+    apart = max(abs(quartile / median(r) - 1) for r in runs for quartile in quantiles(r, method="inclusive"))
     return table(["case", *systems, "commit"], [[f"`{c['name']}`", *(time_of(c, s) for s in systems.values()), f"`{c['commit']}`"]
-                                                for c in cases])
+                                                for c in cases]) + f"\n\nQuartiles of ours are within {100 * apart:.0f} % of the median."
 
 
 def beside_corefinement(kept):
@@ -97,7 +99,7 @@ def nef(kept):
     v = kept["speed-nef"]["values"]
 
     def part(values):
-        return " to ".join(dict.fromkeys(f"1/{x:.0f}" for x in sorted(values)))
+        return " to ".join(dict.fromkeys(f"1/{x:.0f}" for x in (min(values), max(values))))
     rows = [(f"{v['pairs']} pairs of meshes of 100,000 triangles each", f"{span(v['corefinement'])} of corefinement, {part(v['nef'])} "
              f"of Nef polyhedra; {span(v['bytes'], 3)} bytes per triangle"),
             ("64 overlapping spheres", part(v["spheres"]) + " of Nef"),
