@@ -259,11 +259,11 @@ def read_report(text):
         verdicts, curve = tally["verdicts"], curves.get(name)
         begin = curve and curve["fails_from"]
         worst = curve and next(p for p in curve["points"] if p["distance"] == curve["worst_at"])["failure_rate"]
-        ratio = [f"{ratios[name][what]['median']:.3g}" if name in ratios else "1" for what in ("time", "memory")]
+        ratio = [f"{ratios[name][what]['median']:.3g}" if name in ratios else "1" if name == "ours" else "" for what in ("time", "memory")]
         right = rights(tally) - verdicts["same"]
         failed = [verdicts[v] for v in ("wrong", "refused", "timed-out")]
         start = "never" if begin is None else "exact" if begin == "exact" else f"10<sup>-{begin}</sup>"
-        return " | ".join(map(str, [system["title"], verdicts["same"], right, *failed, start, f"{100 * (worst or 0):.2g} %", *ratio]))
+        return " | ".join(map(str, [system["title"], verdicts["same"], right, *failed, start, f"{100 * (worst or 0):.{2 if (worst or 0) < 0.995 else 3}g} %", *ratio]))
     systems = [s for s in report["systems"] if s["name"] in a["totals"]]
     return {"rows": [row(s) for s in systems], "problems": a["problems"], "families": len(a["families"]),
             "systems": len(systems), "runs": sum(t["runs"] for t in a["totals"].values()), "nef": a["truth"].get("Nef", 0)}
@@ -317,8 +317,10 @@ MEASUREMENTS = [
     Measurement("mantyla-near", "CNRG_FIRST_SEED=50000 " + BASELINE.format(600, "hunt near the grid"), read_near),
     Measurement("mantyla-rules", BASELINE.format(3000, "hunt for departures"), read_rules),
     Measurement("mantyla-departures", "bench/run departures --out out/departures", read_departures, "out/departures/report.json", True),
-    Measurement("mantyla-report", "bench/run all --limit 900 --seconds 20 --out out/full", read_report, "out/full/report.json", True),
+    Measurement("mantyla-report", "bench/run all --limit 900 --seconds 20 --systems ours,nef,occt-rescaled,mantyla-exact,openscad-rescaled,corefinement,"
+                "mantyla-double --out out/full", read_report, "out/full/report.json", True),
     Measurement("pereira-growth", f"bench/run {' '.join(GROWING)} --out out/growth", read_growth, "out/growth/report.json", True),
+    Measurement("pereira-groups", "python3 tests/formats/supported_tunnel.py PROGRAM $(mktemp -d)", printed_rows(0)),
     Measurement("speed-nef", "bench/run speed pairs growth spheres64 boxes200 --meshes FOLDER --json out/nef.json", read_nef,
                 "out/nef.json", True),
     Measurement("meshes", "bench/run meshes FOLDER", printed_rows(0, (0, 1, 2, 3, 4, 5, 8, 11)), long=True),
@@ -334,9 +336,9 @@ BLOCKS = {
     "meshes": plain("meshes", "model", "", "time, s", "tetrahedra", "worst shape", "median", "area missed, %", "regions kept", after=""),
     "meshes-gmsh": beside_gmsh,
     "mantyla-folds": folds, "mantyla-near": near, "mantyla-rules": rules, "mantyla-departures": departures, "mantyla-report": report,
-    "pereira-growth": growth,
+    "pereira-growth": growth, "pereira-groups": plain("pereira-groups", "dimension", "group", "number", "measure of the elements"),
     "keyser-errors": plain("keyser-errors", "node", "volume", "error", "of the leaves", "chord × area"),
-    "keyser-distances": plain("keyser-distances", "node", "distance", "bound", after=""),
+    "keyser-distances": plain("keyser-distances", "node", "distance", "bound"),
     "keyser-curved": plain("keyser-curved", "node", "finer", "straight mesh", "error", "bent mesh", "stay straight", "error", "ratio"),
     "keyser-coincidences": plain("keyser-coincidences", "case", "is", "cnrg", "OpenCASCADE", "CGAL Nef", "CGAL corefinement", "Manifold",
                                  "OpenSCAD"),
