@@ -269,15 +269,19 @@ int run(const Options& given) {
   std::vector<CaseResult> results;
   for (const Recipe& recipe : some) {
     if (!recipe.missing.empty()) {
-      std::printf("\n%s: left out: there is no %s below %s\n", recipe.name.c_str(), recipe.missing.c_str(),
-                  options.meshes.empty() ? "the folder of --meshes, which is not given" : options.meshes.c_str());
+      std::printf(
+          "\n%s: left out: there is no %s below %s; the set `pairs` (bench/run sets) says where it is from\n",
+          recipe.name.c_str(), recipe.missing.c_str(),
+          options.meshes.empty() ? "the folder of --meshes, which is not given" : options.meshes.c_str());
       continue;
     }
     results.push_back(run_case(recipe, options));
     print_case(results.back());
     write_json(options.json, options.commit, {results.back()});
   }
-  if (results.empty()) throw std::runtime_error("no case ran; give the folder of the meshes: --meshes FOLDER");
+  if (results.empty())
+    throw std::runtime_error(
+        "no case ran; give the folder of the meshes of bench/sets/pairs.yaml: --meshes FOLDER");
   print_summary(results);
   print_table(results);
   std::printf("\nrows: %s\n", options.json.c_str());

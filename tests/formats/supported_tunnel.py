@@ -241,3 +241,10 @@ check_close(measure[2, "material shotcrete"], 48 * side * (0.625 - 10 / 260) * a
 for file, dimensions in (("model.msh", (1, 2)), ("mesh.msh", (1, 2, 3))):
     tags = check_in_meshio(file, groups, dimensions)
     check_in_gmsh(file, groups, dimensions, tags)
+
+# The table of papers/pereira2012.
+print("| dimension | group | number | measure of the elements |\n|---|---|---|---|")
+materials = sorted(name for dimension, name in measure if dimension == 3 and name.startswith("material "))
+for dimension, name in [(1, "bolts"), (1, "spiles"), (2, "shell"), (2, "fault"), *((3, name) for name in materials)]:
+    number = "".join(f"`{key}` {values[name]:g}" for key, values in SAID.items() if name in values)
+    print(f"| {dimension} | `{name}` | {number} | {measure[dimension, name]:,.2f} {('m', 'm²', 'm³')[dimension - 1]} |")

@@ -2,6 +2,7 @@
 import json
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as ET
@@ -48,6 +49,24 @@ class Program(unittest.TestCase):
 
     def read(self, name):
         return (self.folder / name).read_text()
+
+    def test_what_is_published_of_a_report_is_in_its_rows(self):
+        sys.path.append(str(PROGRAM.parents[1] / "publish"))
+        from measurements import read_report
+        self.run_report("rows", "-o", "page.html", "--json", "page.json")
+        published = read_report(self.read("page.json"))
+        report = json.loads(self.read("page.json"))
+        self.assertEqual(published["runs"], len(report["rows"]))
+        self.assertEqual(published["problems"], len({row["problem"] for row in report["rows"]}))
+        names = {system["title"]: system["name"] for system in report["systems"]}
+        self.assertEqual(len(published["rows"]), len({row["system"] for row in report["rows"]}))
+        for line in published["rows"]:
+            title, same, right, wrong, refused, late = line.split(" | ")[:6]
+            verdicts = [row["verdict"] for row in report["rows"] if row["system"] == names[title]]
+            others = ("same-regularized", "contact-duplicated", "contact-lost", "dangling-lost", "within-rounding")
+            self.assertEqual([int(n) for n in (same, right, wrong, refused, late)],
+                             [verdicts.count("same"), sum(map(verdicts.count, others)),
+                              *map(verdicts.count, ("wrong", "refused", "timed-out"))])
 
     def test_a_sweep_becomes_a_page_a_json_and_figures(self):
         self.write("rows/.hidden/x.json", "no row")
