@@ -51,14 +51,17 @@ class SectorDrawer {
   /// The face about a vertex of the other solid in it.
   void draw_flat(const Crossing<N>& crossing, const Sector<N>& face, const std::vector<Sector<N>>& others,
                  double radius) {
-    std::vector<Spoke<N>> spokes;
-    const std::vector<StarItem>& star = crossing.stars[solid_];
-    for (std::size_t k = 0; k < star.size(); ++k) {
-      const Vec<N>& here = crossing.rays[star[k].ray].direction;
-      const Vec<N>& after = crossing.rays[star[(k + 1) % star.size()].ray].direction;
-      spokes.push_back({here, &crossing.rays[star[k].ray], 0});
+    std::vector<Spoke<N>> given, spokes;
+    for (const Ray<N>& ray : crossing.rays) given.push_back({ray.direction, &ray, 0});
+    for (const Sector<N>& other : others)
+      if (scene_.metric.unit_sign(dot(other.to, face.normal)) == 0) given.push_back({other.to, nullptr, 0});
+    sort_about(given, face.normal);
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      const Vec<N>& here = given[k].direction;
+      spokes.push_back(given[k]);
       Vec<N> turned = here;
-      for (int quarters = quarters_before(here, after, face.normal); quarters > 0; --quarters) {
+      const Vec<N>& after = given[(k + 1) % given.size()].direction;
+      for (int n = given.size() == 1 ? 3 : quarters_before(here, after, face.normal); n > 0; --n) {
         turned = cross(turned, face.normal);
         spokes.push_back({Metric<N>::direction(turned), nullptr, 0});
       }
@@ -78,13 +81,14 @@ class SectorDrawer {
 
  private:
   bool in_sector(const Vec<N>& p, const Sector<N>& s) const {
-    return same_direction(scene_.metric, p, s.to) || strictly_within(scene_.metric, p, s);
+    return same_direction(scene_.metric, p, s.from) || same_direction(scene_.metric, p, s.to) ||
+           strictly_within(scene_.metric, p, s);
   }
 
-  /// Whole quarters of a turn, clockwise, strictly between two directions in a plane; 3 where they are one.
+  /// Whole quarters of a turn, clockwise, strictly between two directions in a plane; 0 where they are one.
   static int quarters_before(const Vec<N>& from, const Vec<N>& to, const Vec<N>& normal) {
     const N turn = dot(normal, cross(to, from)), along = dot(to, from);
-    if (turn == 0) return along > 0 ? 3 : 1;
+    if (turn == 0) return along > 0 ? 0 : 1;
     if (turn > 0) return along < 0 ? 1 : 0;
     return along > 0 ? 3 : 2;
   }
@@ -102,6 +106,20 @@ class SectorDrawer {
   static void sort_clockwise(std::vector<Spoke<N>>& spokes, const Sector<N>& sector) {
     std::stable_sort(spokes.begin(), spokes.end(), [&](const Spoke<N>& s, const Spoke<N>& t) {
       return dot(sector.normal, cross(t.direction, s.direction)) > 0;
+    });
+  }
+
+  /// Clockwise from the first one; of equal directions a crossing comes last, for behind it is another side.
+  static void sort_about(std::vector<Spoke<N>>& spokes, const Vec<N>& normal) {
+    const Vec<N> first = spokes.front().direction;
+    const auto half = [&](const Vec<N>& d) {
+      const N turn = dot(normal, cross(d, first));
+      return turn > 0 || (turn == 0 && dot(d, first) > 0) ? 0 : 1;
+    };
+    std::stable_sort(spokes.begin(), spokes.end(), [&](const Spoke<N>& s, const Spoke<N>& t) {
+      const int a = half(s.direction), b = half(t.direction);
+      if (a != b) return a < b;
+      return dot(normal, cross(t.direction, s.direction)) > 0;
     });
   }
 

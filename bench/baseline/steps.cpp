@@ -5,11 +5,28 @@
 #include <set>
 
 #include "bench/baseline/draw.h"
-#include "bench/cases/face_loops.h"
-#include "kernel/base/error.h"
 
 namespace cnrg::bench::mantyla {
 namespace {
+
+/// None of a face that cannot be cut, such as one without area.
+std::vector<Model::Face> cut_into_triangles(const std::vector<RationalPoint>& points, const Model::Face& face) {
+  Model model;
+  model.points = points;
+  model.faces = {face};
+  try {
+    model = triangulated(model);
+  } catch (const Failure&) {
+    return {};
+  }
+  std::erase_if(model.faces, [&](const Model::Face& triangle) {
+    const auto& p = triangle.loops[0];
+    return p.size() != 3 || points[p[0]] == points[p[1]] || points[p[1]] == points[p[2]] ||
+           points[p[2]] == points[p[0]];
+  });
+  for (Model::Face& triangle : model.faces) triangle.solid = false;
+  return model.faces;
+}
 
 constexpr double kGap = 1.0 / 12;  ///< of a drawn edge, at a contact
 
@@ -102,7 +119,7 @@ class Recorder {
 
   /// A narrow triangle beside a point, its tip ahead.
   void arrow(Sketch& sketch, const Vec<N>& p, const Vec<N>& direction) const {
-    const double length = scene_.extent / 16;
+    const double length = scene_.extent / 8;
     const int axis = dominant_axis(direction);
     Vec<N> other = {N(0), N(0), N(0)};
     other[(axis + 1) % 3] = 1;
@@ -113,7 +130,7 @@ class Recorder {
       for (int k = 0; k < 3; ++k) at[k] += width < 0 ? Rational(-aside[k]) : aside[k];
       return at;
     };
-    sketch.triangle(corner(-length / 8), corner(length / 8), along(p, direction, length));
+    sketch.triangle(corner(-length / 4), corner(length / 4), along(p, direction, length));
   }
 
   /// Joined null edges, curve by curve.
@@ -162,7 +179,7 @@ class Recorder {
     return drawings;
   }
 
-  /// In triangles, for rounded points are in no plane. Faces without area are left out, such as null faces.
+  /// In triangles, for rounded points are in no plane. Faces that cannot be cut are left out, such as null faces.
   void add_face(FaceId id, Model& model) const {
     Model::Face face;
     std::vector<RationalPoint> points;
@@ -175,14 +192,14 @@ class Recorder {
         points.push_back(p);
       }
     }
-    try {
-      const auto first = static_cast<std::uint32_t>(model.points.size());
-      for (const auto& [a, b, c] : triangles_of(points, face))
-        model.faces.push_back({{{first + a, first + b, first + c}}, false});
-      model.points.insert(model.points.end(), points.begin(), points.end());
-    } catch (const InvariantError&) {
-      return;
+    if (face.loops[0].size() < 3) return;
+    std::erase_if(face.loops, [](const auto& corners) { return corners.size() < 3; });
+    const auto first = static_cast<std::uint32_t>(model.points.size());
+    for (const Model::Face& triangle : cut_into_triangles(points, face)) {
+      Model::Face& added = model.faces.emplace_back(triangle);
+      for (std::uint32_t& p : added.loops[0]) p += first;
     }
+    model.points.insert(model.points.end(), points.begin(), points.end());
   }
 
   const Scene<N>& scene_;

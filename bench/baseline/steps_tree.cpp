@@ -143,8 +143,12 @@ std::string steps_tree(const Model& a, const Model& b, Operation operation, cons
     out.node(given, node_text(model, is_empty(model) ? "" : out.material("result")));
   } else {
     Model faces = steps.result;
+    try {
+      faces = triangulated(faces);
+    } catch (const Failure&) {
+      faces.faces.clear();
+    }
     for (Model::Face& face : faces.faces) face.solid = false;
-    cut_holes(faces);
     out.step("result", {{"result, no solid", std::move(faces)}}, false);
   }
   const std::string exact = out.step_name("exact");
