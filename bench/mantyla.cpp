@@ -93,7 +93,7 @@ int run(const Options& options) {
     const Judgement judgement = judge(problem, steps.result, variant->fractions ? 0 : variant->epsilon);
     title.verdict = to_string(judgement.verdict) + (judgement.message.empty() ? "" : ": " + judgement.message);
     title.solid = judgement.facts.has_value();
-    title.differs = judgement.verdict != Verdict::same;
+    title.differs = judgement.verdict != Verdict::same && judgement.verdict != Verdict::contact_duplicated;
   }
   print(steps);
   std::printf("%-15s %s\n", "verdict", shown(title.verdict).c_str());

@@ -18,7 +18,7 @@ std::string list_text(const List& list, Text text) {
   return "[" + out + "]";
 }
 
-std::string point_text(const RationalPoint& p) {
+std::string place_text(const RationalPoint& p) {
   return list_text(p, [](const Rational& x) {
     const std::string text = cnrg::to_string(x);
     return text.find('/') == std::string::npos ? text : '"' + text + '"';
@@ -34,7 +34,7 @@ struct Numbered {
   }
 };
 
-void add_faces(const Model& model, bool solid, std::vector<std::string>& leaves) {
+void faces_text(const Model& model, bool solid, std::vector<std::string>& leaves) {
   Numbered used;
   std::vector<std::vector<std::uint32_t>> loops;
   for (const Model::Face& face : model.faces)
@@ -44,7 +44,7 @@ void add_faces(const Model& model, bool solid, std::vector<std::string>& leaves)
         for (const std::uint32_t p : loop) used.use(model, p);
       }
   if (loops.empty()) return;
-  leaves.push_back("{mesh: {points: " + list_text(used.points, point_text) + ", faces: " +
+  leaves.push_back("{mesh: {points: " + list_text(used.points, place_text) + ", faces: " +
                    list_text(loops,
                              [&](const auto& loop) {
                                return list_text(
@@ -88,16 +88,16 @@ std::vector<std::vector<std::uint32_t>> walks(const std::vector<std::array<std::
 
 std::string node_text(const Model& model, const std::string& attributes) {
   std::vector<std::string> leaves;
-  add_faces(model, true, leaves);
-  add_faces(model, false, leaves);
+  faces_text(model, true, leaves);
+  faces_text(model, false, leaves);
   for (const std::vector<std::uint32_t>& walk : walks(model.wires)) {
     std::vector<RationalPoint> places;
     for (const std::uint32_t p : walk) places.push_back(model.points[p]);
-    leaves.push_back("{polyline: " + list_text(places, point_text) + "}");
+    leaves.push_back("{polyline: " + list_text(places, place_text) + "}");
   }
   std::vector<RationalPoint> isolated;
   for (const std::uint32_t p : model.isolated) isolated.push_back(model.points[p]);
-  if (!isolated.empty()) leaves.push_back("{points: " + list_text(isolated, point_text) + "}");
+  if (!isolated.empty()) leaves.push_back("{points: " + list_text(isolated, place_text) + "}");
   if (leaves.empty()) return "{intersection: [{points: [[0, 0, 0]]}, {points: [[1, 0, 0]]}]}";
   std::string text =
       leaves.size() == 1 ? leaves[0] : "{union: " + list_text(leaves, [](const auto& leaf) { return leaf; }) + "}";
