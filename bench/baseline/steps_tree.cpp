@@ -123,10 +123,11 @@ bool is_empty(const Model& model) { return model.faces.empty() && model.wires.em
 std::string steps_tree(const Model& a, const Model& b, Operation operation, const Steps& steps,
                        const StepsTitle& title) {
   TreeWriter out(steps);
-  out.node("A", node_text(a, out.material("A")));
-  out.node("B", node_text(b, out.material("B")));
+  out.node("A", node_text(a));
+  out.node("B", node_text(b));
   const std::string first = out.step_name("operands");
-  out.node(first, "{union: [A, B], dominance: left}");
+  const std::string of_a = out.material("A"), of_b = out.material("B");  // the exact result is of no material
+  out.node(first, "{union: [{closure: A, " + of_a + "}, {closure: B, " + of_b + "}], dominance: left}");
   out.edges();
   for (const Step& step : steps.steps) out.step(step.name, step.drawings, step.with_edges);
   std::string given;
