@@ -24,20 +24,6 @@
 #include "bench/baseline/scene.h"
 
 namespace cnrg::bench::mantyla {
-namespace {
-
-/// Runs a stage: what the structure or an array refuses fails in it.
-template <class Step>
-auto staged(Stage stage, Step&& step) {
-  try {
-    return step();
-  } catch (const std::logic_error& error) {
-    throw Failure(stage, error.what());
-  }
-}
-
-}  // namespace
-
 const char* to_string(Stage stage) {
   constexpr const char* names[] = {"input",      "reduction", "classification", "null_edges",
                                    "connecting", "finishing", "output"};
@@ -45,17 +31,29 @@ const char* to_string(Stage stage) {
 }
 
 template <class N>
-Model evaluate(const Model& a, const Model& b, Operation operation, const N& epsilon,
-               const Departures& departures) {
-  auto scene = staged(Stage::input, [&] { return read_operands(a, b, operation, epsilon, departures); });
-  staged(Stage::reduction, [&] { reduce(scene); });
-  staged(Stage::classification, [&] { classify(scene); });
-  staged(Stage::null_edges, [&] { insert_null_edges(scene); });
-  staged(Stage::connecting, [&] { connect(scene); });
-  const std::vector<FaceId> faces = staged(Stage::finishing, [&] { return finish(scene); });
+Model run_stages(Scene<N>& scene, const std::function<void(Stage)>& after) {
+  const auto run = [&](Stage stage, void (*step)(Scene<N>&)) {
+    staged(stage, [&] { step(scene); });
+    if (after) after(stage);
+  };
+  run(Stage::reduction, reduce);
+  run(Stage::classification, classify);
+  run(Stage::null_edges, insert_null_edges);
+  run(Stage::connecting, connect);
+  run(Stage::finishing, part);
+  const std::vector<FaceId> faces = staged(Stage::finishing, [&] { return glue(scene); });
   return staged(Stage::output, [&] { return write_result(scene, faces); });
 }
 
+template <class N>
+Model evaluate(const Model& a, const Model& b, Operation operation, const N& epsilon,
+               const Departures& departures) {
+  auto scene = staged(Stage::input, [&] { return read_operands(a, b, operation, epsilon, departures); });
+  return run_stages(scene);
+}
+
+template Model run_stages(Scene<double>&, const std::function<void(Stage)>&);
+template Model run_stages(Scene<Rational>&, const std::function<void(Stage)>&);
 template Model evaluate(const Model&, const Model&, Operation, const double&, const Departures&);
 template Model evaluate(const Model&, const Model&, Operation, const Rational&, const Departures&);
 

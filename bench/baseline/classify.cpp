@@ -276,9 +276,15 @@ void classify(Scene<N>& scene) {
     check_turns(scene, crossing);
     scene.crossings.push_back(std::move(crossing));
   };
-  for (const VertexFace& contact : scene.vertex_faces) add(classify_vertex_face(scene, contact));
+  const auto at = [&](VertexId vertex, auto&& step) {
+    staged(Stage::classification, step, [&] { return Failure::Places{exact(scene.point(vertex))}; });
+  };
+  for (const VertexFace& contact : scene.vertex_faces)
+    at(contact.vertex, [&] { add(classify_vertex_face(scene, contact)); });
   for (const VertexVertex& pair : scene.vertex_vertices)
-    add(scene.departures.arcs ? VertexVertexClassifier<N>(scene, pair).run() : compare_pairs(scene, pair));
+    at(pair.a, [&] {
+      add(scene.departures.arcs ? VertexVertexClassifier<N>(scene, pair).run() : compare_pairs(scene, pair));
+    });
 }
 
 template std::vector<Sector<double>> neighbourhood(const Scene<double>&, VertexId);

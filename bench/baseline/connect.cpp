@@ -16,7 +16,7 @@
 namespace cnrg::bench::mantyla {
 namespace {
 
-[[noreturn]] void fail_connecting(const std::string& what) { throw Failure(Stage::connecting, what); }
+[[noreturn]] void fail_connecting(const char* what) { throw Failure(Stage::connecting, what); }
 
 template <class N>
 class Connection {
@@ -65,7 +65,10 @@ class Connection {
           if (joined_[k] == 2 && k != other) cut(k, solid);
         }
       }
-    check_loose(std::count_if(loose.begin(), loose.end(), [](const End& end) { return end.forward; }));
+    std::vector<std::uint32_t> ahead;
+    for (const End& end : loose)
+      if (end.forward) ahead.push_back(end.pair);
+    check_loose(ahead);
   }
 
   /// Ends of both kinds in the same face of A and of B.
@@ -84,15 +87,30 @@ class Connection {
            (!topology_.is_outer(topology_.loop(h)) || !topology_.is_outer(topology_.loop(g)));
   }
 
-  void check_loose(std::ptrdiff_t loose) const {
-    if (loose > 0 && scene_.departures.checks)
-      fail_connecting(std::to_string(loose) + " of " + std::to_string(joined_.size()) +
-                      " null edges stay loose ahead");
+  Failure::Places places(const std::vector<std::uint32_t>& pairs) const {
+    Failure::Places places;
+    for (const std::uint32_t k : pairs) places.push_back(exact(scene_.null_pairs.at(k).point));
+    return places;
+  }
+
+  void check_loose(const std::vector<std::uint32_t>& loose) const {
+    if (!loose.empty() && scene_.departures.checks)
+      throw Failure(
+          Stage::connecting,
+          std::to_string(loose.size()) + " of " + std::to_string(joined_.size()) + " null edges stay loose ahead",
+          places(loose));
   }
 
   void join(Joint& joint) {
-    join(half(joint.from, 0, true), half(joint.to, 0, false), joint, 0);
-    join(half(joint.to, 1, false), half(joint.from, 1, true), joint, 1);
+    staged(
+        Stage::connecting,
+        [&] {
+          join(half(joint.from, 0, true), half(joint.to, 0, false), joint, 0);
+          join(half(joint.to, 1, false), half(joint.from, 1, true), joint, 1);
+        },
+        [&] {
+          return places({joint.from, joint.to});
+        });
     ++joined_[joint.from];
     ++joined_[joint.to];
   }
@@ -116,13 +134,13 @@ class Connection {
     std::map<std::pair<FaceId, FaceId>, std::vector<std::uint32_t>> ends;
     const auto count = static_cast<std::uint32_t>(scene_.null_pairs.size());
     for (std::uint32_t k = 0; k < count; ++k) ends[faces(k, false)].push_back(k);
-    std::ptrdiff_t loose = 0;
+    std::vector<std::uint32_t> loose;
     for (std::uint32_t k = 0; k < count; ++k) {
       const auto key = faces(k, true);
       const auto group = ends.find(key);
       const std::uint32_t to = group == ends.end() ? count : nearest(k, key, group->second);
       if (to == count) {
-        ++loose;
+        loose.push_back(k);
         continue;
       }
       group->second.erase(std::find(group->second.begin(), group->second.end(), to));
@@ -210,6 +228,11 @@ class Connection {
   }
 
   void cut(std::uint32_t pair, int solid) {
+    staged(
+        Stage::connecting, [&] { cut_edge(pair, solid); }, [&] { return places({pair}); });
+  }
+
+  void cut_edge(std::uint32_t pair, int solid) {
     const Edge edge = topology_.edge(scene_.null_pairs[pair].edges[solid]);
     if (topology_.loop(edge.first) != topology_.loop(edge.second)) {
       topology_.kef(edge.first);
@@ -232,7 +255,10 @@ class Connection {
       if (faces.size() == 1) continue;
       for (const FaceId face : faces) {
         const std::vector<LoopId> loops = topology_.face(face).loops;
-        for (std::size_t k = 1; k < loops.size(); ++k) settle(loops[k], faces, scene_.surfaces[surface].normal);
+        for (std::size_t k = 1; k < loops.size(); ++k)
+          staged(
+              Stage::connecting, [&] { settle(loops[k], faces, scene_.surfaces[surface].normal); },
+              [&] { return places_of(scene_, topology_.loop(loops[k]).start); });
       }
     }
   }

@@ -14,11 +14,14 @@ class Finish {
  public:
   explicit Finish(Scene<N>& scene) : scene_(scene), topology_(scene.topology) {}
 
-  std::vector<FaceId> run() {
+  void part() {
     if (scene_.departures.curves) find_curves();
     else pair_null_faces();
-    part_null_faces();
+    for (const Curve& curve : curves_) at(curve, [&] { part_null_faces(curve); });
     choose_shells();
+  }
+
+  std::vector<FaceId> glue() {
     if (scene_.operation == Operation::subtract) {
       topology_.revert(1);
       for (std::size_t s = scene_.boundaries[0].planes.size(); s < scene_.surfaces.size(); ++s) {
@@ -26,7 +29,7 @@ class Finish {
         scene_.surfaces[s].offset = -scene_.surfaces[s].offset;
       }
     }
-    for (const auto& curve : curves_) glue(side(curve, 0), start_of(curve));
+    for (const Curve& curve : curves_) at(curve, [&] { zip(side(curve, 0), start_of(curve)); });
     std::vector<FaceId> result;
     for (std::size_t f = 0; f < topology_.face_ids(); ++f) {
       const auto id = static_cast<FaceId>(f);
@@ -37,6 +40,12 @@ class Finish {
 
  private:
   using Curve = std::array<NullFace, 2>;  ///< by solid
+
+  /// Runs a step that fails where the curve begins.
+  template <class Step>
+  void at(const Curve& curve, Step&& step) {
+    staged(Stage::finishing, step, [&] { return places_of(scene_, curve[0].in); });
+  }
 
   HalfEdgeId side(const Curve& curve, int solid) const {
     return scene_.kept(solid) == Side::out ? curve[solid].out : curve[solid].in;
@@ -79,15 +88,14 @@ class Finish {
     fail_finishing("null faces without a common vertex");
   }
 
-  void part_null_faces() {
-    for (const Curve& curve : curves_)
-      for (int solid = 0; solid < 2; ++solid) {
-        const LoopId in = topology_.loop(curve[solid].in), out = topology_.loop(curve[solid].out);
-        const FaceId face = topology_.loop(out).face;
-        if (in == out || topology_.loop(in).face != face || topology_.face(face).loops.size() != 2)
-          fail_finishing("a null face without two loops");
-        topology_.mfkrh(topology_.is_outer(in) ? out : in);
-      }
+  void part_null_faces(const Curve& curve) {
+    for (int solid = 0; solid < 2; ++solid) {
+      const LoopId in = topology_.loop(curve[solid].in), out = topology_.loop(curve[solid].out);
+      const FaceId face = topology_.loop(out).face;
+      if (in == out || topology_.loop(in).face != face || topology_.face(face).loops.size() != 2)
+        fail_finishing("a null face without two loops");
+      topology_.mfkrh(topology_.is_outer(in) ? out : in);
+    }
   }
 
   /// By shell: the side of its null faces; the kept one where it has both.
@@ -100,8 +108,13 @@ class Finish {
       if (side == scene_.kept(solid)) found->second = side;
     };
     const auto note_both = [&](HalfEdgeId in, HalfEdgeId out, int solid) {
-      note(in, Side::in, solid);
-      note(out, Side::out, solid);
+      staged(
+          Stage::finishing,
+          [&] {
+            note(in, Side::in, solid);
+            note(out, Side::out, solid);
+          },
+          [&] { return places_of(scene_, in); });
     };
     for (int solid = 0; solid < 2; ++solid) {
       if (scene_.departures.curves)
@@ -156,7 +169,7 @@ class Finish {
   }
 
   /// Zips two null faces: their loops, as runs of edges, are opposite. The edges of B go.
-  void glue(HalfEdgeId a, HalfEdgeId b) {
+  void zip(HalfEdgeId a, HalfEdgeId b) {
     const FaceId face_a = topology_.face(a), face_b = topology_.face(b);
     check_glue(topology_.cycle(topology_.loop(a)).size() == topology_.cycle(topology_.loop(b)).size(),
                "null faces with different numbers of edges");
@@ -190,18 +203,24 @@ class Finish {
 
   Scene<N>& scene_;
   Topology& topology_;
-  std::vector<Curve> curves_;
-  std::vector<bool> kept_;  // by face
+  std::vector<Curve>& curves_ = scene_.curves;
+  std::vector<bool>& kept_ = scene_.kept_faces;
 };
 
 }  // namespace
 
 template <class N>
-std::vector<FaceId> finish(Scene<N>& scene) {
-  return Finish<N>(scene).run();
+void part(Scene<N>& scene) {
+  Finish<N>(scene).part();
+}
+template <class N>
+std::vector<FaceId> glue(Scene<N>& scene) {
+  return Finish<N>(scene).glue();
 }
 
-template std::vector<FaceId> finish(Scene<double>&);
-template std::vector<FaceId> finish(Scene<Rational>&);
+template void part(Scene<double>&);
+template void part(Scene<Rational>&);
+template std::vector<FaceId> glue(Scene<double>&);
+template std::vector<FaceId> glue(Scene<Rational>&);
 
 }  // namespace cnrg::bench::mantyla

@@ -40,6 +40,12 @@ Vec<N> cross(const Vec<N>& a, const Vec<N>& b) {
 
 inline double approximate(double x) { return x; }
 inline double approximate(const Rational& x) { return to_double(x); }
+inline Rational exact(double x) { return from_double(x); }
+inline const Rational& exact(const Rational& x) { return x; }
+template <class N>
+RationalPoint exact(const Vec<N>& p) {
+  return {exact(p[0]), exact(p[1]), exact(p[2])};
+}
 
 /// normal . p = offset; the normal points out of the solid.
 template <class N>

@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bench/baseline/departures.h"
 #include "bench/cases/model.h"
@@ -27,11 +29,16 @@ const char* to_string(Stage stage);
 
 class Failure : public std::runtime_error {
  public:
-  Failure(Stage stage, const std::string& what) : std::runtime_error(what), stage_(stage) {}
+  using Places = std::vector<RationalPoint>;
+
+  Failure(Stage stage, const std::string& what, Places places = {})
+      : std::runtime_error(what), stage_(stage), places_(std::move(places)) {}
   Stage stage() const { return stage_; }
+  const Places& places() const { return places_; }  ///< where, if one place or some are known
 
  private:
   Stage stage_;
+  Places places_;
 };
 
 /// a op b in double with one epsilon for all comparisons, as a part of the largest coordinate of both operands.

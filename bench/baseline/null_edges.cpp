@@ -171,13 +171,16 @@ HalfEdgeId make_ring(Scene<N>& scene, FaceId face, const Vec<N>& p) {
 template <class N>
 void insert_null_edges(Scene<N>& scene) {
   std::set<VertexId> taken;
-  for (const Crossing<N>& crossing : scene.crossings) {
+  const auto insert_at = [&](const Crossing<N>& crossing) {
     for (const VertexId v : crossing.vertices)
       if (v != kNo<VertexId>)
         check(scene.departures, taken.insert(v).second, Stage::null_edges,
               "a vertex crosses the other boundary, which touches itself there, in more than one place");
     insert(scene, crossing);
-  }
+  };
+  for (const Crossing<N>& crossing : scene.crossings)
+    staged(
+        Stage::null_edges, [&] { insert_at(crossing); }, [&] { return Failure::Places{exact(crossing.point)}; });
 }
 
 template HalfEdgeId make_ring(Scene<double>&, FaceId, const Vec<double>&);

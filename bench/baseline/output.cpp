@@ -13,9 +13,6 @@ namespace {
 
 [[noreturn]] void fail_output(const std::string& what) { throw Failure(Stage::output, what); }
 
-Rational exact(double x) { return from_double(x); }
-const Rational& exact(const Rational& x) { return x; }
-
 template <class N>
 void check_face(const Scene<N>& scene, FaceId face) {
   const Plane<N>& plane = scene.plane(face);
@@ -198,30 +195,35 @@ class Writer {
 
   Model run(const std::vector<FaceId>& faces) {
     std::set<FaceId> ours(faces.begin(), faces.end());
-    for (const FaceId f : faces) {
-      if (scene_.departures.checks) check_face(scene_, f);
-      model_.faces.emplace_back();
-      for (const LoopId loop : topology_.face(f).loops) {
-        model_.faces.back().loops.emplace_back();
-        auto& polygon = model_.faces.back().loops.back();
-        for (const HalfEdgeId h : topology_.cycle(loop)) {
-          check(scene_.departures, ours.contains(topology_.face(topology_.mate(h))), Stage::output,
-                "the result is open");
-          polygon.push_back(vertex(topology_.origin(h)));
-          const std::uint32_t middle = middle_of(h);
-          if (middle != kNone) polygon.push_back(middle);
-        }
-        if (polygon.size() < 3) fail_output("a loop of less than three edges");
-      }
-    }
+    for (const FaceId f : faces)
+      staged(
+          Stage::output, [&] { add_face(f, ours); },
+          [&] { return places_of(scene_, topology_.loop(topology_.face(f).loops.front()).start); });
     return std::move(model_);
   }
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
+  void add_face(FaceId f, const std::set<FaceId>& ours) {
+    if (scene_.departures.checks) check_face(scene_, f);
+    model_.faces.emplace_back();
+    for (const LoopId loop : topology_.face(f).loops) {
+      model_.faces.back().loops.emplace_back();
+      auto& polygon = model_.faces.back().loops.back();
+      for (const HalfEdgeId h : topology_.cycle(loop)) {
+        check(scene_.departures, ours.contains(topology_.face(topology_.mate(h))), Stage::output,
+              "the result is open");
+        polygon.push_back(vertex(topology_.origin(h)));
+        const std::uint32_t middle = middle_of(h);
+        if (middle != kNone) polygon.push_back(middle);
+      }
+      if (polygon.size() < 3) fail_output("a loop of less than three edges");
+    }
+  }
+
   std::uint32_t add(const Vec<N>& p) {
-    model_.points.push_back({exact(p[0]), exact(p[1]), exact(p[2])});
+    model_.points.push_back(exact(p));
     return static_cast<std::uint32_t>(model_.points.size() - 1);
   }
 
@@ -278,8 +280,13 @@ Model triangulated(const Model& model) {
       result.faces.push_back(face);
       continue;
     }
-    for (const auto& [a, b, c] : Clipping(points, face.loops, edges).run())
-      result.faces.push_back({{{a, b, c}}, true});
+    staged(
+        Stage::output,
+        [&] {
+          for (const auto& [a, b, c] : Clipping(points, face.loops, edges).run())
+            result.faces.push_back({{{a, b, c}}, true});
+        },
+        [&] { return Failure::Places{model.points[face.loops[0][0]]}; });
   }
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "bench/baseline/geometry.h"
@@ -97,6 +98,8 @@ struct Scene {
   std::vector<NullPair<N>> null_pairs;
   std::vector<Joint> joints;
   std::array<std::vector<NullFace>, 2> null_faces;  ///< by solid, in the order in which they closed
+  std::vector<std::array<NullFace, 2>> curves;      ///< by solid: the null faces that are glued
+  std::vector<bool> kept_faces;                     ///< by face: whether the result has it
 
   const Vec<N>& point(VertexId v) const {
     require(static_cast<std::size_t>(v) < points.size(), "a vertex that is killed");
@@ -130,9 +133,33 @@ struct Scene {
   Side edge_in_sector(int solid) const { return edge_side(departures.single ? solid : 0); }
 };
 
+/// Runs a part of a stage: what the structure or an array refuses fails in it. `places()` is where, if the failure
+/// does not know it.
+template <class Step, class Places>
+auto staged(Stage stage, Step&& step, Places&& places) {
+  try {
+    return step();
+  } catch (const Failure& failure) {
+    if (!failure.places().empty()) throw;
+    throw Failure(failure.stage(), failure.what(), places());
+  } catch (const std::logic_error& error) {
+    throw Failure(stage, error.what(), places());
+  }
+}
+template <class Step>
+auto staged(Stage stage, Step&& step) {
+  return staged(stage, step, [] { return Failure::Places(); });
+}
+
 /// A state that no right result has.
 inline void check(const Departures& departures, bool holds, Stage stage, const char* what) {
   if (!holds && departures.checks) throw Failure(stage, what);
+}
+
+/// The place where a half-edge starts, for a failure.
+template <class N>
+Failure::Places places_of(const Scene<N>& scene, HalfEdgeId half_edge) {
+  return {exact(scene.point(scene.topology.origin(half_edge)))};
 }
 
 /// The stages in order. Each throws Failure; TopologyError of the structure counts for the stage that runs.
@@ -147,11 +174,19 @@ template <class N>
 void insert_null_edges(Scene<N>& scene);
 template <class N>
 void connect(Scene<N>& scene);
+/// Takes the operands apart, along `curves`, and chooses `kept_faces`.
+template <class N>
+void part(Scene<N>& scene);
 /// Gives the faces of the result.
 template <class N>
-std::vector<FaceId> finish(Scene<N>& scene);
+std::vector<FaceId> glue(Scene<N>& scene);
 template <class N>
 Model write_result(const Scene<N>& scene, const std::vector<FaceId>& faces);
+
+/// The stages after the first one. `after` sees the scene after each of them but the last; after finishing the
+/// operands are parted, not yet glued.
+template <class N>
+Model run_stages(Scene<N>& scene, const std::function<void(Stage)>& after = {});
 
 /// All stages; faces of doubles stay as they are and may be rounded out of their planes.
 template <class N>

@@ -155,6 +155,11 @@ Model tree_model(const Tree& tree, NodeId node, NodeId among) {
   return std::move(evaluated(tree, among, {node}).at(node));
 }
 
+Model operand_model(const Tree& tree, NodeId node) {
+  if (std::optional<Model> mesh = given_mesh(tree.nodes[node])) return std::move(*mesh);
+  return tree_model(tree, node, node);
+}
+
 Problem tree_problem(const Tree& tree, NodeId node) {
   const Fold fold = fold_of(tree, node);
   std::map<NodeId, Model> models;

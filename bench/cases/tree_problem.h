@@ -19,6 +19,9 @@ bool is_tree_problem(const Tree& tree, NodeId node);
 /// The point set of a node, drawn as below `among`, or with what is below that.
 Model tree_model(const Tree& tree, NodeId node, NodeId among);
 
+/// A node as an operand: a mesh as it is given, else the point set of its value. Throws as `tree_problem` does.
+Model operand_model(const Tree& tree, NodeId node);
+
 /// Throws as `tree_problem` does, but for faults of the geometry of leaves.
 void check_tree_problem(const Tree& tree, NodeId node);
 
