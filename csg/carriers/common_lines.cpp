@@ -73,30 +73,6 @@ struct Moved {
   Transform space;             ///< to the space of the tree
 };
 
-/// Where leaves stand that were moved together: what moves most of them. If that is not one transform, it is the
-/// one from which the others are seen as the least ones, so that a move of all changes nothing.
-Transform space_of(const std::vector<Index>& members, const std::vector<LeafInstance>& instances) {
-  std::map<Placement, std::pair<std::size_t, const Transform*>> moves;
-  for (const Index i : members) {
-    const auto it = moves.try_emplace(Placement(instances[i].above), 0, &*instances[i].above).first;
-    ++it->second.first;
-  }
-  const auto seen_from = [&](const Transform& space) {
-    const Placement back(space.inverse());
-    std::vector<std::pair<Placement, std::size_t>> seen;
-    for (const auto& [move, entry] : moves) seen.emplace_back(back * move, entry.first);
-    std::sort(seen.begin(), seen.end());
-    return seen;
-  };
-  const std::pair<std::size_t, const Transform*>* best = nullptr;
-  for (const auto& [move, entry] : moves) {
-    if (best == nullptr || entry.first > best->first ||
-        (entry.first == best->first && seen_from(*entry.second) < seen_from(*best->second)))
-      best = &entry;
-  }
-  return *best->second;
-}
-
 /// Takes those leaves out of the spaces that are to be drawn elsewhere than in the space of the tree.
 std::vector<Moved> take_moved(const std::vector<LeafInstance>& instances, std::vector<RoundSpace>& spaces) {
   std::vector<Moved> moved;
@@ -201,6 +177,28 @@ class CommonLines {
 };
 
 }  // namespace
+
+Transform space_of(const std::vector<Index>& members, const std::vector<LeafInstance>& instances) {
+  std::map<Placement, std::pair<std::size_t, const Transform*>> moves;
+  for (const Index i : members) {
+    const auto it = moves.try_emplace(Placement(instances[i].above), 0, &*instances[i].above).first;
+    ++it->second.first;
+  }
+  const auto seen_from = [&](const Transform& space) {
+    const Placement back(space.inverse());
+    std::vector<std::pair<Placement, std::size_t>> seen;
+    for (const auto& [move, entry] : moves) seen.emplace_back(back * move, entry.first);
+    std::sort(seen.begin(), seen.end());
+    return seen;
+  };
+  const std::pair<std::size_t, const Transform*>* best = nullptr;
+  for (const auto& [move, entry] : moves) {
+    if (best == nullptr || entry.first > best->first ||
+        (entry.first == best->first && seen_from(*entry.second) < seen_from(*best->second)))
+      best = &entry;
+  }
+  return *best->second;
+}
 
 std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near,
                                             std::vector<LeafWords>* apart, const std::vector<Index>& anew,

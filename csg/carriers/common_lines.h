@@ -33,4 +33,9 @@ std::vector<LeafInstance> with_common_lines(
     std::vector<LeafWords>* apart = nullptr, const std::vector<std::uint32_t>& anew = {},
     const ExtraOfInstances& extra = {}, std::set<std::uint32_t>* drawn = nullptr, DrawnLeaves* known = nullptr);
 
+/// To the space of the tree from that where some leaves stood before they were moved together: what moves most of
+/// them. If that is not one transform, it is the one from which the others are seen as the least ones, so that a
+/// move of all changes nothing.
+Transform space_of(const std::vector<std::uint32_t>& members, const std::vector<LeafInstance>& instances);
+
 }  // namespace cnrg

@@ -14,4 +14,7 @@ struct PlacedLeaves {
   SurfaceEquations equations;                        ///< of `surfaces`
 };
 
+/// The same where they were before `motion`, which stretches nothing.
+PlacedLeaves before(const Transform& motion, const PlacedLeaves& placed);
+
 }  // namespace cnrg

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "csg/carriers/axes.h"
 #include "csg/carriers/common_lines.h"
 #include "csg/carriers/sharing.h"
 #include "csg/carriers/surface_numbers.h"
@@ -97,7 +98,10 @@ Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedL
     if (lines.empty()) first_ = drawing.placed;
     return drawing.placed;
   };
-  proven_ = std::make_unique<const ProvenLines>(draw_all, asked_below(unfolding.roots), options, moulds_);
+  Leaves all;
+  for (const LeafId leaf : IdRange<LeafId>(leaves.instances().size())) all.push_back(leaf);
+  motion_ = motion_of(all);
+  proven_ = std::make_unique<const ProvenLines>(draw_all, asked_below(unfolding.roots), options, moulds_, motion_);
   for (const LeafWords& notice : drawing.welded)
     diagnostics.push_back({tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
   append(diagnostics, leaves.near_notices(drawing.near));
@@ -120,6 +124,23 @@ ProvenLines::Asked Drawings::asked_below(const std::vector<InstanceId>& roots) c
   return [below = std::move(below)](LeafId a, LeafId b) {
     return std::ranges::any_of(below, [&](const auto& in) { return in[a.index()] && in[b.index()]; });
   };
+}
+
+// In a space without bounds the frame, and what is welded, depends on where leaves stand.
+Transform Drawings::motion_of(const Leaves& leaves) const {
+  const std::vector<LeafInstance>& instances = leaves_.instances();
+  std::vector<std::uint32_t> curved;
+  bool moved = false;
+  for (const LeafId leaf : leaves) {
+    const LeafInstance& instance = instances[leaf.index()];
+    if (instance.leaf->unbounded()) return {};
+    if (instance.leaf->form() == nullptr) continue;
+    curved.push_back(static_cast<std::uint32_t>(leaf.index()));
+    moved = moved || !instance.above->identity();
+  }
+  if (!moved || tree_.weld || !options_.reach.empty()) return {};
+  Transform motion = space_of(curved, instances);
+  return stretch(motion) == Rational(1) ? motion : Transform();
 }
 
 void Drawings::find_affected(bool any_refused) {
@@ -204,7 +225,8 @@ ExtraOfInstances Drawings::lines_alone(InstanceId id) {
     if (count == undecided.size()) any_inside = true;
     else if (count > 0) any_across = true;
   }
-  if (first_alike(below) && (!any_inside || !any_across)) {
+  const Transform motion = motion_of(below);
+  if (first_alike(below) && (!any_inside || (!any_across && motion == motion_))) {
     for (const auto& [leaf, lines] : proven_->lines()) {
       if (any_inside && in(LeafId(leaf))) it->second.emplace(leaf, lines);
     }
@@ -214,7 +236,7 @@ ExtraOfInstances Drawings::lines_alone(InstanceId id) {
   const auto draw_them = [&](const ExtraOfInstances& lines) -> const PlacedLeaves& {
     return placed = draw_only(below, lines);
   };
-  return it->second = ProvenLines(draw_them, asked_below({id}), options_, moulds_).lines();
+  return it->second = ProvenLines(draw_them, asked_below({id}), options_, moulds_, motion).lines();
 }
 
 const Drawings::Drawn& Drawings::drawn_alone(InstanceId representative) {

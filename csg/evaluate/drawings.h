@@ -51,6 +51,8 @@ class Drawings {
   ExtraOfInstances lines_alone(InstanceId id);
   /// True if leaves below an instance have the same facets alone as in `first_`, all without further lines.
   bool first_alike(const Leaves& below);
+  /// What all of these leaves were moved by, where that stretches nothing, or most of them.
+  Transform motion_of(const Leaves& leaves) const;
   /// Some leaves drawn without the others.
   PlacedLeaves draw_only(const Leaves& leaves, const ExtraOfInstances& lines);
   /// Leaves of one group as they are drawn without the others.
@@ -63,6 +65,7 @@ class Drawings {
   Moulds moulds_;
   DrawnLeaves drawn_leaves_;
   PlacedLeaves whole_, first_;  // the second without further lines
+  Transform motion_;            // of all leaves
   std::unique_ptr<const ProvenLines> proven_;
   std::vector<std::uint32_t> group_;  // by leaf: only those of one group have lines in common
   std::vector<std::size_t> size_;     // of each group

@@ -10,6 +10,7 @@
 #include "csg/leaves/surface_parameters.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {
@@ -45,7 +46,9 @@ Certificate certificate_of(const Evaluation& evaluation) {
   return all;
 }
 
-ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOptions& options, Moulds& moulds) {
+ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOptions& options, Moulds& moulds,
+                         Transform motion)
+    : motion_(std::move(motion)) {
   const PlacedLeaves* placed = &draw(lines_);
   if (options.proof == AskedProof::none) return;
   const auto curved = [](const LeafInstance& one) { return static_cast<bool>(one.leaf->surfaces()); };
@@ -56,7 +59,8 @@ ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOpt
   options.watch.begin("crossings");
   for (int round = 0;; ++round) {
     options.watch.check();
-    auto pieces = std::make_unique<Pieces>(*placed, options.reach, moulds);
+    auto pieces = motion_.identity() ? std::make_unique<Pieces>(*placed, options.reach, moulds)
+                                     : std::make_unique<Pieces>(before(motion_, *placed), options.reach, moulds);
     std::optional<EarlierProof> earlier;
     if (proof_) earlier.emplace(EarlierProof{*pieces_, *proof_});
     proof_ = prove(*pieces, asked, options.proof == AskedProof::to_the_end ? kMostSteps : kStepsByDefault,
@@ -144,7 +148,7 @@ std::shared_ptr<const Certificate> ProvenLines::certificate(const Evaluation& ev
       const auto last =
           std::ranges::find_if(part, [](const OpenPlace* one) { return one->why == UncertainPlace::Why::near; });
       const OpenPlace& told = last == part.end() ? *part.front() : **last;
-      place.at = told.at;
+      place.at = to_doubles(motion_.apply({told.at[0], told.at[1], told.at[2]}));
       place.size = told.size;
       place.why = told.why;
     }

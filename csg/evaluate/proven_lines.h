@@ -26,8 +26,10 @@ class ProvenLines {
   /// Whether leaves are below one node that matters.
   using Asked = std::function<bool(LeafId, LeafId)>;
 
-  /// Draws at least once. The last drawing is that with `lines()`.
-  ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOptions& options, Moulds& moulds);
+  /// Draws at least once. The last drawing is that with `lines()`. What is drawn is asked as it is before
+  /// `motion`, which stretches nothing: where leaves that were moved together stand decides nothing.
+  ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOptions& options, Moulds& moulds,
+              Transform motion);
 
   const ExtraOfInstances& lines() const { return lines_; }
   /// Sets of leaves, ascending, of which something was not proven of the facets of some drawing.
@@ -38,6 +40,7 @@ class ProvenLines {
  private:
   bool add_lines();
 
+  Transform motion_;
   ExtraOfInstances lines_;
   std::set<std::vector<LeafId>> undecided_;
   std::unique_ptr<Pieces> pieces_;

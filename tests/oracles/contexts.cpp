@@ -27,10 +27,8 @@ using Outputs = std::map<std::string, std::string>;
 const std::vector<KnownDisagreement>& known() {
   const std::vector<std::string> round{"sphere", "cylinder", "cone:", "torus", "revolve", "extrude"};
   static const std::vector<KnownDisagreement> list{
-      // Lines that facets get until surfaces are proven to meet as they do: enclosures decide where a moved node
-      // stands. Without a proof there is no such disagreement.
-      {"proven row ", round, {Setting::copies, Setting::mixed}},
-      // Lines that surfaces have in common are not there in operands that were written each by itself.
+      // Lines that surfaces have in common where they touch are not there in operands that were written each by
+      // itself.
       {"operands row ", round, {Setting::read_back}},
       // Not read back by design: what parts regions without bounds must have some (csg/FORMATS.md).
       {"read refused", {"halfspace", "plane:"}, {Setting::read_back}},
@@ -132,14 +130,13 @@ struct Told {
 
 /// Each file is in the folder of the case.
 Told told_of(const ContextCase& drawn, const std::string& text, const std::string& file,
-             const NodeContext& context, AskedProof proof = EvaluateOptions().proof) {
+             const NodeContext& context) {
   std::set<std::string> names;
   for (const DrawnNode& node : drawn.subtree) names.insert(node.name);
   Told out;
   try {
     const Tree tree = parse_tree(text, file);
     EvaluateOptions options;
-    options.proof = proof;
     options.threads = context.threads;
     options.refining = context.refining;
     options.region_volumes = context.one_by_one;
@@ -155,13 +152,6 @@ Told told_of(const ContextCase& drawn, const std::string& text, const std::strin
     (within ? out.refusal : out.refusal) = error.what();
     out.refused = !within;
   }
-  return out;
-}
-
-/// Disagreements that there are not without a proof of what surfaces do.
-Disagreements named_proven(const Disagreements& found) {
-  Disagreements out;
-  for (const auto& [aspect, words] : found) out.emplace("proven " + aspect, words);
   return out;
 }
 
@@ -342,16 +332,10 @@ std::map<std::size_t, Disagreements> disagreements(const ContextCase& drawn) {
       compare_operands(drawn, found);
       continue;
     }
-    const std::string text = text_in(drawn, context);
-    const Told there = told_of(drawn, text, "t.yaml", context);
+    const Told there = told_of(drawn, text_in(drawn, context), "t.yaml", context);
     if (there.refused) out.erase(i);
     else if (!there.refusal.empty()) found.emplace("refused", there.refusal);
     else compare_outputs(alone.outputs, there.outputs, found);
-    if (found.empty()) continue;
-    Disagreements unproven;
-    compare_outputs(told_of(drawn, text_alone(drawn), "t.yaml", {}, AskedProof::none).outputs,
-                    told_of(drawn, text, "t.yaml", context, AskedProof::none).outputs, unproven);
-    if (unproven.empty()) found = named_proven(found);
   }
   return out;
 }

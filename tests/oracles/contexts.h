@@ -73,8 +73,7 @@ std::string text_of(const ContextCase& drawn);
 /// Cases with less in them.
 std::vector<ContextCase> smaller(const ContextCase& drawn);
 
-/// Where two trees tell different things of the node: `json /faces/*/origin` and the like, each with an example;
-/// `proven ...` if they tell the same without a proof (EvaluateOptions::proof).
+/// Where two trees tell different things of the node: `json /faces/*/origin` and the like, each with an example.
 using Disagreements = std::map<std::string, std::string>;
 /// By context. Throws TreeError if the subtree is refused alone; a context that is refused elsewhere than in the
 /// subtree has no entry.
