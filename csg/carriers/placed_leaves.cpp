@@ -5,7 +5,7 @@ namespace cnrg {
 namespace {
 
 /// M' Q M of the matrix of the motion: the equation in what comes before it.
-Quadric before(const Transform& motion, const Quadric& q) {
+Quadric equation_before(const Transform& motion, const Quadric& q) {
   Quadric matrix{}, half{}, out{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) matrix[i][j] = motion.linear[i][j];
@@ -32,7 +32,7 @@ PlacedLeaves before(const Transform& motion, const PlacedLeaves& placed) {
   PlacedLeaves out{{}, placed.surfaces, placed.equations};
   for (const LeafInstance& instance : placed.instances)
     out.instances.push_back({instance.leaf, back * instance.transform});
-  for (auto& [number, quadric] : out.equations.quadrics) quadric = before(motion, quadric);
+  for (auto& [number, quadric] : out.equations.quadrics) quadric = equation_before(motion, quadric);
   for (auto& [number, torus] : out.equations.tori) {
     torus.center = back.apply(torus.center);
     torus.axis = back.apply_to_vector(torus.axis);
