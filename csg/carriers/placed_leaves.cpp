@@ -1,6 +1,8 @@
 // Leaves before a motion: transforms, and equations of their surfaces.
 #include "csg/carriers/placed_leaves.h"
 
+#include "csg/carriers/axes.h"
+
 namespace cnrg {
 namespace {
 
@@ -29,6 +31,7 @@ Quadric equation_before(const Transform& motion, const Quadric& q) {
 
 PlacedLeaves before(const Transform& motion, const PlacedLeaves& placed) {
   const Transform back = motion.inverse();
+  const Rational scale = stretch(back).value();
   PlacedLeaves out{{}, placed.surfaces, placed.equations};
   for (const LeafInstance& instance : placed.instances)
     out.instances.push_back({instance.leaf, back * instance.transform});
@@ -36,6 +39,8 @@ PlacedLeaves before(const Transform& motion, const PlacedLeaves& placed) {
   for (auto& [number, torus] : out.equations.tori) {
     torus.center = back.apply(torus.center);
     torus.axis = back.apply_to_vector(torus.axis);
+    torus.radius *= scale;
+    torus.tube *= scale;
   }
   return out;
 }

@@ -14,7 +14,7 @@ struct PlacedLeaves {
   SurfaceEquations equations;                        ///< of `surfaces`
 };
 
-/// The same where they were before `motion`, which stretches nothing.
+/// The same where they were before `motion`, which stretches all lengths by one rational number.
 PlacedLeaves before(const Transform& motion, const PlacedLeaves& placed);
 
 }  // namespace cnrg

@@ -140,7 +140,7 @@ Transform Drawings::motion_of(const Leaves& leaves) const {
   }
   if (!moved || tree_.weld || !options_.reach.empty()) return {};
   Transform motion = space_of(curved, instances);
-  return stretch(motion) == Rational(1) ? motion : Transform();
+  return stretch(motion) ? motion : Transform();
 }
 
 void Drawings::find_affected(bool any_refused) {

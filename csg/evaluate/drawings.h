@@ -51,7 +51,7 @@ class Drawings {
   ExtraOfInstances lines_alone(InstanceId id);
   /// True if leaves below an instance have the same facets alone as in `first_`, all without further lines.
   bool first_alike(const Leaves& below);
-  /// What all of these leaves were moved by, where that stretches nothing, or most of them.
+  /// What all of these leaves, or most of them, were moved by, where that stretches all lengths alike.
   Transform motion_of(const Leaves& leaves) const;
   /// Some leaves drawn without the others.
   PlacedLeaves draw_only(const Leaves& leaves, const ExtraOfInstances& lines);

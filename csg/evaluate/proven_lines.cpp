@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "csg/carriers/axes.h"
 #include "csg/evaluate/leaf_numbers.h"
 #include "csg/leaves/surface_parameters.h"
 #include "kernel/base/sorted.h"
@@ -149,7 +150,7 @@ std::shared_ptr<const Certificate> ProvenLines::certificate(const Evaluation& ev
           std::ranges::find_if(part, [](const OpenPlace* one) { return one->why == UncertainPlace::Why::near; });
       const OpenPlace& told = last == part.end() ? *part.front() : **last;
       place.at = to_doubles(motion_.apply({told.at[0], told.at[1], told.at[2]}));
-      place.size = told.size;
+      place.size = to_double(stretch(motion_).value()) * told.size;
       place.why = told.why;
     }
   }

@@ -27,7 +27,7 @@ class ProvenLines {
   using Asked = std::function<bool(LeafId, LeafId)>;
 
   /// Draws at least once. The last drawing is that with `lines()`. What is drawn is asked as it is before
-  /// `motion`, which stretches nothing: where leaves that were moved together stand decides nothing.
+  /// `motion`, which stretches all lengths alike: where leaves that were moved together stand decides nothing.
   ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOptions& options, Moulds& moulds,
               Transform motion);
 
