@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "csg/imports/mesh_file.h"
+#include "csg/leaves/leaf.h"
 #include "csg/openscad/arguments.h"
 #include "csg/text/escape.h"
 
@@ -45,7 +46,13 @@ Value make_import(const Statement& s, const Context& c) {
   if (!is_mesh_file(name))
     openscad::fail(c.path, s, "reads meshes, and `" + excerpt(name) + "` is none; " + remedy());
   const auto path = std::filesystem::path(c.path).parent_path() / name;
-  const MeshData mesh = read_mesh(path.string(), false, c.inside);
+  const MeshData mesh = [&] {
+    try {
+      return read_mesh(path.string(), false, c.inside);
+    } catch (const FileError& e) {
+      throw FileError(LeafFileError(c.path, s.line, s.column, e.what()).what());
+    }
+  }();
   c.report.inputs.push_back(path.string());
   Polyset out;
   for (std::size_t i = 0; i < mesh.point_count(); ++i)

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "csg/text/escape.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 
@@ -73,12 +74,12 @@ std::string folder_of_inputs(const std::string& path) {
 }
 
 std::string read_file(const std::string& path, const std::string& inside, std::size_t most) {
+  const auto none = [&] { return FileError("there is no file '" + shown(path) + "': check the path"); };
+  if (path.find('\0') != std::string::npos) throw none();
   std::error_code code;
   const Descriptor place(path, kPlaceOnly);
   if (!place.open_now() && !inside.empty()) refuse_outside(path, inside);  // tells nothing of what is elsewhere
-  if (!place.open_now() && (errno == ENOENT || errno == ENOTDIR)) {
-    throw FileError("there is no file '" + path + "': check the path");
-  }
+  if (!place.open_now() && (errno == ENOENT || errno == ENOTDIR)) throw none();
   if (!place.open_now()) fail(path, std::strerror(errno));
   if (!inside.empty()) {
     const std::filesystem::path found = std::filesystem::read_symlink(place.place(), code);

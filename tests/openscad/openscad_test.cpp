@@ -220,7 +220,8 @@ TEST_CASE("what is not read is an error with its construct, line and column", "[
   expect("linear_extrude() { cube(); }", "has a solid as child");
   expect("minkowski() { square(size = 1); circle(r = 1); }", "`minkowski` of areas is not read");
   expect("import(file = \"a.dxf\");", "`a.dxf` is none");
-  expect("import(file = \"none.stl\");", "none.stl");
+  expect("import(file = \"none.stl\");", "t.csg:1:1: error: there is no file 'none.stl': check the path");
+  expect(std::string("import(file = \"none\0.stl\");", 27), "there is no file 'none\\x00.stl'");
   expect("group() {\n  cube(", "t.csg:2:8: error: a value is expected here, not the end of the file");
   expect("group() {\n  cube();", "`}` is expected here");
   expect("cube() cube", "`(` behind `cube` is expected here");
