@@ -7,6 +7,7 @@
 #include "bench/command.h"
 #include "bench/sweep/judge.h"
 #include "bench/sweep/store.h"
+#include "csg/text/table.h"
 #include "csg/tree/tree_of_file.h"
 
 namespace cnrg::bench {
@@ -17,19 +18,12 @@ struct Options {
   std::string operation, node, system = "mantyla-published", tree;
 };
 
-NodeId node_of(const Tree& tree, const std::string& name) {
-  if (name.empty()) return tree.result;
-  for (std::size_t i = 0; i < tree.nodes.size(); ++i)
-    if (tree.nodes[NodeId(i)].name == name) return NodeId(i);
-  throw std::runtime_error(tree.file + ": has no node '" + name + "' for --node");
-}
-
 Problem problem_of(const Options& options) {
   if (options.files.size() == 1) {
     if (!options.operation.empty())
       throw std::runtime_error("--operation is for two files; the node of a tree has its own");
     const Tree tree = tree_of_file(options.files[0]);
-    Problem problem = tree_problem(tree, node_of(tree, options.node));
+    Problem problem = tree_problem(tree, options.node.empty() ? tree.result : tree.find(options.node));
     if (problem.steps.size() != 1)
       throw std::runtime_error(
           options.files[0] + ": the node has " + std::to_string(problem.operands.size()) +
@@ -50,8 +44,6 @@ Problem problem_of(const Options& options) {
   return problem;
 }
 
-std::string count(std::size_t n, const char* what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); }
-
 void print(const mantyla::Steps& steps) {
   using mantyla::Stage;
   const mantyla::StepCounts& counts = steps.counts;
@@ -59,13 +51,13 @@ void print(const mantyla::Steps& steps) {
     std::printf("%-15s %s\n", to_string(stage), shown(text).c_str());
   };
   const std::pair<Stage, std::string> rows[] = {
-      {Stage::reduction, count(counts.contacts, "contact")},
-      {Stage::classification, count(counts.crossings, "crossing") + " of neighbourhoods"},
-      {Stage::null_edges, count(counts.null_pairs, "pair") + " of null edges"},
-      {Stage::connecting, count(counts.loops, "loop")},
+      {Stage::reduction, counted(counts.contacts, "contact", "contacts")},
+      {Stage::classification, counted(counts.crossings, "crossing", "crossings") + " of neighbourhoods"},
+      {Stage::null_edges, counted(counts.null_pairs, "pair", "pairs") + " of null edges"},
+      {Stage::connecting, counted(counts.loops, "loop", "loops")},
       {Stage::finishing, "parted and glued"},
-      {Stage::output,
-       std::to_string(steps.result.points.size()) + " vertices, " + count(steps.result.faces.size(), "face")}};
+      {Stage::output, std::to_string(steps.result.points.size()) + " vertices, " +
+                          counted(steps.result.faces.size(), "face", "faces")}};
   for (const auto& [stage, text] : rows) {
     if (steps.failure && stage >= steps.failure->stage()) break;
     row(stage, text);

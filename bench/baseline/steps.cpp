@@ -109,7 +109,6 @@ class Recorder {
     Drawings drawings;
     for (const auto& [p, count] : at)
       drawings.of(count == 1 ? "pair of null edges" : std::to_string(count) + " pairs of null edges").point(p);
-    const double far = scene_.extent / 16;
     for (const NullPair<N>& pair : scene_.null_pairs) {
       arrow(drawings.of("end ahead"), pair.point, pair.forward);
       arrow(drawings.of("end behind"), pair.point, pair.backward);

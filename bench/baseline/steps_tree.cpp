@@ -116,8 +116,6 @@ class TreeWriter {
   std::size_t number_ = 0;
 };
 
-bool is_empty(const Model& model) { return model.faces.empty() && model.wires.empty() && model.isolated.empty(); }
-
 }  // namespace
 
 std::string steps_tree(const Model& a, const Model& b, Operation operation, const Steps& steps,
@@ -137,11 +135,11 @@ std::string steps_tree(const Model& a, const Model& b, Operation operation, cons
     places.model.points = steps.failure->places();
     for (std::uint32_t p = 0; p < places.model.points.size(); ++p) places.model.isolated.push_back(p);
     out.step(where, places.model.points.empty() ? std::vector<Drawing>() : std::vector{places}, true);
-  } else if (is_empty(steps.result) || title.solid) {
+  } else if (steps.result.empty() || title.solid) {
     Model model = steps.result;
     cut_holes(model);
     given = out.step_name("result");
-    out.node(given, node_text(model, is_empty(model) ? "" : out.material("result")));
+    out.node(given, node_text(model, model.empty() ? "" : out.material("result")));
   } else {
     Model faces = steps.result;
     try {

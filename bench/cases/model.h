@@ -29,6 +29,8 @@ struct Model {
   std::vector<std::array<std::uint32_t, 2>> wires;  ///< segments that bound no face
   std::vector<std::uint32_t> isolated;              ///< points by themselves
 
+  /// Without cells, whatever points there are.
+  bool empty() const { return faces.empty() && wires.empty() && isolated.empty(); }
   /// Nothing but the boundary of a solid: no surface, wire or point by itself.
   bool solid() const;
   /// Faces cut into triangles: the sum over loops, holes bridged.

@@ -9,12 +9,6 @@
 #include "csg/text/escape.h"
 
 namespace cnrg::bench {
-namespace {
-
-bool empty(const Model& model) { return model.faces.empty() && model.wires.empty() && model.isolated.empty(); }
-
-}  // namespace
-
 void keep_tree(const std::string& folder, const Problem& problem, const std::optional<Model>& result,
                const SweepRow& row) {
   std::filesystem::create_directories(folder);
@@ -33,7 +27,7 @@ void keep_tree(const std::string& folder, const Problem& problem, const std::opt
     out << "  " << step << ": {" << to_string(problem.steps[i - 1]) << ": [" << before << ", " << name << "]}\n";
     before = step;
   }
-  const bool given = result && !empty(*result) && row.facts;  // else it bounds nothing that a tree could say
+  const bool given = result && !result->empty() && row.facts;  // else it bounds nothing that a tree could say
   if (given) {
     Model model = *result;
     cut_holes(model);

@@ -76,7 +76,6 @@ struct Moved {
 /// Takes those leaves out of the spaces that are to be drawn elsewhere than in the space of the tree.
 std::vector<Moved> take_moved(const std::vector<LeafInstance>& instances, std::vector<RoundSpace>& spaces) {
   std::vector<Moved> moved;
-  if (std::ranges::all_of(instances, [](const LeafInstance& one) { return one.above->identity(); })) return moved;
   for (RoundSpace& of : spaces) {
     UnionFind sets(instances.size());
     for (const auto& [a, b] : of.near) sets.unite(a, b);
@@ -109,7 +108,9 @@ class CommonLines {
 
   void draw(std::vector<LeafInstance>& instances, std::vector<NearSurfaces>* near,
             const std::vector<Index>& anew) const {
-    const std::vector<LeafInstance> given = instances;
+    const auto is_moved = [](const LeafInstance& one) { return !one.above->identity(); };
+    const bool any_moved = std::ranges::any_of(instances, is_moved);
+    const std::vector<LeafInstance> given = any_moved ? instances : std::vector<LeafInstance>();
     const std::map<Index, LeafInstance> stretched = replace_axial(instances);
     const RoundLeaves round = round_leaves(instances);
     if (round.all.empty()) return;  // so none was replaced
@@ -117,7 +118,7 @@ class CommonLines {
     if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
     std::vector<RoundSpace> spaces =
         round_spaces(instances, round.revolved, round.pairs, about_one_axis, anew, extra_);
-    const std::vector<Moved> moved = take_moved(given, spaces);
+    const std::vector<Moved> moved = any_moved ? take_moved(given, spaces) : std::vector<Moved>();
     share_axes(instances, spaces, extra_, drawn_, told_, known_);
     restore_axial(stretched, instances);
     if (!moved.empty()) draw_moved(moved, given, round, instances);
@@ -146,14 +147,14 @@ class CommonLines {
 
   void draw_in(const Transform& space, const std::vector<Index>& members, const std::vector<Index>& here,
                const std::vector<LeafInstance>& given, std::vector<LeafInstance>& instances) const {
-    const Transform back = space.inverse();
     std::vector<LeafInstance> there;
     ExtraOfInstances extra;
     for (const Index i : here) {
       if (const auto lines = extra_.find(i); lines != extra_.end())
         extra.emplace(static_cast<Index>(there.size()), lines->second);
-      there.push_back({given[i].leaf, back * given[i].transform});
+      there.push_back(given[i]);
     }
+    there = before(space, there);
     std::set<Index> drawn;
     std::vector<LeafWords> told;
     CommonLines(extra, drawn, told, known_).draw(there, nullptr, {});
@@ -198,6 +199,14 @@ Transform space_of(const std::vector<Index>& members, const std::vector<LeafInst
       best = &entry;
   }
   return *best->second;
+}
+
+std::vector<LeafInstance> before(const Transform& motion, const std::vector<LeafInstance>& instances) {
+  if (motion.identity()) return instances;
+  const Transform back = motion.inverse();
+  std::vector<LeafInstance> out;
+  for (const LeafInstance& one : instances) out.push_back({one.leaf, back * one.transform, {}});
+  return out;
 }
 
 std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near,

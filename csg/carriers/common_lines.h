@@ -38,4 +38,7 @@ std::vector<LeafInstance> with_common_lines(
 /// move of all changes nothing.
 Transform space_of(const std::vector<std::uint32_t>& members, const std::vector<LeafInstance>& instances);
 
+/// The leaves where they were before they were moved.
+std::vector<LeafInstance> before(const Transform& motion, const std::vector<LeafInstance>& instances);
+
 }  // namespace cnrg

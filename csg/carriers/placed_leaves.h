@@ -11,10 +11,7 @@ namespace cnrg {
 struct PlacedLeaves {
   std::vector<LeafInstance> instances;
   std::vector<std::vector<std::uint32_t>> surfaces;  ///< as `make_soup` has it
-  SurfaceEquations equations;                        ///< of `surfaces`
+  SurfaceEquations equations;                        ///< of `surfaces`, before the motion of ProvenLines
 };
-
-/// The same where they were before `motion`, which stretches all lengths by one rational number.
-PlacedLeaves before(const Transform& motion, const PlacedLeaves& placed);
 
 }  // namespace cnrg

@@ -26,18 +26,17 @@ struct Drawing {
   std::vector<LeafWords> welded;
 };
 
-/// LeafError names leaves by their places in `instances`.
+/// LeafError names leaves by their places in `instances`. Equations are those before `motion`.
 Drawing draw(std::vector<LeafInstance> instances, const std::optional<Rational>& weld,
-             const ExtraOfInstances& lines, DrawnLeaves& known) {
+             const ExtraOfInstances& lines, DrawnLeaves& known, const Transform& motion) {
   Drawing out;
   WeldedSurfaces round;
   if (weld) {
     round = weld_surfaces(instances, *weld);
     instances = round.instances;
-    for (LeafInstance& instance : instances) instance.above = {};  // lengths of the whole tree decide
     if (!round.notice.empty()) out.welded.push_back(round.notice);
   }
-  out.placed.surfaces = surface_numbers(instances, &out.placed.equations);
+  out.placed.surfaces = surface_numbers(before(motion, instances), &out.placed.equations);
   instances = with_common_lines(std::move(instances), &out.near, &out.refused, round.anew, lines, nullptr, &known);
   if (weld) {
     WeldedLeaves welded = weld_leaves(instances, *weld, round.farthest);
@@ -93,14 +92,14 @@ Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedL
                    const EvaluateOptions& options, std::vector<Diagnostic>& diagnostics)
     : tree_(tree), unfolding_(unfolding), leaves_(leaves), options_(options) {
   Drawing drawing;
-  const auto draw_all = [&](const ExtraOfInstances& lines) -> const PlacedLeaves& {
-    leaves.locate_errors([&] { drawing = draw(leaves.instances(), tree.weld, lines, drawn_leaves_); });
-    if (lines.empty()) first_ = drawing.placed;
-    return drawing.placed;
-  };
   Leaves all;
   for (const LeafId leaf : IdRange<LeafId>(leaves.instances().size())) all.push_back(leaf);
   motion_ = motion_of(all);
+  const auto draw_all = [&](const ExtraOfInstances& lines) -> const PlacedLeaves& {
+    leaves.locate_errors([&] { drawing = draw(leaves.instances(), tree.weld, lines, drawn_leaves_, motion_); });
+    if (lines.empty()) first_ = drawing.placed;
+    return drawing.placed;
+  };
   proven_ = std::make_unique<const ProvenLines>(draw_all, asked_below(unfolding.roots), options, moulds_, motion_);
   for (const LeafWords& notice : drawing.welded)
     diagnostics.push_back({tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
@@ -126,7 +125,7 @@ ProvenLines::Asked Drawings::asked_below(const std::vector<InstanceId>& roots) c
   };
 }
 
-// In a space without bounds the frame, and what is welded, depends on where leaves stand.
+// In a space without bounds the frame depends on where leaves stand.
 Transform Drawings::motion_of(const Leaves& leaves) const {
   const std::vector<LeafInstance>& instances = leaves_.instances();
   std::vector<std::uint32_t> curved;
@@ -138,7 +137,7 @@ Transform Drawings::motion_of(const Leaves& leaves) const {
     curved.push_back(static_cast<std::uint32_t>(leaf.index()));
     moved = moved || !instance.above->identity();
   }
-  if (!moved || tree_.weld || !options_.reach.empty()) return {};
+  if (!moved || !options_.reach.empty()) return {};
   Transform motion = space_of(curved, instances);
   return stretch(motion) ? motion : Transform();
 }
@@ -181,7 +180,8 @@ PlacedLeaves Drawings::draw_only(const Leaves& leaves, const ExtraOfInstances& l
   std::vector<LeafInstance> instances(whole_.instances.size(), LeafInstance{no_geometry(), {}});
   for (const LeafId leaf : leaves) instances[leaf.index()] = leaves_.instances()[leaf.index()];
   PlacedLeaves placed;
-  leaves_.locate_errors([&] { placed = draw(std::move(instances), tree_.weld, lines, drawn_leaves_).placed; });
+  leaves_.locate_errors(
+      [&] { placed = draw(std::move(instances), tree_.weld, lines, drawn_leaves_, motion_of(leaves)).placed; });
   return placed;
 }
 

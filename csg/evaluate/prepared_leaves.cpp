@@ -74,7 +74,9 @@ PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding, con
     const Instance& instance = unfolding.instances[i];
     instances_.resize(leaf.index(), {no_geometry(), {}});
     instances_.push_back({prepared_[instance.node], instance.transform, {}});
-    if (prepared_[instance.node]->form() != nullptr) instances_.back().above = transform_above(tree, instance);
+    // What is welded depends on where leaves stand.
+    if (prepared_[instance.node]->form() != nullptr && !tree.weld)
+      instances_.back().above = transform_above(tree, instance);
   }
   instances_.resize(numbers_.count(), {no_geometry(), {}});
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "csg/carriers/axes.h"
+#include "csg/carriers/common_lines.h"
 #include "csg/evaluate/leaf_numbers.h"
 #include "csg/leaves/surface_parameters.h"
 #include "kernel/base/sorted.h"
@@ -61,7 +62,9 @@ ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOpt
   for (int round = 0;; ++round) {
     options.watch.check();
     auto pieces = motion_.identity() ? std::make_unique<Pieces>(*placed, options.reach, moulds)
-                                     : std::make_unique<Pieces>(before(motion_, *placed), options.reach, moulds);
+                                     : std::make_unique<Pieces>(PlacedLeaves{before(motion_, placed->instances),
+                                                                             placed->surfaces, placed->equations},
+                                                                options.reach, moulds);
     std::optional<EarlierProof> earlier;
     if (proof_) earlier.emplace(EarlierProof{*pieces_, *proof_});
     proof_ = prove(*pieces, asked, options.proof == AskedProof::to_the_end ? kMostSteps : kStepsByDefault,

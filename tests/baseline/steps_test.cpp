@@ -255,7 +255,7 @@ TEST_CASE("the program shows the table of lesson 10, and refuses what it cannot 
       {"'" + notches + "' --operation union", "--operation is for two files"},
       {"'" + notches + "' '" + notches + "' --operation sum", "'sum' is no operation"},
       {"'" + notches + "' '" + notches + "' --node rest", "--node is for one tree"},
-      {"'" + notches + "' --node none", "has no node 'none'"},
+      {"'" + notches + "' --node none", "has no node called `none`"},
       {"'" + (lesson / "near.yaml").string() + "' --node edge", "has 3 operands"},
       {"'" + notches + "' --system mantyla", "'mantyla' is no variant"},
       {"'" + notches + "' --tree none/steps.yaml", "cannot be written"},
