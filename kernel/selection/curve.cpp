@@ -3,7 +3,6 @@
 #include "kernel/selection/curve.h"
 
 #include <algorithm>
-#include <set>
 #include <tuple>
 
 #include "kernel/base/sorted.h"
@@ -58,28 +57,6 @@ void collect(const Complex& complex, const PieceOfCurve& at, std::vector<Surface
   sort_unique(surfaces);
 }
 
-/// The number of surfaces; those that lie in the same facets, as two leaves that lie on each other, are one.
-/// Facets are ascending.
-std::size_t count_surfaces(const std::vector<std::pair<Surface, SheetId>>& facets) {
-  std::set<std::vector<SheetId>> sheets_of;
-  for (auto facet = facets.begin(); facet != facets.end();) {
-    std::vector<SheetId> sheets;
-    const Surface surface = facet->first;
-    for (; facet != facets.end() && facet->first == surface; ++facet) sheets.push_back(facet->second);
-    sheets_of.insert(std::move(sheets));
-  }
-  return sheets_of.size();
-}
-
-bool turns_less_than_right_angle(const Complex& complex, VertexId v, EdgeId a, EdgeId b) {
-  const RationalPoint p = complex.points.rational(other_end(complex, a, v));
-  const RationalPoint q = complex.points.rational(v);
-  const RationalPoint r = complex.points.rational(other_end(complex, b, v));
-  Rational dot = 0;
-  for (int k = 0; k < 3; ++k) dot += Rational(q[k] - p[k]) * Rational(r[k] - q[k]);
-  return sgn(dot) > 0;
-}
-
 }  // namespace
 
 bool straight(const Complex& complex, VertexId v, EdgeId a, EdgeId b) {
@@ -97,10 +74,8 @@ bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const 
   if (along_a != along_b || along_a.empty()) return false;
   if (std::get<0>(along_a.back()) == Kind::wire) return true;
   sort_unique(facets);
-  const auto bent = std::adjacent_find(facets.begin(), facets.end(),
-                                       [](const auto& x, const auto& y) { return x.first == y.first; });
-  if (bent == facets.end()) return false;
-  return count_surfaces(facets) > 1 || turns_less_than_right_angle(complex, v, a.edge, b.edge);
+  return std::adjacent_find(facets.begin(), facets.end(),
+                            [](const auto& x, const auto& y) { return x.first == y.first; }) != facets.end();
 }
 
 bool is_bare(const Complex& complex, FaceId f, LeavesThere leaves) {

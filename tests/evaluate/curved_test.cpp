@@ -88,6 +88,25 @@ TEST_CASE("Fig. 7 of Pereira et al. has the same cells at any fineness", "[evalu
                     {"difference", {19, 31, 14, 1}}});
 }
 
+TEST_CASE("borders of open curved sheets are whole, however sharply coarse facets turn there",
+          "[evaluate][curved]") {
+  for (int segments = 3; segments < 10; ++segments) {
+    const std::string fine = ", segments: " + std::to_string(segments);
+    const auto rows =
+        rows_of("cnrg: 1\nnodes:\n  cone: {revolve: {curve: [[1, 0], [2, 1]]" + fine +
+                "}}\n  wells: {bezier: {patch: [[[0, 0, 2], [0, 1, -1], [0, 2, 3], [0, 3, -1], [0, 4, 2]], "
+                "[[4, 0, 2], [4, 1, -1], [4, 2, 3], [4, 3, -1], [4, 4, 2]]]" +
+                fine +
+                "}}\n  dune: {extrude: {curve: [[0, 0, 9], {bezier: [[0, 1, 14], [0, 2, 14]]}, [0, 3, 9]], "
+                "vector: [4, 0, 0]" +
+                fine + "}}\n  all: {union: [cone, wells, dune]}\nresult: all\n");
+    INFO(segments);
+    CHECK(rows.at("cone").first == Cells{0, 2, 1, 0});
+    CHECK(rows.at("wells").first == Cells{4, 4, 1, 0});
+    CHECK(rows.at("dune").first == Cells{4, 4, 1, 0});
+  }
+}
+
 TEST_CASE("Booleans of a bottle and a twisted cube with boxes are stable", "[evaluate][curved]") {
   const std::string text = R"(cnrg: 1
 nodes:
