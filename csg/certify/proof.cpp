@@ -281,9 +281,9 @@ class Prover {
                                                                                 : kMostIfHopeless;
     if (answer(tuple, question, Between::facets_and_surfaces, steps, some, left)) return answered(key, some);
     some = true;
-    OpenPlace place{tuple, middle_of(left), size_of(left), contacts > 0 ? Why::budget : Why::facets};
+    OpenPlace place{tuple, middle_of(left), size_of(left), contacts > 1 ? Why::budget : Why::facets};
     ++open;
-    if (contacts == 0 && !hopeless) {
+    if (contacts < 2 && !hopeless) {
       bool any = false;
       const bool by_facets =
           answer(tuple, question, Between::surfaces, open <= kMostTold ? kMostOfSurfaces : kMostSteps / 2, any,
@@ -424,8 +424,9 @@ class Prover {
     for (const PiecePart& part : parts) {
       if (part.piece->kind == Piece::Kind::flat && misses(*part.piece, common)) return true;
     }
+    if (question == Question::contact && misses_line_of_contact(parts, common, between)) return true;
     if ((question == Question::angle && at_angle(parts)) ||
-        (question == Question::contact && contact_at_angle(parts))) {
+        (question == Question::contact && contact_at_angle(parts, between))) {
       some = true;
       return true;
     }
@@ -452,27 +453,56 @@ class Prover {
     return true;
   }
 
+  Index number_of(const PiecePart& part) const { return static_cast<Index>(part.piece - all_.data()); }
   bool touch_in_contact(const PiecePart& a, const PiecePart& b) const {
-    const auto number = [&](const PiecePart& part) { return static_cast<Index>(part.piece - all_.data()); };
-    return contacts_.contains(std::minmax(number(a), number(b)));
+    return contacts_.contains(std::minmax(number_of(a), number_of(b)));
   }
   /// Of two parts in contact along a curve: its directions.
-  std::optional<Interval3> way_of_contact(const PiecePart& a, const PiecePart& b) {
+  std::optional<Interval3> way_of_contact(const PiecePart& a, const PiecePart& b, Between between) {
     const Contact& contact = *pieces_.contact_of(a.piece->sheet, b.piece->sheet);
     const Interval3 direction = enclose3(contact.direction);
     if (contact.kind == Contact::Kind::line) return direction;
-    if (contact.kind == Contact::Kind::circle) return cross(direction, difference(a.box, enclose3(contact.point)));
+    // Facets go straight from corner to corner, as the circle does in the middle of the whole piece.
+    if (contact.kind == Contact::Kind::circle)
+      return cross(direction, difference(between == Between::surfaces ? a.box : root(number_of(a)).box,
+                                         enclose3(contact.point)));
     const PiecePart& one = a.blind ? b : a;
     if (contact.kind != Contact::Kind::conic || one.blind) return std::nullopt;
     return cross(direction, one.cone);
   }
+  /// Of three parts, two of which touch along a line: what these have in common in the box is not on the third.
+  bool misses_line_of_contact(const PieceParts& parts, const Interval3& box, Between between) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PiecePart &a = parts[k], &b = parts[(k + 1) % 3], &c = parts[(k + 2) % 3];
+      if (!touch_in_contact(a, b)) continue;
+      const Contact& contact = *pieces_.contact_of(a.piece->sheet, b.piece->sheet);
+      if (contact.kind != Contact::Kind::line) continue;
+      const Interval3 point = enclose3(contact.point), way = enclose3(contact.direction);
+      Interval place(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Interval off = box[i] - point[i];
+        if (holds_zero(way[i])) {
+          if (contact.direction[i] == 0 && !holds_zero(off)) return true;
+          continue;
+        }
+        const Interval there = off / way[i];
+        if (there.inf() > place.sup() || there.sup() < place.inf()) return true;
+        place = Interval(std::max(place.inf(), there.inf()), std::min(place.sup(), there.sup()));
+      }
+      const auto d = c.blind || c.piece->kind == Piece::Kind::curve ? std::nullopt : direction(middle_of(c.cone));
+      if (!d || !std::isfinite(place.inf()) || !std::isfinite(place.sup())) continue;
+      const Interval own = extent(c, *d, between), other = dot(thin(*d), point) + place * dot(thin(*d), way);
+      if (own.sup() < other.inf() || other.sup() < own.inf()) return true;
+    }
+    return false;
+  }
   /// Of three parts.
-  bool contact_at_angle(const PieceParts& parts) {
+  bool contact_at_angle(const PieceParts& parts, Between between) {
     for (std::size_t k = 0; k < 3; ++k) {
       const PiecePart &a = parts[k], &b = parts[(k + 1) % 3], &c = parts[(k + 2) % 3];
       if (!touch_in_contact(a, b)) continue;
       if (touch_in_contact(b, c)) {
-        const auto way = way_of_contact(a, b), other = way_of_contact(b, c);
+        const auto way = way_of_contact(a, b, between), other = way_of_contact(b, c, between);
         if (way && other && independent(*way, *other)) return true;
       } else if (!touch_in_contact(c, a)) {
         if (c.blind || c.piece->kind == Piece::Kind::curve) return false;
@@ -480,7 +510,7 @@ class Prover {
         if (c.piece->kind == Piece::Kind::flat &&
             pieces_.contact_of(a.piece->sheet, b.piece->sheet)->in(pieces_.plane_of(c.piece->sheet)))
           return true;
-        const auto way = way_of_contact(a, b);
+        const auto way = way_of_contact(a, b, between);
         return way && !holds_zero(dot(*way, c.cone));
       }
     }
@@ -496,7 +526,7 @@ class Prover {
       far = std::max({far, std::abs(piece.box.lo[k]), std::abs(piece.box.hi[k])});
     if (size <= 1e-14 * far) return false;
     if (between == Between::surfaces || piece.kind == Piece::Kind::curve) return true;
-    double& thickness = thickness_[static_cast<std::size_t>(&piece - all_.data())];
+    double& thickness = thickness_[number_of(part)];
     if (thickness < 0) thickness = thickness_of(part_of(all_, piece, piece.range));
     return size > thickness / 2 || size > thickness_of(part) / 2;
   }
