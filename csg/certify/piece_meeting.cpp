@@ -126,18 +126,25 @@ PlaneEquation Pieces::equation_of(const Facet& facet) const {
   return {normal[0], normal[1], normal[2], Rational(-dot(normal, corner(facet, 0)))};
 }
 
-/// True if one of the points is in the closed hull of the corners of a facet, which are in one plane with it.
+/// True if the closed hull of the corners of a facet has a point of the hull of the others, on a line in its
+/// plane.
 bool Pieces::holds(const Facet& facet, const std::vector<const RationalPoint*>& points) const {
   const RationalPoint normal = normal_of(facet);
   const std::size_t n = facet.corner_count;
-  return std::ranges::any_of(points, [&](const RationalPoint* p) {
-    int seen = 0;
+  const auto between = [&](const RationalPoint* p, const RationalPoint* q) {
+    Rational low = 0, high = 1;  // of q - p
     for (std::size_t k = 0; k < n; ++k) {
       const RationalPoint& from = corner(facet, k);
-      const int side = sgn(dot(normal, cross(corner(facet, (k + 1) % n) - from, *p - from)));
-      seen |= side > 0 ? 1 : side < 0 ? 2 : 0;
+      const RationalPoint inward = cross(normal, corner(facet, (k + 1) % n) - from);
+      const Rational at_p = dot(inward, *p - from), at_q = dot(inward, *q - from);
+      if (at_p < 0 && at_q < 0) return false;
+      if (at_p < 0) low = std::max(low, Rational(at_p / (at_p - at_q)));
+      if (at_q < 0) high = std::min(high, Rational(at_p / (at_p - at_q)));
     }
-    return seen != 3 && dot(normal, *p - corner(facet, 0)) == 0;
+    return low <= high && dot(normal, *p - corner(facet, 0)) == 0;
+  };
+  return std::ranges::any_of(points, [&](const RationalPoint* p) {
+    return std::ranges::any_of(points, [&](const RationalPoint* q) { return between(p, q); });
   });
 }
 
@@ -147,7 +154,8 @@ int Pieces::sides(const PlaneEquation& equation, const Facet& of, std::vector<co
     const RationalPoint& p = corner(of, k);
     const int side = sgn(equation[0] * p[0] + equation[1] * p[1] + equation[2] * p[2] + equation[3]);
     result |= side > 0 ? 1 : side < 0 ? 2 : 0;
-    if (side == 0) on.push_back(&p);
+    // A pole is two corners.
+    if (side == 0 && std::ranges::none_of(on, [&](const RationalPoint* q) { return *q == p; })) on.push_back(&p);
   }
   return result;
 }
@@ -262,8 +270,10 @@ bool Pieces::along_border(const Facet& cell, const Facet& other, const Contact& 
     }
   }
   if (contact.kind == Contact::Kind::line) {
-    const RationalPoint out =
-        gradient(pieces_[cell.piece].kind == Piece::Kind::cell ? cell.piece : other.piece, contact.point);
+    const std::uint32_t curved = pieces_[cell.piece].kind == Piece::Kind::cell ? cell.piece : other.piece;
+    RationalPoint out = gradient(curved, contact.point);
+    if (is_zero(out))
+      out = gradient(curved, contact.point + contact.direction);  // the point is the apex of a cone
     // The plane of the facet's pole, if the contact passes through it, and its two sides from there.
     const auto& points = pieces_[cell.piece].points;
     for (std::size_t k = 0; k < cell.corner_count; ++k) {
@@ -271,18 +281,48 @@ bool Pieces::along_border(const Facet& cell, const Facet& other, const Contact& 
       if (points[cell.corners[k]] != points[cell.corners[next]] || !contact.has(corner(cell, k))) continue;
       const RationalPoint& pole = corner(cell, k);
       const RationalPoint first = corner(cell, (next + 1) % n) - pole,
-                          second = corner(cell, (k + n - 1) % n) - pole, across = cross(first, second);
-      RationalPoint way = contact.direction;
-      if (dot(way, first + second) < 0) way = Rational(-1) * way;
-      // way = x first + y second + z across
-      const Rational x = dot(cross(way, second), across), y = dot(cross(first, way), across);
-      return !(x > 0 && y > 0);
+                          second = corner(cell, (k + n - 1) % n) - pole, across = cross(first, second),
+                          polar = gradient(cell.piece, pole + (first + second));
+      const int inside = sgn(dot(gradient(cell.piece, pole + first), second));
+      // From the apex of a cone along the contact, on the side of it where the facet is.
+      const int ahead = sgn(dot(polar, contact.direction)) * inside;
+      return inside * sgn(dot(across, polar)) * ahead * sgn(dot(across, contact.direction)) >= 0;
     }
     normal = cross(contact.direction, out);
-    if (is_zero(normal)) return false;  // at the apex of a cone
   }
   std::vector<const RationalPoint*> on;
   return sides({normal[0], normal[1], normal[2], Rational(-dot(normal, contact.point))}, cell, on) != 3;
+}
+
+Pieces::Common Pieces::in_common(const std::vector<const RationalPoint*>& a,
+                                 const std::vector<const RationalPoint*>& b, const Contact& contact) {
+  if (a.empty() || b.empty()) return Common::nothing;
+  if (a.size() > 2 || b.size() > 2) return Common::more;
+  const RationalPoint &p = *a.front(), &q = *a.back(), &r = *b.front(), &s = *b.back();
+  const RationalPoint u = q - p, v = s - r, normal = cross(u, v);
+  const auto on_edge = [](const RationalPoint& x, const RationalPoint& from, const RationalPoint& to) {
+    return is_zero(cross(x - from, to - from)) && dot(x - from, x - to) <= 0;
+  };
+  std::vector<RationalPoint> points;  // the only one, or the ends of all
+  if (is_zero(normal)) {
+    for (const RationalPoint* x : a) {
+      if (on_edge(*x, r, s)) points.push_back(*x);
+    }
+    for (const RationalPoint* x : b) {
+      if (on_edge(*x, p, q)) points.push_back(*x);
+    }
+  } else {
+    const RationalPoint x = p + Rational(dot(cross(r - p, v), normal) / dot(normal, normal)) * u;
+    if (on_edge(x, p, q) && on_edge(x, r, s)) points.push_back(x);
+  }
+  if (points.empty()) return Common::nothing;
+  return std::ranges::all_of(points, [&](const RationalPoint& x) { return contact.has(x); }) ? Common::contact
+                                                                                             : Common::more;
+}
+
+Pieces::Meeting Pieces::met(Common common, const Facet& a, const Facet& b, const Contact& contact) const {
+  if (common == Common::nothing) return Meeting::apart;
+  return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact : Meeting::otherwise;
 }
 
 // A plane that has all of one on one side and all of the other on the other side: that of one of them, or where
@@ -299,7 +339,6 @@ Pieces::Meeting Pieces::facets_meet(const Facet& a, const Facet& b, const Contac
     if (pieces_[plane.piece].kind == Piece::Kind::cell &&
         !on_true_side(normal_of(plane), corner(plane, 0), plane.piece, of, contact))
       continue;
-    // What is not flat has the common points as corners, too.
     const bool met = !on.empty() && (pieces_[plane.piece].kind == Piece::Kind::flat || holds(plane, on));
     if (!met) return Meeting::apart;
     return along_border(of, plane, contact) ||
@@ -316,33 +355,10 @@ Pieces::Meeting Pieces::facets_meet(const Facet& a, const Facet& b, const Contac
   const PlaneEquation tangent{normal[0], normal[1], normal[2], Rational(-dot(normal, contact.point))};
   std::vector<const RationalPoint*> on_a, on_b;
   const int of_a = sides(tangent, a, on_a), of_b = sides(tangent, b, on_b);
-  if (of_a == 0 || of_b == 0 || (of_a | of_b) != 3 || of_a == of_b || !at_contact(on_a) || !at_contact(on_b))
-    return parted_by_edges(a, b, contact);
-  if (on_a.empty() || !holds(b, on_a)) return Meeting::apart;
-  return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact : Meeting::otherwise;
+  if (of_a == 0 || of_b == 0 || (of_a | of_b) != 3 || of_a == of_b) return parted_by_edges(a, b, contact);
+  const Common common = in_common(on_a, on_b, contact);
+  return common == Common::more ? parted_by_edges(a, b, contact) : met(common, a, b, contact);
 }
-
-namespace {
-
-/// True if what convex polygons have in one plane, up to an edge each, is in common in points of the contact
-/// alone, one at least.
-bool in_common(const std::vector<const RationalPoint*>& a, const std::vector<const RationalPoint*>& b,
-               const Contact& contact) {
-  if (a.size() > 2 || b.size() > 2) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const RationalPoint& at = *a[i];
-      if (at != *b[j] || !contact.has(at)) continue;
-      if (a.size() == 1 || b.size() == 1) return true;
-      const RationalPoint &p = *a[1 - i], &q = *b[1 - j];
-      if (contact.has(p) && contact.has(q)) return true;
-      return !is_zero(cross(p - at, q - at)) || dot(p - at, q - at) < 0;
-    }
-  }
-  return false;
-}
-
-}  // namespace
 
 // Facets about the point of a contact that have only it in common are all on one side of the others there. So one
 // pair tells the side.
@@ -395,9 +411,8 @@ Pieces::Meeting Pieces::parted_by_edges(const Facet& a, const Facet& b, const Co
         const PlaneEquation plane{normal[0], normal[1], normal[2], Rational(-dot(normal, at))};
         sides(plane, a, on_a);
         sides(plane, b, on_b);
-        if (!in_common(on_a, on_b, contact)) continue;
-        return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact
-                                                                          : Meeting::otherwise;
+        const Common common = in_common(on_a, on_b, contact);
+        if (common != Common::more) return met(common, a, b, contact);
       }
     }
   }

@@ -332,9 +332,42 @@ const Interval3& PiecePart::middle() const {
   return *known_middle;
 }
 
+Interval3 thin(const Vector3<double>& x) { return {Interval(x[0]), Interval(x[1]), Interval(x[2])}; }
+std::optional<Vector3<double>> direction(const Vector3<double>& x) {
+  const double length = std::sqrt(dot(x, x));
+  if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+  return scaled(1 / length, x);
+}
+
+bool independent(const Interval3& a, const Interval3& b) {
+  const Interval3 n = cross(a, b);
+  if (std::ranges::any_of(n, [](const Interval& x) { return !holds_zero(x); })) return true;
+  const auto d = direction(cross(middle_of(a), middle_of(b)));
+  if (!d) return false;
+  // In the frame of the middle vectors the cones are as narrow as they can be.
+  const Vector3<double> x = middle_of(a), y = cross(*d, x);
+  const Interval3 ex = thin(x), ey = thin(y);
+  return !holds_zero(dot(ex, a) * dot(ey, b) - dot(ey, a) * dot(ex, b));
+}
+bool independent(const Interval3& a, const Interval3& b, const Interval3& c) {
+  if (!holds_zero(dot(cross(a, b), c))) return true;
+  // Rows of the inverse of the middle: then each cone is near to an axis.
+  const Vector3<double> x = middle_of(a), y = middle_of(b), z = middle_of(c);
+  const double det = dot(cross(x, y), z);
+  if (!(std::abs(det) > 0) || !std::isfinite(det)) return false;
+  const std::array<Vector3<double>, 3> rows{scaled(1 / det, cross(y, z)), scaled(1 / det, cross(z, x)),
+                                            scaled(1 / det, cross(x, y))};
+  const std::array<Interval3, 3> cones{a, b, c};
+  std::array<Interval3, 3> m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] = dot(thin(rows[j]), cones[i]);
+  }
+  return !holds_zero(dot(m[0], cross(m[1], m[2])));
+}
+
 Interval extent(const PiecePart& part, const Vector3<double>& d, Between between) {
   const Piece& piece = *part.piece;
-  const Interval3 along{Interval(d[0]), Interval(d[1]), Interval(d[2])};
+  const Interval3 along = thin(d);
   const auto all_of = [&](std::span<const Interval3> points) {
     Interval all = dot(along, points[0]);
     for (const Interval3& p : points.subspan(1)) all = hull(all, dot(along, p));

@@ -20,6 +20,8 @@ using namespace surface_math;
 
 namespace {
 
+constexpr int kHalvedAlongSide = 4;  // how often a side is halved to prove an angle
+
 /// a x + b y + c z + d = 0, the first that is not zero 1.
 using PlaneKey = std::array<Rational, 4>;
 PlaneKey plane_key(const RationalPoint& normal, const RationalPoint& on) {
@@ -435,25 +437,33 @@ class PieceMaker {
 
   /// True if all pieces at an edge are proven to meet there at an angle, two by two.
   bool cross_at_edge(const std::vector<std::pair<std::uint32_t, std::uint8_t>>& pieces) {
-    const std::vector<Piece>& all = out_.pieces_;
-    std::vector<Interval3> cones;
-    for (const auto& [number, side] : pieces) {
-      const Piece& piece = all[number];
-      if (piece.kind == Piece::Kind::flat) {
-        cones.push_back(piece.normal);
-        continue;
-      }
-      if (piece.blind) return false;
-      const PiecePart part = part_of(all, piece, range_of_side(piece, side));
-      if (part.blind) return false;
-      cones.push_back(part.cone);
-    }
-    for (std::size_t i = 0; i < cones.size(); ++i) {
-      for (std::size_t j = i + 1; j < cones.size(); ++j) {
-        if (holds_zero(cross(cones[i], cones[j]))) return false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const bool flat = out_.pieces_[pieces[i].first].kind == Piece::Kind::flat;
+        const auto& [cell, side] = pieces[flat ? j : i];
+        const auto& [other, of_other] = pieces[flat ? i : j];
+        if (!at_angle(out_.pieces_[cell], side, out_.pieces_[other], of_other)) return false;
       }
     }
     return true;
+  }
+  /// True if two pieces are proven to be at an angle all along a side.
+  bool at_angle(const Piece& cell, std::size_t side, const Piece& other, std::size_t of_other) {
+    if (cell.kind == Piece::Kind::flat) return independent(cell.normal, other.normal);
+    if (cell.blind || other.blind) return false;
+    if (other.kind == Piece::Kind::flat)
+      return at_angle(cell, range_of_side(cell, side), other.normal, kHalvedAlongSide);
+    const PiecePart part = part_of(out_.pieces_, other, range_of_side(other, of_other));
+    return !part.blind && at_angle(cell, range_of_side(cell, side), part.cone, 0);
+  }
+  bool at_angle(const Piece& cell, const std::array<Interval, 2>& side, const Interval3& normals, int halved) {
+    const PiecePart part = part_of(out_.pieces_, cell, side);
+    if (!part.blind && independent(part.cone, normals)) return true;
+    if (halved == 0) return false;
+    const std::size_t way = side[0].inf() < side[0].sup() ? 0 : 1;
+    return std::ranges::all_of(
+        halves(out_.pieces_, part, way, Between::facets_and_surfaces),
+        [&](const PiecePart& half) { return at_angle(cell, half.range, normals, halved - 1); });
   }
 
   /// Of a curved wire; null for a straight one.

@@ -157,6 +157,11 @@ class Pieces {
   /// The sides of a plane on which corners of a facet are: 1 in front, 2 behind; and those on it.
   int sides(const PlaneEquation& plane, const Facet& of, std::vector<const RationalPoint*>& on) const;
   Meeting facets_meet(const Facet& a, const Facet& b, const Contact& contact) const;
+  enum class Common : std::uint8_t { nothing, contact, more };
+  /// Of convex polygons that have no more than an edge each in a plane between them: of these.
+  static Common in_common(const std::vector<const RationalPoint*>& a, const std::vector<const RationalPoint*>& b,
+                          const Contact& contact);
+  Meeting met(Common common, const Facet& a, const Facet& b, const Contact& contact) const;
   /// True if a facet has no corners on both sides of the plane of another one.
   bool on_one_side(const Facet& plane, const Facet& of) const;
   std::vector<std::shared_ptr<const LeafSurfaces>> leaf_surfaces_;
@@ -199,5 +204,12 @@ std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& 
                                 Between between);
 /// What holds d . x for all x of a part.
 Interval extent(const PiecePart& part, const Vector3<double>& d, Between between);
+
+Interval3 thin(const Vector3<double>& x);
+/// Of length 1; nothing if there is none.
+std::optional<Vector3<double>> direction(const Vector3<double>& x);
+/// True if the cones of normals, two or three, hold no dependent vectors.
+bool independent(const Interval3& a, const Interval3& b);
+bool independent(const Interval3& a, const Interval3& b, const Interval3& c);
 
 }  // namespace cnrg

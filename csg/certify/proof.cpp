@@ -32,13 +32,6 @@ double size_of(const Interval3& x) {
   for (const Interval& c : x) size = std::max(size, c.sup() - c.inf());
   return size;
 }
-Interval3 thin(const Vector3<double>& x) { return {Interval(x[0]), Interval(x[1]), Interval(x[2])}; }
-std::optional<Vector3<double>> direction(const Vector3<double>& x) {
-  const double length = std::sqrt(dot(x, x));
-  if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
-  return scaled(1 / length, x);
-}
-
 /// What is asked of some pieces.
 enum class Question : std::uint8_t {
   none,     ///< answered by what is asked of fewer, or of the leaf itself
@@ -46,33 +39,6 @@ enum class Question : std::uint8_t {
   contact,  ///< apart, or what two have in common, along a curve, crosses the third, or what one has with it
   apart,
 };
-
-/// True if the cones of normals, two or three, hold no dependent vectors.
-bool independent(const Interval3& a, const Interval3& b) {
-  const Interval3 n = cross(a, b);
-  if (std::ranges::any_of(n, [](const Interval& x) { return !holds_zero(x); })) return true;
-  const auto d = direction(cross(middle_of(a), middle_of(b)));
-  if (!d) return false;
-  // In the frame of the middle vectors the cones are as narrow as they can be.
-  const Vector3<double> x = middle_of(a), y = cross(*d, x);
-  const Interval3 ex = thin(x), ey = thin(y);
-  return !holds_zero(dot(ex, a) * dot(ey, b) - dot(ey, a) * dot(ex, b));
-}
-bool independent(const Interval3& a, const Interval3& b, const Interval3& c) {
-  if (!holds_zero(dot(cross(a, b), c))) return true;
-  // Rows of the inverse of the middle: then each cone is near to an axis.
-  const Vector3<double> x = middle_of(a), y = middle_of(b), z = middle_of(c);
-  const double det = dot(cross(x, y), z);
-  if (!(std::abs(det) > 0) || !std::isfinite(det)) return false;
-  const std::array<Vector3<double>, 3> rows{scaled(1 / det, cross(y, z)), scaled(1 / det, cross(z, x)),
-                                            scaled(1 / det, cross(x, y))};
-  const std::array<Interval3, 3> cones{a, b, c};
-  std::array<Interval3, 3> m;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) m[i][j] = dot(thin(rows[j]), cones[i]);
-  }
-  return !holds_zero(dot(m[0], cross(m[1], m[2])));
-}
 
 class Prover {
  public:
