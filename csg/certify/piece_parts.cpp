@@ -15,7 +15,7 @@ Interval3 with_pole(const std::vector<Piece>& all, const Piece& piece, const std
                     Interval3 cone);
 
 /// Points whose convex hull holds F over a part of a cell.
-std::vector<Interval3> facet_corners(const Piece& piece, const std::array<Interval, 2>& range) {
+PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Interval, 2>& range) {
   if (!piece.grid) return {piece.corners.begin(), piece.corners.begin() + piece.corner_count};
   const std::size_t first = piece.at[0][0] != piece.at[1][0] ? 0 : 1, second = 1 - first;
   const auto place = [](double x, double from, double to) {
@@ -24,7 +24,7 @@ std::vector<Interval3> facet_corners(const Piece& piece, const std::array<Interv
   const auto mix = [](const Interval3& a, const Interval3& b, const Interval& x) {
     return sum(a, scaled(x, difference(b, a)));
   };
-  std::vector<Interval3> result;
+  PiecePart::FacetCorners result;
   if (piece.bent) {
     // F is linear on two triangles: its hull is that of its corners and of the ends of the diagonal.
     const auto at = [&](const Interval& s, const Interval& t) {
@@ -66,8 +66,8 @@ std::vector<Interval3> facet_corners(const Piece& piece, const std::array<Interv
   return result;
 }
 
-Interval3 facet_box(const Piece& piece, const std::array<Interval, 2>& range) {
-  const std::vector<Interval3> corners = facet_corners(piece, range);
+Interval3 facet_box(const Piece& piece, const std::array<Interval, 2>& range,
+                    const PiecePart::FacetCorners& corners) {
   Interval3 all = corners[0];
   for (const Interval3& p : corners) all = hull(all, p);
   if (!piece.grid) {
@@ -237,7 +237,8 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
     part.blind = holds_zero(part.cone);
     return part;
   }
-  part.box = hull(facet_box(piece, range), jet.point);
+  part.facet = facet_corners(piece, range);
+  part.box = hull(facet_box(piece, range, part.facet), jet.point);
   part.blind = piece.blind || holds_zero(jet.normal);
   if (part.blind) return part;
   const std::optional<Interval3> normals = normals_of(all, piece, range, jet);
@@ -395,8 +396,8 @@ Interval extent(const PiecePart& part, const Vector3<double>& d, Between between
   }
   const Interval surface =
       dot(along, part.middle()) + away_u * dot(along, part.along_u) + away_v * dot(along, part.along_v);
-  if (between == Between::surfaces) return narrowed(of_box, surface);
-  return narrowed(of_box, hull(surface, all_of(facet_corners(piece, part.range))));
+  if (part.facet.empty()) return narrowed(of_box, surface);
+  return narrowed(of_box, hull(surface, all_of({part.facet.data(), part.facet.size()})));
 }
 
 }  // namespace cnrg

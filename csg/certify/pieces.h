@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -189,6 +190,8 @@ struct PiecePart {
   Interval3 box{}, cone{};
   Interval3 along_u{}, along_v{};  ///< of S
   bool blind = false;              ///< `cone` says nothing
+  using FacetCorners = boost::container::static_vector<Interval3, 6>;
+  FacetCorners facet{};  ///< F is in their convex hull; of a cell, not of surfaces alone
   /// S in the middle of the range, once it is asked for.
   const Interval3& middle() const;
   mutable std::optional<Interval3> known_middle{};

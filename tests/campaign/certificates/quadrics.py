@@ -304,8 +304,8 @@ def cone_ball(rng, gap):
         radius, height, around = c * size * 2, s * size * 2, fraction(rng, F(1, 8), F(1, 2), 16)
         away = near(rng, gap, around, 0, 2 * around)
         x, z = radius / 2 + s * away, height / 2 + c * away
-        # Neither the axis, and so the opposite side and the tip, nor the base is met.
-        if around >= z or around >= x:
+        # The ball crosses the side, and meets neither the axis, and so the opposite side and the tip, nor the base.
+        if around >= z or around >= x or away <= -around:
             return None
         where = "apart" if away > around else "touch" if away == around else "cross"
         a, b = cone([0, 0, 0], [0, 0, height], radius), ball([x, 0, z], around)
