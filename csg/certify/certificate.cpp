@@ -23,7 +23,9 @@ std::string UncertainPlace::text() const {
   for (std::size_t k = 0; k < 3; ++k)
     text += (k == 0 ? " near [" : ", ") + decimals(std::abs(at[k]) < 1e-9 ? 0.0 : at[k]);
   switch (why) {
-    case Why::near: return text + "]: they touch, or are nearer to it than " + decimals(size);
+    case Why::near:
+      return text + "]: they touch, or are nearer to it than " + decimals(size) + ": apart there, or with " +
+             (common > 0 ? "a curve" : common == 0 ? "two points" : "a point") + " in common";
     case Why::facets: return text + "]: these facets do not tell how they meet";
     case Why::budget: return text + "]: the budget of steps did not tell how they meet";
   }

@@ -22,6 +22,7 @@ struct UncertainPlace {
   std::vector<NodeId> nodes;       ///< of the same
   std::array<double, 3> at{};
   double size = 0;  ///< within this length of `at` nothing was decided
+  int common = 0;   ///< the dimension of what they have in common there if they cross; below 0: mostly nothing
   Why why = Why::near;
   std::string text() const;
 };

@@ -155,6 +155,8 @@ std::shared_ptr<const Certificate> ProvenLines::certificate(const Evaluation& ev
       place.at = to_doubles(motion_.apply({told.at[0], told.at[1], told.at[2]}));
       place.size = to_double(stretch(motion_).value()) * told.size;
       place.why = told.why;
+      place.common = 3;
+      for (const std::uint32_t i : told.pieces) place.common -= pieces[i].kind == Piece::Kind::curve ? 2 : 1;
     }
   }
   return result;
