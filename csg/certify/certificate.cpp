@@ -25,7 +25,10 @@ std::string UncertainPlace::text() const {
   switch (why) {
     case Why::near:
       return text + "]: they touch, or are nearer to it than " + decimals(size) + ": apart there, or with " +
-             (common > 0 ? "a curve" : common == 0 ? "two points" : "a point") + " in common";
+             (common > 0    ? "a curve"
+              : common == 0 ? "two points"
+                            : "a point") +
+             " in common";
     case Why::facets: return text + "]: these facets do not tell how they meet";
     case Why::budget: return text + "]: the budget of steps did not tell how they meet";
   }

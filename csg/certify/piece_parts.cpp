@@ -113,14 +113,6 @@ bool on_side(const Piece& piece, std::size_t i, const std::array<Interval, 2>& r
   return off.inf() <= 0 && off.sup() >= 0;
 }
 
-/// To about length 1.
-Interval3 normalized(const Interval3& x) {
-  double square = 0;
-  for (const Interval& c : x) square += middle_of(c) * middle_of(c);
-  if (!(square > 0) || !std::isfinite(square)) return x;
-  return scaled(Interval(1 / std::sqrt(square)), x);
-}
-
 /// The hull with what F adds.
 Interval3 with(const Interval3& facets, const Interval3& surface, Between between) {
   return between == Between::surfaces ? surface : hull(facets, surface);
@@ -172,7 +164,8 @@ std::optional<Interval3> normals_of(const std::vector<Piece>& all, const Piece& 
     const bool touches = range[away].inf() == at || range[away].sup() == at;
     if (touches && near.inf() <= range[away].inf() && range[away].sup() <= near.sup()) return normals;
   }
-  Interval3 u = hull(piece.along_u, jet.along_u), v = hull(piece.along_v, jet.along_v);
+  const Interval3 u_of_facet = normalized(piece.along_u), v_of_facet = normalized(piece.along_v);
+  Interval3 u = hull(u_of_facet, normalized(jet.way_u)), v = hull(v_of_facet, normalized(jet.way_v));
   if (piece.grid) {  // at a pole along the side that is none
     const std::size_t first = piece.at[0][0] != piece.at[1][0] ? 0 : 1, second = 1 - first;
     const bool low = piece.points[0] == piece.points[1], high = piece.points[3] == piece.points[2];
@@ -181,15 +174,15 @@ std::optional<Interval3> normals_of(const std::vector<Piece>& all, const Piece& 
       std::array<Interval, 2> line = range;
       line[fixed] = Interval(value);
       const SurfaceJet<Interval> there = piece.surface->over(line[0], line[1]);
-      return 1 - fixed == 0 ? there.along_u : there.along_v;
+      return normalized(1 - fixed == 0 ? there.way_u : there.way_v);
     };
     if (low || high) {
       Interval3& x = first == 0 ? u : v;
-      x = hull(first == 0 ? piece.along_u : piece.along_v, at_side(second, piece.at[low ? 3 : 0][second]));
+      x = hull(first == 0 ? u_of_facet : v_of_facet, at_side(second, piece.at[low ? 3 : 0][second]));
     }
     if (left || right) {
       Interval3& x = second == 0 ? u : v;
-      x = hull(second == 0 ? piece.along_u : piece.along_v, at_side(first, piece.at[left ? 1 : 0][first]));
+      x = hull(second == 0 ? u_of_facet : v_of_facet, at_side(first, piece.at[left ? 1 : 0][first]));
     }
   }
   std::array<bool, 4> corner{}, side{};
@@ -207,8 +200,8 @@ std::optional<Interval3> normals_of(const std::vector<Piece>& all, const Piece& 
     }
     if (!touches) continue;
     if (all[j].blind) return std::nullopt;
-    u = hull(u, all[j].along_u);
-    v = hull(v, all[j].along_v);
+    u = hull(u, normalized(all[j].along_u));
+    v = hull(v, normalized(all[j].along_v));
   }
   return cross(u, v);
 }
@@ -254,7 +247,8 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
     Interval3 cone = other.kind == Piece::Kind::flat ? other.normal : Interval3{};
     if (other.kind == Piece::Kind::cell) {
       const SurfaceJet<Interval> there = other.surface->over(other.range[0], other.range[1]);
-      cone = cross(hull(other.along_u, there.along_u), hull(other.along_v, there.along_v));
+      cone = cross(hull(normalized(other.along_u), normalized(there.way_u)),
+                   hull(normalized(other.along_v), normalized(there.way_v)));
     }
     double same = 0;
     for (std::size_t k = 0; k < 3; ++k) same += middle_of(cone[k]) * middle_of(part.cone[k]);
@@ -331,6 +325,13 @@ const Interval3& PiecePart::middle() const {
     known_middle = piece->curve ? piece->curve->over(at(0)).point : piece->surface->over(at(0), at(1)).point;
   }
   return *known_middle;
+}
+
+Interval3 normalized(const Interval3& x) {
+  double square = 0;
+  for (const Interval& c : x) square += middle_of(c) * middle_of(c);
+  if (!(square > 0) || !std::isfinite(square)) return x;
+  return scaled(Interval(1 / std::sqrt(square)), x);
 }
 
 Interval3 thin(const Vector3<double>& x) { return {Interval(x[0]), Interval(x[1]), Interval(x[2])}; }

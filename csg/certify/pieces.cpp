@@ -290,7 +290,7 @@ class PieceMaker {
       const Interval3 p = scaled(Interval(1) / step(a, b, k), way(a, b)),
                       q = scaled(Interval(1) / step(c, d, k), way(c, d));
       if (no_first && no_second) piece.blind = true;
-      return no_first ? q : no_second ? p : hull(p, q);
+      return no_first ? normalized(q) : no_second ? normalized(p) : hull(normalized(p), normalized(q));
     };
     Interval3& x = first == 0 ? piece.along_u : piece.along_v;
     Interval3& y = first == 0 ? piece.along_v : piece.along_u;

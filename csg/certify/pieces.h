@@ -70,7 +70,7 @@ struct Piece {
   std::array<std::array<double, 2>, 4> at{};     ///< their parameters, in the middle of `bounds`
   std::array<Interval3, 4> corners{};            ///< where they are
   std::array<Interval, 2> range{0, 0};           ///< of u and v; of a curve the first, from 0 to 1
-  Interval3 along_u{0, 0, 0}, along_v{0, 0, 0};  ///< of F, hulls; of a curve the first
+  Interval3 along_u{0, 0, 0}, along_v{0, 0, 0};  ///< of F, hulls, of a grid up to factors; of a curve the first
   /// Of a cell with a side that is a point, where it is known (piece_poles.cpp): the parameter that leads `away`
   /// from there, its value `at` the point and the half of it that is `near`; in that half what is at right angles
   /// to all H of all cells about the point.
@@ -209,6 +209,8 @@ std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& 
 Interval extent(const PiecePart& part, const Vector3<double>& d, Between between);
 
 Interval3 thin(const Vector3<double>& x);
+/// To about length 1.
+Interval3 normalized(const Interval3& x);
 /// Of length 1; nothing if there is none.
 std::optional<Vector3<double>> direction(const Vector3<double>& x);
 /// True if the cones of normals, two or three, hold no dependent vectors.

@@ -38,6 +38,8 @@ using Vector3 = std::array<Number, 3>;
 template <class Number>
 struct SurfaceJet {
   Vector3<Number> point, along_u, along_v, normal;
+  /// S_u and S_v up to positive factors, their limits at a pole where these are known.
+  Vector3<Number> way_u = along_u, way_v = along_v;
 };
 /// Second derivatives.
 struct SurfaceBend {

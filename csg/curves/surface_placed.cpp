@@ -24,13 +24,18 @@ PlacedSurface::PlacedSurface(std::shared_ptr<const LeafSurfaces> leaf, std::uint
 
 template <class N>
 SurfaceJet<N> PlacedSurface::moved(const SurfaceJet<N>& jet) const {
-  if (shifted_) return {sum(jet.point, as<N>(offset_)), jet.along_u, jet.along_v, jet.normal};
+  if (shifted_)
+    return {sum(jet.point, as<N>(offset_)), jet.along_u, jet.along_v, jet.normal, jet.way_u, jet.way_v};
   const auto by = [](const std::array<Vector3<Constant>, 3>& rows, const Vector3<N>& x) {
     return Vector3<N>{dot(as<N>(rows[0]), x), dot(as<N>(rows[1]), x), dot(as<N>(rows[2]), x)};
   };
   // (A a) x (A b) is the matrix of cofactors of A times a x b.
-  return {sum(by(linear_, jet.point), as<N>(offset_)), by(linear_, jet.along_u), by(linear_, jet.along_v),
-          by(cofactors_, jet.normal)};
+  return {sum(by(linear_, jet.point), as<N>(offset_)),
+          by(linear_, jet.along_u),
+          by(linear_, jet.along_v),
+          by(cofactors_, jet.normal),
+          by(linear_, jet.way_u),
+          by(linear_, jet.way_v)};
 }
 
 SurfaceJet<double> PlacedSurface::at(double u, double v) const { return moved(surface_->at(u, v)); }

@@ -76,8 +76,8 @@ class RoundSurface final : public Surface {
     const Vector3<N> by_meridian = sum(scaled(m.r_m, away), scaled(m.z_m, n));
     Vector3<N> normal = difference(scaled(m.z_m, away), scaled(m.r_m, n));
     if (!angle_first_) normal = scaled(N(-1), normal);
-    if (angle_first_) return {point, by_angle, by_meridian, normal};
-    return {point, by_meridian, by_angle, normal};
+    if (angle_first_) return {point, by_angle, by_meridian, normal, around, by_meridian};
+    return {point, by_meridian, by_angle, normal, by_meridian, around};
   }
 
   Meridian meridian_;
