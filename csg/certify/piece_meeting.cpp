@@ -183,6 +183,23 @@ bool Pieces::on_one_side(const Facet& plane, const Facet& of) const {
 }
 
 bool Pieces::drawn_alike(std::uint32_t a, std::uint32_t b) const {
+  const auto facets = [&](std::uint32_t piece) {
+    std::set<std::vector<RationalPoint>> all;
+    for (const Facet& facet : facets_of(piece)) {
+      std::vector<RationalPoint> corners;
+      for (std::size_t k = 0; k < facet.corner_count; ++k) corners.push_back(corner(facet, k));
+      std::sort(corners.begin(), corners.end());
+      all.insert(std::move(corners));
+    }
+    return all;
+  };
+  const auto equal = [&](std::uint32_t x, std::uint32_t y) { return facets(x) == facets(y); };
+  // What is the same as a cell beside one is beside it as that is.
+  for (const auto& [x, y] : {std::pair(a, b), std::pair(b, a)}) {
+    if (equal(x, y) ||
+        std::ranges::any_of(pieces_[y].neighbours, [&, x = x](const auto& n) { return equal(x, n.first); }))
+      return true;
+  }
   return std::ranges::all_of(facets_of(a), [&](const Facet& f) {
     return std::ranges::all_of(facets_of(b),
                                [&](const Facet& g) { return on_one_side(f, g) || on_one_side(g, f); });
