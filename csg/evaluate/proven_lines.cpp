@@ -23,7 +23,7 @@ constexpr std::size_t kMostSteps = 2'000'000;    // the same with --certify
 constexpr std::size_t kMostLines = 400;          // of a patch, in one direction
 constexpr std::size_t kMostCells = 20'000;       // of a leaf that gets further lines
 
-/// By u and by v, whether a line there brings facets nearer to the surface.
+/// By u and by v, whether a line in the middle brings facets nearer to the surface.
 std::array<bool, 2> bends(const Piece& piece) {
   const auto point = [&](double u, double v) { return piece.surface->at(u, v).point; };
   std::array<double, 2> off{};
@@ -35,6 +35,19 @@ std::array<bool, 2> bends(const Piece& piece) {
     for (std::size_t i = 0; i < 3; ++i) off[k] = std::max(off[k], std::abs(middle[i] - (a[i] + b[i]) / 2));
   }
   return {off[0] > 0 && 4 * off[0] >= off[1], off[1] > 0 && 4 * off[1] >= off[0]};
+}
+
+/// By u and by v, a line of parameters with which a cell, or a side of one, is nearer to its surface.
+std::array<std::optional<double>, 2> further_lines(const Piece& piece) {
+  std::array<std::optional<double>, 2> lines;
+  if (piece.kind == Piece::Kind::flat || piece.surface == nullptr) return lines;
+  const bool side = piece.kind == Piece::Kind::curve;
+  const std::array<bool, 2> asked = side ? std::array{true, true} : bends(piece);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Interval of = side ? hull(piece.side[0][k], piece.side[1][k]) : piece.range[k];
+    if (asked[k] && of.inf() < of.sup()) lines[k] = middle_of(of);
+  }
+  return lines;
 }
 
 }  // namespace
@@ -97,12 +110,12 @@ bool ProvenLines::add_lines() {
     for (const std::uint32_t i : open.pieces) {
       const Piece& piece = pieces[i];
       const auto leaf = static_cast<std::uint32_t>(piece.leaf.index());
-      if (piece.kind != Piece::Kind::cell || (lines_.contains(leaf) && cells[piece.leaf] > kMostCells)) continue;
-      const std::array<bool, 2> asked = bends(piece);
+      if (lines_.contains(leaf) && cells[piece.leaf] > kMostCells) continue;
+      const std::array<std::optional<double>, 2> further = further_lines(piece);
       for (std::size_t k = 0; k < 2; ++k) {
-        if (!asked[k]) continue;
+        if (!further[k]) continue;
         auto& of = lines_[leaf].of[piece.patch][k];
-        const Rational line = from_double(piece.range[k].inf() / 2 + piece.range[k].sup() / 2);
+        const Rational line = from_double(*further[k]);
         if (of.size() >= kMostLines || std::find(of.begin(), of.end(), line) != of.end()) continue;
         of.push_back(line);
         any = true;
