@@ -1,4 +1,4 @@
-// What writers are given: one node of an evaluated tree with all that its file says of it.
+// The input of writers: one node of an evaluated tree, with all data that its file holds.
 #pragma once
 
 #include <cstdint>
