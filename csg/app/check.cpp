@@ -1,4 +1,4 @@
-// `cnrg check`: what can be told of a tree without evaluating it, and what of a model is small.
+// `cnrg check`: faults of a tree that are found without evaluating it, and small features of a model.
 #include <algorithm>
 #include <iostream>
 

@@ -1,4 +1,4 @@
-// `--join`: a result whose near features are joined, and what is told of that.
+// `--join`: a result with its near features joined, and the notices and warnings about that.
 #pragma once
 
 #include <string>

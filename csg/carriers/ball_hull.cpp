@@ -1,4 +1,4 @@
-// Points between the circles, their hull, and what of it is an edge.
+// Points between the circles, the convex hull of all points, and the edges of the hull.
 #include "csg/carriers/ball_hull.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Each mark once, and whether the leaf as it is has it already.
+// Each mark is added once, and only if the leaf does not have it already.
 #include "csg/carriers/contact_marks.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What contacts ask of the tessellations of their leaves.
+// Points, directions and circles that contacts add to the tessellations of their leaves.
 #pragma once
 
 #include <map>

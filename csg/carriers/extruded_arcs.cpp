@@ -1,4 +1,4 @@
-// Which curves are arcs, and what they sweep.
+// Finds the curves of a profile that are arcs of circles, and the parts of cylinders that they sweep.
 #include "csg/carriers/extruded_arcs.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What a family needs of all its members, and what it gives to each.
+// A family collects the meridians, directions and steps of its members, and gives each member the common ones.
 #include "csg/carriers/family.h"
 
 #include <algorithm>

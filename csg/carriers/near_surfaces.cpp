@@ -1,4 +1,4 @@
-// Distances between lines of meridians about axes that are one or nearly so.
+// Distances between meridian lines about axes that are equal or nearly equal.
 #include "csg/carriers/near_surfaces.h"
 
 #include <algorithm>

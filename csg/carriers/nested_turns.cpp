@@ -1,4 +1,6 @@
-// From the inside out.
+// Families get their directions in the order of nesting, the innermost first: the outer family needs all
+// directions of the inner one, and the bisectors beside each contact. Families in a cycle are taken in the order
+// of their axes.
 #include "csg/carriers/nested_turns.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Points by the cells of a fine lattice in which they lie, to find those that are one but for rounding.
+// Points in the cells of a fine lattice, to find points that are equal up to rounding.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What of a leaf may touch others, and doubles that say where it cannot.
+// The parts of a leaf that may touch other leaves, and bounds in doubles for where they cannot.
 #include "csg/carriers/round_leaf.h"
 
 #include <algorithm>

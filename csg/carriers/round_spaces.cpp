@@ -1,4 +1,4 @@
-// Who is round in which space, and what touches there.
+// Finds the spaces in which leaves are round, and the contacts of leaves there.
 #include "csg/carriers/round_spaces.h"
 
 #include <algorithm>

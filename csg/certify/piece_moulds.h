@@ -1,4 +1,4 @@
-// What prepared leaves are made of before they are placed, for pieces (pieces.h).
+// Prepared leaves before they are placed, as moulds of pieces (pieces.h).
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Differences in words. Exact numbers stay exact; what is rounded says so.
+// Differences in words. Exact numbers stay exact; rounded numbers are marked as such.
 #include <algorithm>
 
 #include "csg/compare/compare.h"

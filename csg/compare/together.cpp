@@ -1,5 +1,5 @@
-// Nodes of B come behind those of A; positions, and so messages, are those of the files apart, and who evaluates
-// the two together asks each alone for its faults.
+// Nodes of B are appended to the nodes of A. Positions stay those of the two files, so messages name the right
+// file; faults are found by evaluating each tree alone.
 #include "csg/compare/together.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// True surfaces where a transform put them, and the point that lies on several of them.
+// True surfaces under a transform, and the common point of several of them.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What an evaluation has to say beside its values, with the place in the tree file that it is about.
+// Warnings and notices of an evaluation, each with its place in the tree file.
 #pragma once
 
 #include <iterator>

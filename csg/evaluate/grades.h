@@ -1,4 +1,4 @@
-// Graded materials of a tree: placed where their nodes stand, with what their distances are measured to.
+// Graded materials of a tree, placed by the transforms of their nodes, with the targets of their distances.
 #pragma once
 
 #include <functional>

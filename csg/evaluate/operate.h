@@ -1,4 +1,4 @@
-// One node: from the values of its operands to its own.
+// The value of one node from the values of its operands.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// From a kept value to a result, which shares what it shows with the evaluation.
+// A result from a kept value; it shares its data with the evaluation.
 #include <algorithm>
 
 #include "csg/certify/certificate.h"

@@ -1,5 +1,4 @@
-// The simplified complex of a value: what people see of it. Its cells have the numbers that files and messages
-// use.
+// The simplified complex of a value. Files and messages use the numbers of its cells.
 #pragma once
 
 #include <memory>

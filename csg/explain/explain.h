@@ -141,7 +141,7 @@ struct Explanation {
 };
 
 /// The life of a simplified cell (`f12`) of a node that was asked for. The evaluation must have kept all values.
-/// At most `most` classes are told. Throws InputError for a name that is none, with those that there are.
+/// Reports at most `most` classes. Throws InputError for an unknown name; the message tells which cells there are.
 Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node, const std::string& cell,
                     std::size_t most = 4);
 

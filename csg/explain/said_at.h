@@ -1,5 +1,5 @@
-// What is said of a cell at the nodes of its life, and where that comes from: which node gave a name, a material
-// or an attribute, which operand handed it on, and what gave way to it.
+// The attributes of a cell at the nodes of its life, and their origin: the node that gave a name, a material or
+// an attribute, the operand that handed it on, and the attributes that gave way to it.
 #pragma once
 
 #include <map>

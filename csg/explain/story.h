@@ -17,7 +17,7 @@ struct Story {
 };
 
 /// Of a cell such as `f12` of a node that was asked for. The evaluation must have kept all values
-/// (EvaluateOptions::keep_all). Throws InputError for a name that is none, with those that there are.
+/// (EvaluateOptions::keep_all). Throws InputError for an unknown name; the message tells which cells there are.
 Story story(const Tree& tree, const Evaluation& evaluation, NodeId node, const std::string& cell);
 /// Of the cell of the refinement that holds a point, active in the node or not. Throws InputError beyond the frame
 /// of unbounded leaves (EvaluateOptions::reach moves it).

@@ -1,4 +1,4 @@
-// Which simplices of a mesh are elements of a structural analysis, and what stands for the others.
+// Which simplices of a mesh are elements of a structural analysis, and what replaces the others.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Meshes of a result and their files, step by step: who calls these sees the mesh before it is written.
+// Meshes of a result and their files, step by step: the caller sees the mesh before it is written.
 #pragma once
 
 #include <stop_token>

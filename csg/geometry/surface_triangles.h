@@ -1,4 +1,4 @@
-// Triangles of a surface that do not tell what has cut its faces.
+// Triangles of a surface that do not depend on how other leaves cut its faces.
 #pragma once
 
 #include <array>

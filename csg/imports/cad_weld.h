@@ -1,4 +1,4 @@
-// The faces, edges and solids of a CAD model as what is welded (csg/weld/weld.h).
+// The faces, edges and solids of a CAD model as input of the weld (csg/weld/weld.h).
 #pragma once
 
 #include "csg/imports/cad_model.h"

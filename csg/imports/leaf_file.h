@@ -1,4 +1,4 @@
-// The files that leaves name.
+// Files that leaves name.
 #pragma once
 
 #include <string>

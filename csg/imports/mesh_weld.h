@@ -1,4 +1,4 @@
-// The polygons of a mesh file as what is welded (csg/weld/weld.h).
+// The polygons of a mesh file as input of the weld (csg/weld/weld.h).
 #pragma once
 
 #include "csg/imports/mesh_file.h"

@@ -1,4 +1,4 @@
-// Equality is that of the data: a target may be one object or two equal ones.
+// Grades are equal if their data are: targets may be one object or two equal ones.
 #include "csg/materials/grade.h"
 
 #include <set>

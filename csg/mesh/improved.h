@@ -1,4 +1,4 @@
-// What a mesher returns, improved (kernel/tetrahedra/improve.h).
+// The tetrahedra of a mesher, improved (kernel/tetrahedra/improve.h).
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// The largest facet takes in what is beside it and in its plane, then the largest one that is left. What no other
-// one of those that are one now has on the other side is their boundary.
+// Facets grow from the largest one: it takes in its neighbours in its plane, then the largest facet left does the
+// same. Edges used by exactly one facet of the merged group bound it.
 #include "csg/mesh/planar_facets.h"
 
 #include <algorithm>

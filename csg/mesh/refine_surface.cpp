@@ -265,8 +265,8 @@ class Refiner {
   bool is_in_long_gap(Index t) const {
     return is_in_long_gap(t, 0) || is_in_long_gap(t, 1) || is_in_long_gap(t, 2);
   }
-  /// How many times it is longer than wide, for the gap between the segment opposite to corner k and those that
-  /// go on from there beside it, as far as it is beside them: they as they are, or as a whole as they were.
+  /// Length by width of the gap between the segment opposite to corner k and the segments that leave the corner
+  /// beside it, over the part where they face each other. `whole`: input segments in place of their pieces.
   double gap(Index t, std::size_t k, bool whole) const {
     const auto& [points, next, segments, facet] = mesh_.triangles()[t];
     const auto& segment = mesh_.segments()[segments[k]];

@@ -1,4 +1,4 @@
-// A result in doubles that is the exact one in all but the last digits of its points, as meshers need it.
+// A result in doubles, for meshers: equal to the exact result but for the last digits of its points.
 #pragma once
 
 #include <memory>

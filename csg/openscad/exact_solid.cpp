@@ -1,4 +1,4 @@
-// One complex of all leaves; who is where follows from its labels.
+// One complex of all leaves; its labels tell which leaves hold a 3-cell.
 #include "csg/openscad/exact_solid.h"
 
 #include <charconv>

@@ -1,5 +1,5 @@
-// The strongest source decides. Unless it dominates (`strict`), weaker ones fill in what it leaves empty, and what
-// they say otherwise is noted.
+// The strongest source decides. Unless it dominates (`strict`), weaker sources fill in missing attributes, and
+// their conflicting attributes are noted.
 #include "csg/operators/attributes.h"
 
 #include <algorithm>

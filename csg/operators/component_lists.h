@@ -1,4 +1,4 @@
-// Passes over the four lists of a value, one per dimension, with what is parallel to them.
+// Passes over the four lists of a value, one per dimension, and over the lists parallel to them.
 #pragma once
 
 #include <algorithm>

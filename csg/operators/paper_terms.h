@@ -8,7 +8,7 @@
 //   numEdgeA     how many edges of A end at a vertex
 //   loose        a vertex in the interior of a removed face, where no edge of that face ends
 // What bounds a kept cell stays, so that of the others "not free in A" says: numFaceA > 0 or dangOrLoose (of
-// a vertex: numEdgeA > 0 or loose). papers/pereira2012/README.md#the-two-readings has the proof, and where the
+// a vertex: numEdgeA > 0 or loose). tests/oracles/paper_reading.h has the proof, and where the
 // terms taken by the letter remove more.
 #pragma once
 

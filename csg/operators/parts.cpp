@@ -1,4 +1,4 @@
-// What is measured of a part, and parts merged into one group.
+// Measures of a part, and the union of parts in one group.
 #include "csg/operators/parts.h"
 
 #include <algorithm>

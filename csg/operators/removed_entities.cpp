@@ -1,4 +1,5 @@
-// Of each operand what is removed becomes a group by itself.
+// The removed entities of each operand become a group of their own, and are counted in the refinement of the two
+// operands alone.
 #include "csg/operators/removed_entities.h"
 
 #include <algorithm>

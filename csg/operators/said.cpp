@@ -1,4 +1,4 @@
-// Rules for what is said of a cell that two operands have.
+// Rules for the attributes of a cell that two operands have.
 #include "csg/operators/said.h"
 
 namespace cnrg {

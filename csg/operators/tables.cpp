@@ -1,4 +1,4 @@
-// The rows, which of them fits an entity, and what prints them.
+// The rows of the tables, the search for the row of an entity, and their text.
 #include "csg/operators/tables.h"
 
 #include <algorithm>

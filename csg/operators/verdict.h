@@ -1,4 +1,4 @@
-// What became of one entity at one Boolean, for `cnrg explain`.
+// The decision of one Boolean about one entity, for `cnrg explain`.
 #pragma once
 
 #include "csg/operators/group.h"

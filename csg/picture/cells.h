@@ -1,4 +1,4 @@
-// The cells of a node as a picture shows them: all of them, or what is left behind a plane that cuts them.
+// The cells of a node in a picture: all cells, or the part behind a cutting plane.
 #pragma once
 
 #include <array>

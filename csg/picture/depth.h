@@ -1,4 +1,4 @@
-// How near what is seen lies, as a function of the place in the picture.
+// The depth of a visible facet, segment or point, as a function of the place in the picture.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// One node's value, as files show it.
+// The result of one node, with the numbers that files use.
 #include <pybind11/stl.h>
 
 #include "csg/result/join.h"

@@ -1,4 +1,4 @@
-// What is said of cells, as Python sees it.
+// The attributes of cells, for Python.
 #pragma once
 
 #include "views.h"

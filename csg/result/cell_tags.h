@@ -1,4 +1,4 @@
-// What a file says of a cell of a result: where it lies, what it belongs to, where it came from.
+// The tags of a cell in a file: its region or component, its material and its source.
 #pragma once
 
 #include <cstdint>

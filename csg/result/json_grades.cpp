@@ -1,5 +1,5 @@
-// A material that is blended may be a blend itself, of another one in turn: they are listed from the inside out,
-// and each names those inside of it by their numbers.
+// A blend may have a blend as one of its two materials. Blends are listed from the innermost outward, and each
+// names its inner blends by their numbers.
 #include "csg/result/json_grades.h"
 
 #include <algorithm>

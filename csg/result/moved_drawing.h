@@ -1,4 +1,4 @@
-// What a result draws, and that drawing after its points have moved and what then crosses is refined.
+// The drawing of a result, and the drawing with moved points, with new crossings refined.
 #pragma once
 
 #include <array>

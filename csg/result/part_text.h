@@ -1,4 +1,4 @@
-// Parts of a result in words: what they are of, where they are.
+// Parts of a result in words: cells, the leaves that they came from, coordinates and distances.
 #pragma once
 
 #include <string>

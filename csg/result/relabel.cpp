@@ -387,7 +387,7 @@ class Labeller {
   static void add(Sources& from, const Cell& cell) {
     from.leaves.insert(from.leaves.end(), cell.origin.leaves.begin(), cell.origin.leaves.end());
   }
-  /// The same of a cell of the result that the new one is a piece of: what is said of that is said of this.
+  /// The same for a cell of the result that has the new one as a piece: the piece inherits its attributes.
   template <class Cell>
   void add(Sources& from, const Cell& cell, int dimension) {
     add(from, cell);

@@ -1,4 +1,4 @@
-// What a Result shares with its copies; for the rooms that make results and write them, not for users.
+// The data that copies of a Result share; for the rooms that make and write results, not for users.
 #pragma once
 
 #include <functional>

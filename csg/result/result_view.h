@@ -1,4 +1,4 @@
-// What writers are given: one node of an evaluated tree with all that its file says of it.
+// The input of writers: one node of an evaluated tree, with all data that its file holds.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct LeafInfo {
   double size = 0;  ///< how long edges of a mesh are to be on what comes from it; 0: nobody says
   /// Nobody says a size here, but users of the result may.
   bool asks = false;
-  /// Of a node that joins: so many leaves after it are those below it. What its cells came from is these.
+  /// Of a node that joins: the `makers` leaves after it are the leaves below it, the sources of its cells.
   std::uint32_t makers = 0;
   std::shared_ptr<const std::vector<LeafParts>> regions{};  ///< and its regions, by label; nullptr of others
   bool may_say_size() const { return size > 0 || asks; }

@@ -1,4 +1,4 @@
-// Where there is no fork: the work is done here, and what it writes is kept in a text.
+// Systems without fork: the work runs in this process, and its output is kept in a text.
 #include "csg/text/child.h"
 
 #ifndef CNRG_FORK

@@ -1,4 +1,4 @@
-// In each plug-in: of which build it is.
+// The stamp of a plug-in: the build that it belongs to, which the program compares with its own.
 #include "csg/text/plugin.h"
 
 CNRG_PLUGIN_EXPORT const char* cnrg_plugin_stamp() { return CNRG_PLUGIN_STAMP; }

@@ -1,4 +1,4 @@
-// Walls are counted over simplified faces; Boost.Graph knows what is connected and how to write it.
+// Walls are counted over simplified faces; Boost.Graph finds connected parts and writes the graph.
 #include "csg/topology/region_graph.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Marks that tell cells of a value apart when it is simplified.
+// Marks that keep cells of a value apart in its simplification.
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
-// Places in a tree file, and what is said about them.
+// Places in a tree file, and messages about them.
 //
-// Everything that a person can get wrong is told once, as `file:line:column: error: what is wrong; what to do`.
-// Lines and columns count from 1; (1, 1) also stands for the file as a whole.
+// Each fault of a user is reported once, as `file:line:column: error: what is wrong; what to do`. Lines and
+// columns count from 1; (1, 1) also stands for the file as a whole.
 #pragma once
 
 #include <string>

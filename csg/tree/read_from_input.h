@@ -1,4 +1,4 @@
-// A tree that another program writes, or that a person types.
+// Trees from standard input: written by another program, or typed.
 #pragma once
 
 #include "csg/tree/tree.h"

@@ -1,4 +1,4 @@
-// Numbers by name, some of them given in place of those of the file; see the header.
+// Parameters of a tree file: numbers by name; some are given from outside in place of those of the file.
 #include "csg/tree/read_parameters.h"
 
 #include "csg/text/number.h"

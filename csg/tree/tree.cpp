@@ -1,4 +1,4 @@
-// What a tree answers about itself: its nodes by name, its materials, and what of it nobody uses.
+// Queries on a tree: its nodes by name, its materials, its unused nodes.
 #include "csg/tree/tree.h"
 
 #include <algorithm>

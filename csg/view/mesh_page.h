@@ -1,4 +1,4 @@
-// One page that tells of a mesh and shows it: `cnrg mesh -o report.html`. It loads nothing, and has no script.
+// The report page of a mesh: `cnrg mesh -o report.html`. It loads nothing, and has no script.
 #pragma once
 
 #include <string>

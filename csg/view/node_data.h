@@ -1,4 +1,4 @@
-// What a page knows of one node: its cells, numbered as in files, and what is told of them.
+// The data of one node on a page: cells, numbered as in files, and their attributes and stories.
 #pragma once
 
 #include <map>

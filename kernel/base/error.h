@@ -1,4 +1,4 @@
-// The errors of the project, by who can mend them.
+// The errors of the project, one class for each way to mend them: a bug of ours, bad input, a file, a stop.
 #pragma once
 
 #include <stdexcept>

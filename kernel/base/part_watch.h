@@ -1,4 +1,4 @@
-// Long work that other long work begins again and again: whoever waits hears which of them each stage is of.
+// Progress of work that consists of named parts: each stage is reported with the name of its part.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace cnrg {
 
-/// The same watch, told of a stage as `name: stage`.
+/// A watch that reports each stage to `watch` as `name: stage`.
 inline Watch part_of(const Watch& watch, std::string name) {
   Watch out{{}, watch.stop};
   if (!watch.progress) return out;

@@ -1,4 +1,4 @@
-// Exact planes and what boxes cut out of them.
+// Exact planes, and the polygons in which they cut boxes.
 #pragma once
 
 #include <vector>

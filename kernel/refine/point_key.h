@@ -1,4 +1,4 @@
-// The symbol of a point on which inputs meet, before it has a vertex: what it is, not where it is.
+// The symbol of a point where inputs meet, before the point has a vertex: its definition, not its coordinates.
 #pragma once
 
 #include <algorithm>

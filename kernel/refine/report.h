@@ -1,4 +1,4 @@
-// What may be asked of refinement, and what it says of its work.
+// Options and report of refinement.
 #pragma once
 
 #include <array>

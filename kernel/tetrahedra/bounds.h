@@ -1,4 +1,4 @@
-// What the tetrahedra of a mesh have to be, and what those cost that are not.
+// Bounds on the tetrahedra of a mesh, and the cost of tetrahedra that break them.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What is measured of one tetrahedron, by its corners in any order.
+// Measures of one tetrahedron, by its corners in any order.
 #pragma once
 
 #include <array>

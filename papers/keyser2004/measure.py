@@ -1,7 +1,17 @@
 #!/usr/bin/env python3
 """measure.py PROGRAM: what the page says about errors and bounds, by the program `cnrg` on chords.yaml.
 
-Volumes are exact fractions; only pi and the distances are doubles."""
+Volumes are exact fractions; only pi and the distances are doubles.
+
+Why boundaries are at most K e apart (the terms are the page's): let x be on the boundary of f(S), and let the ball of
+radius K e around x hold a point in f(S) and one not in it, both farther than e from the boundary of every S_i. By the
+page's lemma f(P) has the one and not the other, so the segment between them meets the boundary of f(P), at most K e
+away from x. From f(P) to f(S) likewise. On one smooth surface, away from the others, K tends to 1 with e. Where two
+surfaces meet at an angle theta (the smaller one, up to 90 degrees), the point in the middle of a wedge is far enough
+from both faces at e/sin(theta/2), so K = 1/sin(theta/2), up to terms in e times the curvatures. Where three meet, half
+the angle of the widest round cone in the narrowest corner replaces theta/2. The same factor bounds how far the curve
+moves in which the surfaces meet.
+"""
 import fractions
 import json
 import math
