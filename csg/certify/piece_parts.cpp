@@ -16,7 +16,11 @@ Interval3 with_pole(const std::vector<Piece>& all, const Piece& piece, const std
 
 /// Points whose convex hull holds F over a part of a cell.
 PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Interval, 2>& range) {
-  if (!piece.grid) return {piece.corners.begin(), piece.corners.begin() + piece.corner_count};
+  PiecePart::FacetCorners result;
+  if (!piece.grid) {
+    for (std::size_t k = 0; k < piece.corner_count; ++k) result.add(piece.corners[k]);
+    return result;
+  }
   const std::size_t first = piece.at[0][0] != piece.at[1][0] ? 0 : 1, second = 1 - first;
   const auto place = [](double x, double from, double to) {
     return (Interval(x) - Interval(from)) / (Interval(to) - Interval(from));
@@ -24,7 +28,6 @@ PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Inter
   const auto mix = [](const Interval3& a, const Interval3& b, const Interval& x) {
     return sum(a, scaled(x, difference(b, a)));
   };
-  PiecePart::FacetCorners result;
   if (piece.bent) {
     // F is linear on two triangles: its hull is that of its corners and of the ends of the diagonal.
     const auto at = [&](const Interval& s, const Interval& t) {
@@ -44,14 +47,14 @@ PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Inter
       if (ends[k][0].inf() > ends[k][1].inf()) std::swap(ends[k][0], ends[k][1]);
     }
     for (const Interval& s : ends[0]) {
-      for (const Interval& t : ends[1]) result.push_back(at(s, t));
+      for (const Interval& t : ends[1]) result.add(at(s, t));
     }
     const Interval from(std::max(ends[0][0].inf(), ends[1][0].inf()),
                         std::max(ends[0][0].sup(), ends[1][0].sup())),
         to(std::min(ends[0][1].inf(), ends[1][1].inf()), std::min(ends[0][1].sup(), ends[1][1].sup()));
     if (from.inf() <= to.sup()) {
-      result.push_back(at(from, from));
-      result.push_back(at(to, to));
+      result.add(at(from, from));
+      result.add(at(to, to));
     }
     return result;
   }
@@ -61,15 +64,15 @@ PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Inter
     const Interval3 low = mix(piece.corners[0], piece.corners[1], s),
                     high = mix(piece.corners[3], piece.corners[2], s);
     for (const double y : {range[second].inf(), range[second].sup()})
-      result.push_back(mix(low, high, place(y, piece.at[0][second], piece.at[3][second])));
+      result.add(mix(low, high, place(y, piece.at[0][second], piece.at[3][second])));
   }
   return result;
 }
 
 Interval3 facet_box(const Piece& piece, const std::array<Interval, 2>& range,
                     const PiecePart::FacetCorners& corners) {
-  Interval3 all = corners[0];
-  for (const Interval3& p : corners) all = hull(all, p);
+  Interval3 all = corners.all[0];
+  for (std::size_t k = 1; k < corners.count; ++k) all = hull(all, corners.all[k]);
   if (!piece.grid) {
     if (piece.blind || piece.corner_count != 3) return all;
     const Interval3 affine =
@@ -397,8 +400,8 @@ Interval extent(const PiecePart& part, const Vector3<double>& d, Between between
   }
   const Interval surface =
       dot(along, part.middle()) + away_u * dot(along, part.along_u) + away_v * dot(along, part.along_v);
-  if (part.facet.empty()) return narrowed(of_box, surface);
-  return narrowed(of_box, hull(surface, all_of({part.facet.data(), part.facet.size()})));
+  if (part.facet.count == 0) return narrowed(of_box, surface);
+  return narrowed(of_box, hull(surface, all_of(std::span(part.facet.all).first(part.facet.count))));
 }
 
 }  // namespace cnrg

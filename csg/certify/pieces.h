@@ -10,7 +10,6 @@
 #pragma once
 
 #include <array>
-#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -190,8 +189,12 @@ struct PiecePart {
   Interval3 box{}, cone{};
   Interval3 along_u{}, along_v{};  ///< of S
   bool blind = false;              ///< `cone` says nothing
-  using FacetCorners = boost::container::static_vector<Interval3, 6>;
-  FacetCorners facet{};  ///< F is in their convex hull; of a cell, not of surfaces alone
+  /// F is in their convex hull; of a cell, not of surfaces alone.
+  struct FacetCorners {
+    std::array<Interval3, 6> all;
+    std::size_t count = 0;
+    void add(const Interval3& p) { all[count++] = p; }
+  } facet{};
   /// S in the middle of the range, once it is asked for.
   const Interval3& middle() const;
   mutable std::optional<Interval3> known_middle{};

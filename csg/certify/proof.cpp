@@ -17,7 +17,7 @@ namespace {
 
 using Index = std::uint32_t;
 using Why = UncertainPlace::Why;
-using PieceParts = boost::container::static_vector<PiecePart, 4>;
+using PieceParts = std::vector<PiecePart>;
 
 constexpr std::size_t kMostSteps = 250;         // of one question
 constexpr std::size_t kMostInContact = 64;      // of one to three, of which two touch as it is known
