@@ -5,11 +5,13 @@
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
+#include "csg/tree/forms.h"
 
 namespace cnrg::app {
 
 int run_schema(bool tables) {
-  std::cout << (tables ? key_tables() : tree_schema()) << std::flush;
+  if (tables) std::cout << key_tables() << std::flush;
+  else std::cout << tree_schema() << std::flush;
   return kDone;
 }
 

@@ -58,7 +58,7 @@ CurveNet read_curve(const Value& value, const std::string& what, bool spline) {
     net.points = value.points(what);
     return net;
   }
-  const Fields f(value, form(spline ? "curve of bspline" : "curve of bezier"), what);
+  const Fields f(value, form(spline ? "spline curve" : "curve"), what);
   f.read("points", net.points);
   if (const Value* weights = f.find("weights")) {
     net.weights = read_weights(*weights, f.name("weights"), net.points.size());
@@ -90,7 +90,7 @@ PatchNet read_patch(const Value& value, const std::string& what, bool spline) {
     read_points(value, what);
     return net;
   }
-  const Fields f(value, form(spline ? "patch of bspline" : "patch of bezier"), what);
+  const Fields f(value, form(spline ? "spline patch" : "patch"), what);
   read_points(f.at("points"), f.name("points"));
   if (const Value* weights = f.find("weights")) {
     const std::vector<Value> rows = weights->list(f.name("weights"), "a list of rows [[w, ...], ...]");

@@ -278,11 +278,11 @@ void Fields::fail_missing(const std::vector<std::string_view>& keys) const {
   for (std::size_t i = 0; i < keys.size(); ++i)
     words += (i == 0 ? "`" : i + 1 == keys.size() ? " or `" : ", `") + std::string(keys[i]) + "`";
   map_.fail(what_ + " needs " + words + "; add `" + std::string(keys[0]) + ": " +
-            std::string(form_.find(keys[0])->type.hint) + "`");
+            std::string(form_.find(keys[0])->type->hint) + "`");
 }
 
 void Fields::check_partners(const Key& key, const Value::Entry& e) const {
-  for (const std::string_view other : listed_keys(key.excludes)) {
+  for (const std::string_view other : key.excludes) {
     const Value::Entry* o = entry(other);
     if (!o) continue;
     const auto [first, second] = std::minmax(&e, o);
@@ -295,21 +295,21 @@ void Fields::check_partners(const Key& key, const Value::Entry& e) const {
 void Fields::check_presence() const {
   for (const Key& key : form_.keys) {
     if (const Value::Entry* e = entry(key.name)) check_partners(key, *e);
-    else if (key.otherwise == kRequired) fail_missing({key.name});
+    else if (key.is_required()) fail_missing({key.name});
   }
-  const std::vector<std::string_view> one_of = listed_keys(form_.one_of);
-  if (!one_of.empty() && std::none_of(one_of.begin(), one_of.end(), [&](auto key) { return has(key); }))
-    fail_missing(one_of);
+  const std::vector<std::string_view>& keys = form_.one_of;
+  if (!keys.empty() && std::none_of(keys.begin(), keys.end(), [&](auto key) { return has(key); }))
+    fail_missing(keys);
 }
 
 const Value& Fields::value_of(std::string_view key, Type::Kind kind) const {
   const Key* known = form_.find(key);
-  require(known && known->type.kind == kind, "Fields: a key that the form has not, or as another type");
+  require(known && known->type->kind == kind, "Fields: a key that the form has not, or as another type");
   return at(key);
 }
 
 std::string Fields::list_words(std::string_view key) const {
-  const Type& type = form_.find(key)->type;
+  const Type& type = *form_.find(key)->type;
   return (type.name.starts_with("list of") ? "a " : "a list of ") + std::string(type.name) + " " +
          std::string(type.hint);
 }
@@ -319,7 +319,7 @@ void Fields::read_value(std::string_view key, Rational& to) const {
 }
 
 void Fields::read_value(std::string_view key, int& to) const {
-  const Type& type = form_.find(key)->type;
+  const Type& type = *form_.find(key)->type;
   to = static_cast<int>(value_of(key, Type::Kind::count).integer(name(key), type.least, type.most));
 }
 
@@ -340,7 +340,7 @@ void Fields::read_value(std::string_view key, bool& to) const {
 }
 
 void Fields::read_value(std::string_view key, std::string& to) const {
-  const std::span<const std::string_view> choices = form_.find(key)->type.choices;
+  const std::vector<std::string_view>& choices = form_.find(key)->type->choices;
   const Value& value = value_of(key, choices.empty() ? Type::Kind::text : Type::Kind::choice);
   to = value.text(name(key));
   if (choices.empty() || std::find(choices.begin(), choices.end(), to) != choices.end()) return;
