@@ -285,7 +285,7 @@ void Fields::check_partners(const Key& key, const Value::Entry& e) const {
   for (const std::string_view other : key.excludes) {
     const Value::Entry* o = entry(other);
     if (!o) continue;
-    const auto [first, second] = std::minmax(&e, o);
+    const auto [first, second] = std::minmax({&e, o});
     map_.document().fail(second->key_at,
                          what_ + " has `" + first->key + "` and `" + second->key + "`; remove one of them");
   }
