@@ -207,7 +207,8 @@ TEST_CASE("operands of the wrong type or number", "[tree][errors]") {
   expect_node("select: {of: p, between: p}", 26, {"`between` of select must be two names", "the text `p`"});
   expect_node("select: {of: p, between: [p]}", 26, {"two names", "a list of one"});
   expect_node("select: {of: p, between: [null, null]}", 26, {"null is no region"});
-  expect_node("select: {of: p}", 9, {"select needs `dimension`, `name`, ", "`inside` or `touching`; add `dimension: 2`"});
+  expect_node("select: {of: p}", 9,
+              {"select needs `dimension`, `name`, ", "`inside` or `touching`; add `dimension: 2`"});
   expect_node("select: {of: p, region: null}", 17, {"`region` of select must be a name or a number"});
   expect_node("select: {of: p, attributes: {k: 1/0}}", 33, {"`1/0` begins like a number"});
   expect_node("select: {of: p, attributes: 3}", 29, {"`attributes` of select must be a map"});
