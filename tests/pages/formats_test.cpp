@@ -188,20 +188,13 @@ TEST_CASE("csg/FORMATS.md has the columns of rows and the arrays of .vtu", "[pag
   CHECK(first_words(formats(), "array") == arrays);
 }
 
-/// The members that the tables under `.json` list for an owner (the first column or the one before `member`), in
-/// their order.
-std::vector<std::string> listed_members(const std::string& title, const std::string& owner) {
+/// The members that the schema of .json has, in its order; of a definition or of the whole.
+std::vector<std::string> listed_members(const std::string& definition = {}) {
+  static const OrderedJson schema = OrderedJson::parse(text_of(root() / "csg/formats/result.schema.json"));
+  const OrderedJson& whole = definition.empty() ? schema : schema.at("definitions").at(definition);
+  const OrderedJson& one = whole.contains("items") ? whole.at("items") : whole;
   std::vector<std::string> members;
-  for (const PageTable& table : tables_of(formats())) {
-    if (table.anchor != "json" || table.head[0] != title) continue;
-    std::string of;
-    for (const auto& row : table.rows) {
-      if (title == "of" && !row[0].empty()) of = row[0];
-      if (of != owner) continue;
-      const std::vector<std::string> words = quoted_words(row[title == "of" ? 1 : 0]);
-      members.insert(members.end(), words.begin(), words.end());
-    }
-  }
+  for (const auto& [name, value] : one.at("properties").items()) members.push_back(name);
   return members;
 }
 
@@ -233,15 +226,14 @@ std::vector<std::string> write_results(const Workshop& w) {
   return files;
 }
 
-TEST_CASE("csg/FORMATS.md has the members of .json, in their order", "[pages][formats]") {
+TEST_CASE("the schema of .json has its members, in their order", "[pages][formats]") {
   const Workshop w;
-  const std::map<std::string, std::vector<std::string>> cells{{"vertices", listed_members("of", "vertex")},
-                                                              {"edges", listed_members("of", "edge")},
-                                                              {"faces", listed_members("of", "face")},
-                                                              {"regions", listed_members("of", "region")}};
-  const std::vector<std::string> top = listed_members("member", ""),
-                                 origin = listed_members("of", "entry of `origin`"),
-                                 grade = listed_members("of a grade", "");
+  const std::map<std::string, std::vector<std::string>> cells{{"vertices", listed_members("vertex")},
+                                                              {"edges", listed_members("edge")},
+                                                              {"faces", listed_members("face")},
+                                                              {"regions", listed_members("region")}};
+  const std::vector<std::string> top = listed_members(), origin = listed_members("origin"),
+                                 grade = listed_members("grade");
   std::map<std::string, Words> seen;
   for (const std::string& file : write_results(w)) {
     const OrderedJson result = OrderedJson::parse(w.read(file));
