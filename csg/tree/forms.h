@@ -1,7 +1,7 @@
 // What a tree file may say: for each map with known keys these, with their types, defaults and meaning.
 //
 // They stand in keys.inc, as the tables that csg/FORMATS.md shows. Readers check and read maps by them (`Fields`
-// of yaml_value.h), and the JSON schema of a tree file is made of them (schema.h): a key that is added there is
+// of yaml_value.h), and the JSON schema of a tree file is made of them (schema.cpp): a key that is added there is
 // known everywhere. A reader that asks for a key that no table has, or as another type, is an InvariantError.
 //
 // What is read in the words of a table: `required` as the default; `this or ...` and `one of these`, of which one
@@ -63,5 +63,9 @@ const std::vector<NamedSchema>& definitions();
 
 /// The tables as the page has them, each between `<!-- keys: NAME -->` and `<!-- /keys -->`.
 std::string_view key_tables();
+
+/// The JSON Schema (draft 2020-12) of a tree file (schema.cpp). What it cannot say: which names there are, how
+/// values depend on each other, what an expression is worth.
+std::string tree_schema();
 
 }  // namespace cnrg

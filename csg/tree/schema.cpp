@@ -1,7 +1,5 @@
 // A definition for each form, beside those of keys.inc, to which types refer by name. The schema is put together
 // as text, a line for each definition.
-#include "csg/tree/schema.h"
-
 #include <algorithm>
 #include <string_view>
 #include <vector>

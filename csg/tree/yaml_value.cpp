@@ -314,32 +314,7 @@ std::string Fields::list_words(std::string_view key) const {
          std::string(type.hint);
 }
 
-void Fields::read_value(std::string_view key, Rational& to) const {
-  to = value_of(key, Type::Kind::number).number(name(key));
-}
-
-void Fields::read_value(std::string_view key, int& to) const {
-  const Type& type = *form_.find(key)->type;
-  to = static_cast<int>(value_of(key, Type::Kind::count).integer(name(key), type.least, type.most));
-}
-
-void Fields::read_value(std::string_view key, RationalPoint& to) const {
-  to = value_of(key, Type::Kind::point).point(name(key));
-}
-
-void Fields::read_value(std::string_view key, std::vector<RationalPoint>& to) const {
-  to = value_of(key, Type::Kind::points).points(name(key));
-}
-
-void Fields::read_value(std::string_view key, std::vector<std::vector<RationalPoint>>& to) const {
-  to = value_of(key, Type::Kind::loops).loops(name(key));
-}
-
-void Fields::read_value(std::string_view key, bool& to) const {
-  to = value_of(key, Type::Kind::boolean).boolean(name(key));
-}
-
-void Fields::read_value(std::string_view key, std::string& to) const {
+void Fields::read_text(std::string_view key, std::string& to) const {
   const std::vector<std::string_view>& choices = form_.find(key)->type->choices;
   const Value& value = value_of(key, choices.empty() ? Type::Kind::text : Type::Kind::choice);
   to = value.text(name(key));

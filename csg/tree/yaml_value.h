@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "csg/tree/expression.h"
@@ -136,13 +137,21 @@ class Fields {
   /// The value of a key that is there; the form has to have it as one of that kind.
   const Value& value_of(std::string_view key, Type::Kind kind) const;
   std::string list_words(std::string_view key) const;
-  void read_value(std::string_view key, Rational& to) const;
-  void read_value(std::string_view key, int& to) const;
-  void read_value(std::string_view key, RationalPoint& to) const;
-  void read_value(std::string_view key, std::vector<RationalPoint>& to) const;
-  void read_value(std::string_view key, std::vector<std::vector<RationalPoint>>& to) const;
-  void read_value(std::string_view key, bool& to) const;
-  void read_value(std::string_view key, std::string& to) const;
+  void read_text(std::string_view key, std::string& to) const;
+  template <class T>
+  void read_value(std::string_view key, T& to) const {
+    using Kind = Type::Kind;
+    if constexpr (std::is_same_v<T, Rational>) to = value_of(key, Kind::number).number(name(key));
+    else if constexpr (std::is_same_v<T, bool>) to = value_of(key, Kind::boolean).boolean(name(key));
+    else if constexpr (std::is_same_v<T, RationalPoint>) to = value_of(key, Kind::point).point(name(key));
+    else if constexpr (std::is_same_v<T, std::vector<RationalPoint>>)
+      to = value_of(key, Kind::points).points(name(key));
+    else if constexpr (std::is_same_v<T, std::string>) read_text(key, to);
+    else if constexpr (std::is_same_v<T, int>) {
+      const Type& type = *form_.find(key)->type;
+      to = static_cast<int>(value_of(key, Kind::count).integer(name(key), type.least, type.most));
+    } else to = value_of(key, Kind::loops).loops(name(key));
+  }
   template <class T>
   void read_value(std::string_view key, std::optional<T>& to) const {
     read_value(key, to.emplace());
