@@ -61,7 +61,8 @@ class TreeReader {
     tree_.nodes_at = fields.entry("nodes")->key_at;
     read_nodes(fields.at("nodes"));
     tree_.result = named(fields.at("result"), "`result`");
-    fields.read("weld", tree_.weld);
+    std::string for_editors;
+    fields.read("weld", tree_.weld, "$schema", for_editors);
     check_weld(fields);
     if (tree_.weld) tree_.weld_at = fields.at("weld").at();
     check_graph(tree_, dag_);
