@@ -32,10 +32,10 @@ UNSAID = [
     r"add up to", r"`from` and `to` of .* are one point", r"has no direction", r"makes a solid flat",
     # bounds of what is written as a text, and what an expression is
     r"must be above 0", r"must be a positive length", r"a weight must be positive", r"must be 0 or more", r"at most 360",
-    r"must be a whole number from", r"is negative", r"^the parameter `", r"is no expression|expression", r"since its denominator is 0",
+    r"must be a whole number from", r"is negative", r"error: the parameter `", r"an expression is written", r"`\$\{.*`: ", r"since its denominator is 0",
     r"begins like a number", r"`size` is how long",
     # lists that may be empty for the sake of others
-    r"is empty; (add|give)", r"give at least two (corners|rows)", r"has no leaf and no operator", 
+    r"is empty; (add|give)", r"give at least two (corners|rows)",
 ]
 
 
