@@ -131,7 +131,7 @@ class KeyText {
     Form& form = forms.back();
     if (meaning.find("alone in place of the map") != std::string_view::npos) form.first_alone = true;
     if (otherwise.empty() && value.empty()) return form.keys.push_back(*like(meaning.substr(7)).find(name));
-    if (otherwise.starts_with("this or ") || otherwise == "one of these") form.one_of.push_back(name);
+    if (otherwise.starts_with("this or ") || otherwise == "one or more of these") form.one_of.push_back(name);
     const auto type = types_.find(value);
     if (type == types_.end()) return form.keys.push_back(*this->form("fineness").find(name));
     const std::vector<std::string_view> needs = words_after(meaning, "with ");

@@ -4,8 +4,8 @@
 // of yaml_value.h), and the JSON schema of a tree file is made of them (schema.cpp): a key that is added there is
 // known everywhere. A reader that asks for a key that no table has, or as another type, is an InvariantError.
 //
-// What is read in the words of a table: `required` as the default; `this or ...` and `one of these`, of which one
-// is needed; `excludes` and `with` before keys in the meaning; `alone in place of the map`.
+// What is read in the words of a table: `required` as the default; `this or ...` and `one or more of these`, of
+// which one is needed; `excludes` and `with` before keys in the meaning; `alone in place of the map`.
 #pragma once
 
 #include <cstdint>
