@@ -104,6 +104,9 @@ int run_compare(const CompareArguments& arguments);
 /// `cnrg tables`: the tables as the code has them.
 int run_tables();
 
+/// `cnrg schema`: the JSON schema of a tree file; with `tables`, its keys in Markdown.
+int run_schema(bool tables);
+
 /// `cnrg nodes`, which help does not list: names for completions.
 int run_nodes(const std::string& tree);
 

@@ -488,6 +488,12 @@ int run(int argc, char** argv) {
   sub->footer("Example:\n  cnrg tables > tables.md");
   sub->callback([&] { command = [] { return run_tables(); }; });
 
+  bool tables = false;
+  sub = program.add_subcommand("schema", "Prints the JSON schema of a tree file, for editors");
+  sub->add_flag("--tables", tables, "The keys of a tree file in Markdown instead");
+  sub->footer("Example:\n  cnrg schema > tree.schema.json");
+  sub->callback([&] { command = [&] { return run_schema(tables); }; });
+
   sub = program.add_subcommand("manual", "Prints the manual page of cnrg, for `man`");
   sub->footer("Example:\n  cnrg manual > cnrg.1\n  man -l cnrg.1");
   sub->callback([&] { command = [&] { return run_manual(program_text(program)); }; });

@@ -1,5 +1,5 @@
 // Do two values mean the same? The answer of `cnrg compare`, for people and for programs: a text, and the same
-// facts as JSON, whose members are in csg/FORMATS.md#differences-as-data. What it is made of is in compare.h.
+// facts as JSON, whose members are in csg/explain/answers.schema.json. What it is made of is in compare.h.
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 //
 // The facts themselves are structures of many kinds (explain.h), whose headers would bring half of the source
 // along. Who is outside and wants to compute with them, in whatever language, reads JSON; its members are in
-// csg/FORMATS.md#the-life-of-a-cell-as-data. Exact numbers are texts there, as in a .json of a result.
+// answers.schema.json. Exact numbers are texts there, as in a .json of a result.
 #pragma once
 
 #include <string>

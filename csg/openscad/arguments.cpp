@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "csg/leaves/leaf.h"
 #include "csg/text/escape.h"
@@ -17,9 +18,14 @@ Arguments::Arguments(const std::string& path, const Statement& statement,
                      std::initializer_list<std::string_view> known)
     : path_(path), statement_(statement), first_(known.size() == 0 ? std::string_view() : *known.begin()) {
   constexpr std::array<std::string_view, 4> kAlways{"$fn", "$fa", "$fs", "convexity"};
+  std::set<std::string_view> seen;
   for (const Argument& argument : statement.arguments) {
     const bool named = !argument.name.empty();
-    if (!named && !first_.empty() && &argument == &statement.arguments.front()) continue;
+    const bool is_first = !named && !first_.empty() && &argument == &statement.arguments.front();
+    const std::string_view name = is_first ? first_ : argument.name;
+    if ((named || is_first) && !seen.insert(name).second)
+      fail(path, statement, "has the argument `" + excerpt(name) + "` twice; remove one");
+    if (is_first) continue;
     const auto is_it = [&](std::string_view name) { return name == argument.name; };
     if (named &&
         (std::any_of(known.begin(), known.end(), is_it) || std::any_of(kAlways.begin(), kAlways.end(), is_it)))

@@ -40,7 +40,7 @@ SimplifiedEuler simplified_euler(const Complex& complex, const Selection& select
 std::string topology_text(const Complex& complex, const Selection& selection, const SimplifiedComplex& simplified,
                           std::span<const RegionAttributes> components);
 
-/// The same of a result, as that text and as JSON, whose members are in csg/FORMATS.md#topology-as-data. Lists are
+/// The same of a result, as that text and as JSON, whose members are in csg/explain/answers.schema.json. Lists are
 /// whole there.
 struct TopologyReport {
   std::string text, json;

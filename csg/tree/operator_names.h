@@ -1,4 +1,4 @@
-// The keys of a node in a tree file that are no leaf: operators and attributes.
+// The keys of a node in a tree file that are operators.
 #pragma once
 
 #include <algorithm>
@@ -34,10 +34,6 @@ inline constexpr std::array<OperatorName, 19> kOperators{{
     {"csg", Operator::simplify},
     {"select", Operator::select},
 }};
-
-inline constexpr std::array<std::string_view, 12> kAttributes{"material",  "name",  "attributes", "size",
-                                                              "dominance", "blend", "each",       "translate",
-                                                              "rotate",    "scale", "mirror",     "matrix"};
 
 inline const OperatorName* find_operator(std::string_view name) {
   const auto it =

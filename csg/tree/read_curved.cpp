@@ -2,6 +2,7 @@
 // `prepare`.
 #include "csg/tree/read_curved.h"
 
+#include <map>
 #include <optional>
 
 #include "csg/curves/boundary_curves.h"
@@ -9,8 +10,6 @@
 
 namespace cnrg {
 namespace {
-
-constexpr const char* kRows = "[[[x, y, z], ...], ...]";
 
 /// Positive numbers, `count` of them.
 std::vector<Rational> read_weights(const Value& value, const std::string& what, std::size_t count) {
@@ -59,14 +58,13 @@ CurveNet read_curve(const Value& value, const std::string& what, bool spline) {
     net.points = value.points(what);
     return net;
   }
-  const Fields f = spline ? Fields(value, what, {"points", "weights", "degree", "knots"})
-                          : Fields(value, what, {"points", "weights"});
-  net.points = f.at("points", kPoints).points(f.name("points"));
+  const Fields f(value, form(spline ? "spline curve" : "curve"), what);
+  f.read("points", net.points);
   if (const Value* weights = f.find("weights")) {
     net.weights = read_weights(*weights, f.name("weights"), net.points.size());
   }
   if (!spline) return net;
-  net.degree = read_degree(f.at("degree", "3"), f.name("degree"), net.points.size());
+  net.degree = read_degree(f.at("degree"), f.name("degree"), net.points.size());
   if (const Value* knots = f.find("knots")) {
     net.knots = read_knots(*knots, f.name("knots"), net.points.size(), net.degree);
   }
@@ -77,7 +75,7 @@ CurveNet read_curve(const Value& value, const std::string& what, bool spline) {
 PatchNet read_patch(const Value& value, const std::string& what, bool spline) {
   PatchNet net;
   const auto read_points = [&](const Value& rows, const std::string& name) {
-    for (const Value& row : rows.list(name, std::string("a list of rows ") + kRows)) {
+    for (const Value& row : rows.list(name, "a list of rows [[[x, y, z], ...], ...]")) {
       net.points.push_back(row.points("each row of " + name));
       if (net.points.back().size() != net.points[0].size()) {
         row.fail("this row has " + std::to_string(net.points.back().size()) +
@@ -92,9 +90,8 @@ PatchNet read_patch(const Value& value, const std::string& what, bool spline) {
     read_points(value, what);
     return net;
   }
-  const Fields f = spline ? Fields(value, what, {"points", "weights", "degree", "knots"})
-                          : Fields(value, what, {"points", "weights"});
-  read_points(f.at("points", kRows), f.name("points"));
+  const Fields f(value, form(spline ? "spline patch" : "patch"), what);
+  read_points(f.at("points"), f.name("points"));
   if (const Value* weights = f.find("weights")) {
     const std::vector<Value> rows = weights->list(f.name("weights"), "a list of rows [[w, ...], ...]");
     if (rows.size() != net.points.size()) {
@@ -108,9 +105,8 @@ PatchNet read_patch(const Value& value, const std::string& what, bool spline) {
   }
   if (!spline) return net;
   const std::size_t count[] = {net.points[0].size(), net.points.size()};
-  const std::vector<Value> degree =
-      f.at("degree", "[3, 3]").list(f.name("degree"), "a list of two degrees [u, v]");
-  if (degree.size() != 2) f.at("degree", "").fail_type(f.name("degree"), "a list of two degrees [u, v]");
+  const std::vector<Value> degree = f.at("degree").list(f.name("degree"), "a list of two degrees [u, v]");
+  if (degree.size() != 2) f.at("degree").fail_type(f.name("degree"), "a list of two degrees [u, v]");
   for (std::size_t k = 0; k < 2; ++k) net.degree[k] = read_degree(degree[k], f.name("degree"), count[k]);
   if (const Value* knots = f.find("knots")) {
     const std::vector<Value> both = knots->list(f.name("knots"), "two lists of knots [[...], [...]]");
@@ -125,20 +121,12 @@ PatchNet read_patch(const Value& value, const std::string& what, bool spline) {
 /// One value under `one`, or a list of them under `many`.
 template <class Read>
 void read_each(const Fields& f, const char* one, const char* many, Read read) {
-  const Value::Entry* single = f.entry(one);
-  const Value::Entry* list = f.entry(many);
-  if (single && list) {
-    list->value.document().fail(list->key_at, "this leaf has `" + std::string(one) + "` and `" + many +
-                                                  "`; give all of them in `" + many + "`");
-  }
-  if (single) read(single->value, f.name(one));
-  if (!list) return;
-  const std::vector<Value> values = list->value.list(f.name(many), "a list");
-  for (const Value& value : values) read(value, "each of " + f.name(many));
+  if (const Value* value = f.find(one)) read(*value, f.name(one));
+  f.each(many, [&](const Value& value) { read(value, "each of " + f.name(many)); });
 }
 
 Shape read_nets(const Value& value, const char* name, bool spline) {
-  const Fields f(value, name, {"patch", "patches", "curve", "curves", "fill", "chord", "segments"});
+  const Fields f(value, form(name));
   BezierShape shape;
   shape.is_spline = spline;
   read_each(f, "patch", "patches", [&](const Value& v, const std::string& what) {
@@ -146,11 +134,9 @@ Shape read_nets(const Value& value, const char* name, bool spline) {
   });
   read_each(f, "curve", "curves",
             [&](const Value& v, const std::string& what) { shape.curves.push_back(read_curve(v, what, spline)); });
-  if (shape.patches.empty() && shape.curves.empty()) {
-    value.fail(std::string(name) + " needs `patch`, `patches`, `curve` or `curves`; add `patch: {points: " +
-               kRows + (spline ? ", degree: [3, 3]" : "") + "}`");
-  }
-  if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
+  if (shape.patches.empty() && shape.curves.empty())
+    value.fail(std::string(name) + " is empty; add a patch or a curve");
+  if (f.has("fill")) shape.fill = read_fill(f);
   shape.tessellation = read_tessellation(f);
   return shape;
 }
@@ -164,7 +150,7 @@ RationalPoint read_profile_point(const Value& value, const std::string& what, bo
 
 ProfileLine read_line(const Value& value, const std::string& what, bool plane, bool closed) {
   const std::vector<Value> items =
-      value.list(what, std::string("a list of corners ") + (plane ? "[[r, z], ...]" : kPoints));
+      value.list(what, std::string("a list of corners ") + (plane ? "[[r, z], ...]" : "[[x, y, z], ...]"));
   ProfileLine line;
   std::optional<RationalPoint> last;
   const Value* curve = nullptr;
@@ -173,11 +159,9 @@ ProfileLine read_line(const Value& value, const std::string& what, bool plane, b
       CurveNet& net = line.segments.emplace_back();
       net.points.push_back(*last);
       if (curve) {
-        const Fields f(*curve, "a curve of " + what, {"bezier", "weights"});
-        for (const Value& q :
-             f.at("bezier", "[p, ...]").list(f.name("bezier"), "a list of inner control points")) {
-          net.points.push_back(read_profile_point(q, f.name("bezier"), plane));
-        }
+        const Fields f(*curve, form(plane ? "curve of a flat line" : "curve of a line"), "a curve of " + what);
+        f.each("bezier",
+               [&](const Value& q) { net.points.push_back(read_profile_point(q, f.name("bezier"), plane)); });
         if (const Value* weights = f.find("weights")) {
           net.weights = read_weights(*weights, f.name("weights"), net.points.size() + 1);
         }
@@ -205,35 +189,20 @@ ProfileLine read_line(const Value& value, const std::string& what, bool plane, b
   return line;
 }
 
-Profile read_profile(const Value& value, const Fields& f, const std::string& name, bool plane) {
+Profile read_profile(const Fields& f, bool plane) {
   Profile profile;
-  const Value::Entry* area = f.entry("profile");
-  const Value::Entry* curve = f.entry("curve");
-  if (area && curve) {
-    value.document().fail(curve->key_at, name + " has `profile` and `curve`; remove one of them");
-  }
-  if (curve) {
-    profile.closed = false;
-    profile.lines.push_back(read_line(curve->value, f.name("curve"), plane, false));
+  profile.closed = f.has("profile");
+  const std::string key = profile.closed ? "profile" : "curve";
+  const Value& lines = f.at(key);
+  if (!profile.closed || !lines.is_map()) {
+    profile.lines.push_back(read_line(lines, f.name(key), plane, profile.closed));
     return profile;
   }
-  const std::string form = plane ? "[[r, z], ...]" : kPoints;
-  if (!area) {
-    value.fail(name + " needs `profile` or `curve`; add `profile: " + form + "` for a solid, or `curve: " + form +
-               "` for a surface");
-  }
-  const Value& lines = area->value;
-  if (!lines.is_map()) {
-    profile.lines.push_back(read_line(lines, f.name("profile"), plane, true));
-    return profile;
-  }
-  const Fields parts(lines, f.name("profile"), {"outer", "holes"});
-  profile.lines.push_back(read_line(parts.at("outer", kPoints), parts.name("outer"), plane, true));
-  if (const Value* holes = parts.find("holes")) {
-    for (const Value& hole : holes->list(parts.name("holes"), "a list of lines")) {
-      profile.lines.push_back(read_line(hole, "each of " + parts.name("holes"), plane, true));
-    }
-  }
+  const Fields parts(lines, form(plane ? "flat profile" : "profile"), f.name(key));
+  profile.lines.push_back(read_line(parts.at("outer"), parts.name("outer"), plane, true));
+  parts.each("holes", [&](const Value& hole) {
+    profile.lines.push_back(read_line(hole, "each of " + parts.name("holes"), plane, true));
+  });
   return profile;
 }
 
@@ -241,27 +210,20 @@ Profile read_profile(const Value& value, const Fields& f, const std::string& nam
 
 Tessellation read_tessellation(const Fields& f) {
   Tessellation result;
-  if (const Value* chord = f.find("chord")) {
-    result.chord = chord->number(f.name("chord"));
-    if (*result.chord <= 0) chord->fail(f.name("chord") + " must be a positive length");
-  }
-  if (const Value::Entry* segments = f.entry("segments")) {
-    if (result.chord) {
-      segments->value.document().fail(segments->key_at,
-                                      "this leaf has `chord` and `segments`; remove one of them");
-    }
-    result.segments = static_cast<int>(segments->value.integer(f.name("segments"), 1, Fineness::kMostSegments));
-  }
+  f.read("chord", result.chord, "segments", result.segments);
+  if (result.chord && *result.chord <= 0) f.at("chord").fail(f.name("chord") + " must be a positive length");
   return result;
 }
 
-Fill read_fill(const Value& value, const std::string& what) {
-  const std::string name = value.text(what);
-  if (name == "winding") return Fill::winding;
-  if (name == "parity") return Fill::parity;
-  if (name == "cells") return Fill::cells;
-  if (name == "none") return Fill::none;
-  value.fail_type(what, "one of winding, parity, cells, none");
+Fill read_fill(const Fields& f) {
+  static const std::map<std::string, Fill> kFills{{"winding", Fill::winding},
+                                                  {"parity", Fill::parity},
+                                                  {"cells", Fill::cells},
+                                                  {"solids", Fill::solids},
+                                                  {"none", Fill::none}};
+  std::string name;
+  f.read("fill", name);
+  return kFills.at(name);
 }
 
 Shape read_bezier(const Value& value, const LeafContext&) { return read_nets(value, "bezier", false); }
@@ -269,7 +231,7 @@ Shape read_bezier(const Value& value, const LeafContext&) { return read_nets(val
 Shape read_bspline(const Value& value, const LeafContext&) { return read_nets(value, "bspline", true); }
 
 Shape read_coons(const Value& value, const LeafContext&) {
-  const Fields f(value, "coons", {"patch", "patches", "fill", "chord", "segments"});
+  const Fields f(value, form("coons"));
   CoonsShape shape;
   read_each(f, "patch", "patches", [&](const Value& v, const std::string& what) {
     const std::vector<Value> curves = v.list(what, "a list of four curves that go round");
@@ -277,43 +239,29 @@ Shape read_coons(const Value& value, const LeafContext&) {
     auto& round = shape.patches.emplace_back();
     for (std::size_t k = 0; k < 4; ++k) round[k] = read_curve(curves[k], "each curve of coons", false);
   });
-  if (shape.patches.empty()) {
-    value.fail(
-        "coons needs `patch` or `patches`; add `patch: [CURVE, CURVE, CURVE, CURVE]`, each a list of points");
-  }
-  if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
+  if (shape.patches.empty()) value.fail("coons is empty; add a patch");
+  if (f.has("fill")) shape.fill = read_fill(f);
   shape.tessellation = read_tessellation(f);
   return shape;
 }
 
 Shape read_extrude(const Value& value, const LeafContext&) {
-  const Fields f(value, "extrude",
-                 {"profile", "curve", "vector", "twist", "scale", "center", "chord", "segments"});
+  const Fields f(value, form("extrude"));
   ExtrudeShape shape;
-  shape.profile = read_profile(value, f, "extrude", false);
-  shape.vector = f.at("vector", kPoint).point(f.name("vector"));
-  if (const Value* twist = f.find("twist")) shape.twist = twist->number(f.name("twist"));
-  if (const Value* scale = f.find("scale")) {
-    shape.scale = scale->number(f.name("scale"));
-    if (shape.scale < 0) scale->fail(f.name("scale") + " must be 0 or more");
-  }
-  if (const Value* center = f.find("center")) shape.center = center->point(f.name("center"));
+  shape.profile = read_profile(f, false);
+  f.read("vector", shape.vector, "twist", shape.twist, "scale", shape.scale, "center", shape.center);
+  if (shape.scale < 0) f.at("scale").fail(f.name("scale") + " must be 0 or more");
   shape.tessellation = read_tessellation(f);
   return shape;
 }
 
 Shape read_revolve(const Value& value, const LeafContext&) {
-  const Fields f(value, "revolve", {"profile", "curve", "center", "axis", "degrees", "chord", "segments"});
+  const Fields f(value, form("revolve"));
   RevolveShape shape;
-  shape.profile = read_profile(value, f, "revolve", true);
-  if (const Value* center = f.find("center")) shape.center = center->point(f.name("center"));
-  if (const Value* axis = f.find("axis")) shape.axis = axis->point(f.name("axis"));
-  if (const Value* degrees = f.find("degrees")) {
-    shape.degrees = degrees->number(f.name("degrees"));
-    if (shape.degrees <= 0 || shape.degrees > 360) {
-      degrees->fail(f.name("degrees") + " must be more than 0 and at most 360");
-    }
-  }
+  shape.profile = read_profile(f, true);
+  f.read("center", shape.center, "axis", shape.axis, "degrees", shape.degrees);
+  if (shape.degrees <= 0 || shape.degrees > 360)
+    f.at("degrees").fail(f.name("degrees") + " must be more than 0 and at most 360");
   shape.tessellation = read_tessellation(f);
   return shape;
 }

@@ -16,48 +16,32 @@
 #include "kernel/exact/integers.h"
 
 namespace cnrg {
-namespace {
-
-int segments(const Fields& fields, const char* key, int otherwise) {
-  const Value* value = fields.find(key);
-  return value ? static_cast<int>(value->integer(fields.name(key), 3, Fineness::kMostSegments)) : otherwise;
-}
-
-Rational number(const Fields& fields, const char* key) {
-  return fields.at(key, "number").number(fields.name(key));
-}
-
-RationalPoint point(const Fields& fields, const char* key) {
-  return fields.at(key, kPoint).point(fields.name(key));
-}
-
-}  // namespace
-
-Rational read_weld(const Value& value, const std::string& what) {
-  Rational d = value.number(what);
-  if (d <= 0) value.fail(what + " must be above 0: give the length below which things are meant to coincide");
-  return d;
+void check_weld(const Fields& f) {
+  Rational d = 1;
+  f.read("weld", d);
+  if (d <= 0)
+    f.at("weld").fail(f.name("weld") +
+                      " must be above 0: give the length below which things are meant to coincide");
 }
 
 namespace {
 
 Shape read_box(const Value& value, const LeafContext&) {
-  const Fields f(value, "box", {"min", "max"});
-  return BoxShape{point(f, "min"), point(f, "max")};
+  BoxShape box;
+  Fields(value, form("box")).read("min", box.min, "max", box.max);
+  return box;
 }
 
 Shape read_prism(const Value& value, const LeafContext&) {
-  const Fields f(value, "prism", {"base", "holes", "vector"});
-  PrismShape shape;
-  shape.base = f.at("base", kPoints).points(f.name("base"));
-  if (const Value* holes = f.find("holes")) shape.holes = holes->loops(f.name("holes"));
-  shape.vector = point(f, "vector");
-  return shape;
+  PrismShape prism;
+  Fields(value, form("prism")).read("base", prism.base, "holes", prism.holes, "vector", prism.vector);
+  return prism;
 }
 
 Shape read_pyramid(const Value& value, const LeafContext&) {
-  const Fields f(value, "pyramid", {"base", "apex"});
-  return PyramidShape{f.at("base", kPoints).points(f.name("base")), point(f, "apex")};
+  PyramidShape pyramid;
+  Fields(value, form("pyramid")).read("base", pyramid.base, "apex", pyramid.apex);
+  return pyramid;
 }
 
 Shape read_tetrahedron(const Value& value, const LeafContext&) {
@@ -67,88 +51,68 @@ Shape read_tetrahedron(const Value& value, const LeafContext&) {
 }
 
 Shape read_polygon(const Value& value, const LeafContext&) {
-  PolygonShape shape;
-  if (!value.is_map()) {
-    shape.outer = value.points("polygon");
-    return shape;
-  }
-  const Fields f(value, "polygon", {"outer", "holes"});
-  shape.outer = f.at("outer", kPoints).points(f.name("outer"));
-  if (const Value* holes = f.find("holes")) shape.holes = holes->loops(f.name("holes"));
-  return shape;
+  if (!value.is_map()) return PolygonShape{value.points("polygon"), {}};
+  PolygonShape polygon;
+  Fields(value, form("polygon")).read("outer", polygon.outer, "holes", polygon.holes);
+  return polygon;
 }
 
 Shape read_polyline(const Value& value, const LeafContext&) {
-  PolylineShape shape;
-  if (!value.is_map()) {
-    shape.points = value.points("polyline");
-    return shape;
-  }
-  const Fields f(value, "polyline", {"points", "closed"});
-  shape.points = f.at("points", kPoints).points(f.name("points"));
-  if (const Value* closed = f.find("closed")) shape.closed = closed->boolean(f.name("closed"));
-  return shape;
+  if (!value.is_map()) return PolylineShape{value.points("polyline")};
+  PolylineShape polyline;
+  Fields(value, form("polyline")).read("points", polyline.points, "closed", polyline.closed);
+  return polyline;
 }
 
 Shape read_points(const Value& value, const LeafContext&) { return PointsShape{value.points("points")}; }
 
 Shape read_plane(const Value& value, const LeafContext&) {
-  const Fields f(value, "plane", {"point", "normal"});
-  return PlaneShape{point(f, "point"), point(f, "normal")};
+  PlaneShape plane;
+  Fields(value, form("plane")).read("point", plane.point, "normal", plane.normal);
+  return plane;
 }
 
 Shape read_halfspace(const Value& value, const LeafContext&) {
-  const Fields f(value, "halfspace", {"point", "normal"});
-  return HalfspaceShape{point(f, "point"), point(f, "normal")};
+  HalfspaceShape halfspace;
+  Fields(value, form("halfspace")).read("point", halfspace.point, "normal", halfspace.normal);
+  return halfspace;
 }
 
 Shape read_sphere(const Value& value, const LeafContext&) {
-  const Fields f(value, "sphere", {"center", "radius", "segments", "rings"});
-  SphereShape shape{point(f, "center"), number(f, "radius")};
-  shape.segments = segments(f, "segments", shape.segments);
-  if (const Value* rings = f.find("rings")) {
-    shape.rings = static_cast<int>(rings->integer(f.name("rings"), 2, Fineness::kMostSegments));
-  }
-  return shape;
+  SphereShape s;
+  Fields(value, form("sphere"))
+      .read("center", s.center, "radius", s.radius, "segments", s.segments, "rings", s.rings);
+  return s;
 }
 
 Shape read_cylinder(const Value& value, const LeafContext&) {
-  const Fields f(value, "cylinder", {"from", "to", "radius", "segments"});
-  CylinderShape shape{point(f, "from"), point(f, "to"), number(f, "radius")};
-  shape.segments = segments(f, "segments", shape.segments);
-  return shape;
+  CylinderShape c;
+  Fields(value, form("cylinder")).read("from", c.from, "to", c.to, "radius", c.radius, "segments", c.segments);
+  return c;
 }
 
 Shape read_cone(const Value& value, const LeafContext&) {
-  const Fields f(value, "cone", {"from", "to", "radius", "top", "segments"});
-  ConeShape shape{point(f, "from"), point(f, "to"), number(f, "radius")};
-  if (f.has("top")) shape.top = number(f, "top");
-  shape.segments = segments(f, "segments", shape.segments);
-  return shape;
+  ConeShape c;
+  Fields(value, form("cone"))
+      .read("from", c.from, "to", c.to, "radius", c.radius, "top", c.top, "segments", c.segments);
+  return c;
 }
 
 Shape read_torus(const Value& value, const LeafContext&) {
-  const Fields f(value, "torus", {"center", "axis", "radius", "tube", "segments", "rings"});
-  TorusShape shape{point(f, "center"), point(f, "axis"), number(f, "radius"), number(f, "tube")};
-  shape.segments = segments(f, "segments", shape.segments);
-  shape.rings = segments(f, "rings", shape.rings);
-  return shape;
+  TorusShape t;
+  Fields(value, form("torus"))
+      .read("center", t.center, "axis", t.axis, "radius", t.radius, "tube", t.tube, "segments", t.segments,
+            "rings", t.rings);
+  return t;
 }
 
 Shape read_heightfield(const Value& value, const LeafContext& context) {
-  const Fields f(value, "heightfield", {"origin", "spacing", "heights", "file", "base"});
+  const Fields f(value, form("heightfield"));
   HeightfieldShape shape;
-  if (f.has("base")) shape.base = number(f, "base");
-  if (const Value* file = f.find("file")) {
-    for (const char* key : {"origin", "spacing", "heights"}) {
-      if (const Value::Entry* e = f.entry(key)) {
-        value.document().fail(e->key_at,
-                              "heightfield has `file` and `" + std::string(key) + "`; remove one of them");
-      }
-    }
-    shape.file = path_in_folder(file->text(f.name("file")), context);
+  f.read("base", shape.base, "file", shape.file);
+  if (!shape.file.empty()) {
+    shape.file = path_in_folder(shape.file, context);
     shape.inside = context.inside;
-    return shape;
   }
   if (const Value* origin = f.find("origin")) {
     const auto xy = origin->pair(f.name("origin"));
@@ -161,14 +125,14 @@ Shape read_heightfield(const Value& value, const LeafContext& context) {
     shape.spacing_y = xy[1];
   }
   const std::string what = f.name("heights");
-  for (const Value& row : f.at("heights", "[[z, ...], ...]").list(what, "a list of rows [[z, ...], ...]")) {
+  f.each("heights", [&](const Value& row) {
     auto& heights = shape.heights.emplace_back();
     for (const Value& z : row.list("each row of " + what, "a list of numbers")) heights.push_back(z.number(what));
     if (heights.size() != shape.heights.front().size()) {
       row.fail("this row of `heights` has " + std::to_string(heights.size()) + " numbers and the first has " +
                std::to_string(shape.heights.front().size()) + "; all rows must be equally long");
     }
-  }
+  });
   return shape;
 }
 
@@ -182,47 +146,38 @@ std::uint32_t read_vertex(const Value& value, const std::string& what, std::size
 /// A mesh that stands in the tree itself. A point that no double is goes to the exact ones.
 std::shared_ptr<const MeshData> read_mesh_data(const Fields& f) {
   auto data = std::make_shared<MeshData>();
-  const std::vector<RationalPoint> points = f.at("points", kPoints).points(f.name("points"));
+  std::vector<RationalPoint> points;
+  f.read("points", points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (const Rational& x : points[i]) data->xyz.push_back(to_double(x));
     if (!std::all_of(points[i].begin(), points[i].end(), is_double))
       data->exact.emplace_back(static_cast<std::uint32_t>(i), points[i]);
   }
   const std::string what = f.name("faces");
-  for (const Value& face : f.at("faces", "[[0, 1, 2], ...]").list(what, "a list of faces [[0, 1, 2], ...]")) {
+  f.each("faces", [&](const Value& face) {
     const std::vector<Value> corners = face.list("each of " + what, "a list of numbers of points [0, 1, 2]");
     if (corners.size() < 3) face.fail_type("each of " + what, "a list of three or more numbers of points");
     for (const Value& corner : corners)
       data->corners.push_back(read_vertex(corner, "a corner of a face", points.size(), "points"));
     data->end_face();
-  }
+  });
   return data;
 }
 
 Shape read_mesh_leaf(const Value& value, const LeafContext& context) {
-  const Fields f(value, "mesh", {"file", "points", "faces", "fill", "coordinates", "weld"});
+  const Fields f(value, form("mesh"));
   MeshShape shape;
-  if (f.has("points") || f.has("faces")) {
-    for (const char* key : {"file", "coordinates"}) {
-      if (const Value::Entry* e = f.entry(key)) {
-        value.document().fail(e->key_at, "mesh has `" + std::string(key) +
-                                             "`, which is for a mesh from a file, and "
-                                             "`points` or `faces`, which are a mesh; remove one of them");
-      }
-    }
+  std::string coordinates;
+  f.read("file", shape.file, "coordinates", coordinates, "weld", shape.weld);
+  if (shape.file.empty()) {
     shape.data = read_mesh_data(f);
   } else {
-    shape.file = path_in_folder(f.at("file", "part.off").text(f.name("file")), context);
+    shape.file = path_in_folder(shape.file, context);
     shape.inside = context.inside;
   }
-  if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
-  if (const Value* coordinates = f.find("coordinates")) {
-    const std::string name = coordinates->text(f.name("coordinates"));
-    if (name != "decimal" && name != "double")
-      coordinates->fail_type(f.name("coordinates"), "one of double, decimal");
-    shape.decimal = name == "decimal";
-  }
-  if (const Value* weld = f.find("weld")) shape.weld = read_weld(*weld, f.name("weld"));
+  if (f.has("fill")) shape.fill = read_fill(f);
+  shape.decimal = coordinates == "decimal";
+  check_weld(f);
   return shape;
 }
 
@@ -230,58 +185,41 @@ Shape read_mesh_leaf(const Value& value, const LeafContext& context) {
 CadShape read_cad(const Fields& f, CadShape::Format format, const LeafContext& context) {
   CadShape shape;
   shape.format = format;
-  shape.file = path_in_folder(f.at("file", "part.step").text(f.name("file")), context);
+  f.read("file", shape.file, "seams", shape.seams, "weld", shape.weld);
+  shape.file = path_in_folder(shape.file, context);
   shape.inside = context.inside;
   shape.tessellation = read_tessellation(f);
-  if (const Value* fill = f.find("fill")) {
-    const std::string name = fill->text(f.name("fill"));
-    if (name == "solids") shape.fill = Fill::solids;
-    else if (name == "winding") shape.fill = Fill::winding;
-    else if (name == "cells") shape.fill = Fill::cells;
-    else if (name == "none") shape.fill = Fill::none;
-    else fill->fail_type(f.name("fill"), "one of solids, winding, cells, none");
-  }
-  if (const Value* solids = f.find("solids")) {
-    for (const Value& solid : solids->list(f.name("solids"), "a list of numbers or names of solids")) {
-      shape.solids.push_back(solid.text("each of " + f.name("solids")));
-    }
-    if (shape.solids.empty()) solids->fail(f.name("solids") + " is empty; name a solid, or leave it out for all");
-  }
-  if (const Value* seams = f.find("seams")) shape.seams = seams->boolean(f.name("seams"));
-  if (const Value* weld = f.find("weld")) shape.weld = read_weld(*weld, f.name("weld"));
+  if (f.has("fill")) shape.fill = read_fill(f);
+  f.each("solids", [&](const Value& solid) { shape.solids.push_back(solid.text("each of " + f.name("solids"))); });
+  if (f.has("solids") && shape.solids.empty())
+    f.at("solids").fail(f.name("solids") + " is empty; name a solid, or leave it out for all");
+  check_weld(f);
   return shape;
 }
 
 Shape read_step(const Value& value, const LeafContext& context) {
-  const Fields f(value, "step", {"file", "chord", "segments", "unit", "fill", "solids", "seams", "weld"});
+  const Fields f(value, form("step"));
   CadShape shape = read_cad(f, CadShape::Format::step, context);
-  if (const Value* unit = f.find("unit")) {
-    shape.unit = unit->text(f.name("unit"));
-    constexpr std::string_view kUnits[] = {"um", "mm", "cm", "m", "km", "in", "ft"};
-    if (std::find(std::begin(kUnits), std::end(kUnits), shape.unit) == std::end(kUnits))
-      unit->fail_type(f.name("unit"), "one of um, mm, cm, m, km, in, ft");
-  }
+  f.read("unit", shape.unit);
   return shape;
 }
 
 Shape read_brep(const Value& value, const LeafContext& context) {
-  const Fields f(value, "brep", {"file", "chord", "segments", "fill", "solids", "seams", "weld"});
-  return read_cad(f, CadShape::Format::brep, context);
+  return read_cad(Fields(value, form("brep")), CadShape::Format::brep, context);
 }
 
 GroupShape::Face read_group_face(const Value& value, std::size_t vertex_count, bool filled) {
-  const Fields f(value, "a face of group", {"loops", "sides"});
+  const Fields f(value, form("face of a group"));
   GroupShape::Face face;
   face.line = value.at().line;
   face.column = value.at().column;
-  for (const Value& loop :
-       f.at("loops", "[[0, 1, 2]]").list(f.name("loops"), "a list of loops [[0, 1, 2], ...]")) {
+  f.each("loops", [&](const Value& loop) {
     auto& numbers = face.loops.emplace_back();
     for (const Value& v : loop.list("each loop of a face", "a list of vertex numbers [0, 1, 2]")) {
       numbers.push_back(read_vertex(v, "a vertex of a loop", vertex_count));
     }
     if (numbers.size() < 3) loop.fail("a loop needs three vertices or more; use `edges` for a wire");
-  }
+  });
   if (face.loops.empty()) value.fail("a face needs a loop; write `loops: [[0, 1, 2]]`");
   if (const Value::Entry* sides = f.entry("sides")) {
     if (filled)
@@ -297,29 +235,20 @@ GroupShape::Face read_group_face(const Value& value, std::size_t vertex_count, b
 }
 
 Shape read_group(const Value& value, const LeafContext& context) {
-  const Fields f(value, "group", {"vertices", "faces", "edges", "points", "regions", "fill"});
+  const Fields f(value, form("group"));
   GroupShape shape;
-  if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
-  shape.vertices = f.at("vertices", kPoints).points(f.name("vertices"));
+  if (f.has("fill")) shape.fill = read_fill(f);
+  f.read("vertices", shape.vertices);
   const std::size_t n = shape.vertices.size();
-  if (const Value* faces = f.find("faces")) {
-    for (const Value& face : faces->list(f.name("faces"), "a list of faces [{loops: [[0, 1, 2]]}, ...]")) {
-      shape.faces.push_back(read_group_face(face, n, shape.fill.has_value()));
-    }
-  }
-  if (const Value* edges = f.find("edges")) {
-    for (const Value& edge : edges->list(f.name("edges"), "a list of pairs [[0, 1], ...]")) {
-      const std::vector<Value> ends = edge.list("each edge of group", "a pair of vertex numbers [0, 1]");
-      if (ends.size() != 2) edge.fail_type("each edge of group", "a pair of vertex numbers [0, 1]");
-      shape.edges.push_back(
-          {read_vertex(ends[0], "an end of an edge", n), read_vertex(ends[1], "an end of an edge", n)});
-    }
-  }
-  if (const Value* points = f.find("points")) {
-    for (const Value& p : points->list(f.name("points"), "a list of vertex numbers")) {
-      shape.points.push_back(read_vertex(p, f.name("points"), n));
-    }
-  }
+  f.each("faces",
+         [&](const Value& face) { shape.faces.push_back(read_group_face(face, n, shape.fill.has_value())); });
+  f.each("edges", [&](const Value& edge) {
+    const std::vector<Value> ends = edge.list("each edge of group", "a pair of vertex numbers [0, 1]");
+    if (ends.size() != 2) edge.fail_type("each edge of group", "a pair of vertex numbers [0, 1]");
+    shape.edges.push_back(
+        {read_vertex(ends[0], "an end of an edge", n), read_vertex(ends[1], "an end of an edge", n)});
+  });
+  f.each("points", [&](const Value& p) { shape.points.push_back(read_vertex(p, f.name("points"), n)); });
   if (const Value* regions = f.find("regions")) {
     for (const Value::Entry& e : regions->entries(f.name("regions"))) {
       const std::optional<Rational> number = read_number(e.key).value;
@@ -327,13 +256,10 @@ Shape read_group(const Value& value, const LeafContext& context) {
         value.document().fail(
             e.key_at, "a key of `regions` must be the number of a region, from 1, not `" + excerpt(e.key) + "`");
       }
-      const Fields attributes(e.value, "a region of group", {"material", "name"});
+      const Fields attributes(e.value, form("region of a group"));
       GroupShape::Region& region = shape.regions[to_machine<std::uint32_t>(number->get_num())];
-      if (const Value* name = attributes.find("name")) region.name = name->text(attributes.name("name"));
-      if (const Value* material = attributes.find("material")) {
-        region.material = material->text(attributes.name("material"));
-        context.check_material(*material);
-      }
+      attributes.read("name", region.name, "material", region.material);
+      if (attributes.has("material")) context.check_material(attributes.at("material"));
     }
   }
   return shape;

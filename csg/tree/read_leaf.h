@@ -23,8 +23,8 @@ std::string path_in_folder(const std::string& path, const LeafContext& context);
 /// The names of all leaves that can be read.
 std::span<const std::string_view> leaf_names();
 
-/// A length for `weld`, of a leaf or of the tree.
-Rational read_weld(const Value& value, const std::string& what);
+/// Fails for a `weld`, of a leaf or of the tree, that is no length above 0.
+void check_weld(const Fields& fields);
 
 /// The shape of a leaf called `name`, one of `leaf_names()`.
 Shape read_leaf(std::string_view name, const Value& value, const LeafContext& context);

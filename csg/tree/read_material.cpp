@@ -73,19 +73,21 @@ std::vector<Grade::Stop> read_stops(const Value& value, const std::string& what,
 }
 
 Grade read_linear(const Value& value, const std::string& what, Mentions& mentions) {
-  const Fields f(value, what, {"from", "to", "stops"});
-  LinearGrade linear{f.at("from", "[x, y, z]").point(f.name("from")), f.at("to", "[x, y, z]").point(f.name("to"))};
+  const Fields f(value, form("linear"), what);
+  LinearGrade linear;
+  f.read("from", linear.from, "to", linear.to);
   if (linear.from == linear.to) {
-    f.at("to", "").fail("`from` and `to` of " + what + " are one point; let them differ, they say the way to go");
+    f.at("to").fail("`from` and `to` of " + what + " are one point; let them differ, they say the way to go");
   }
-  return {linear, read_stops(f.at("stops", "[[0, MATERIAL], [1, MATERIAL]]"), f.name("stops"), mentions)};
+  return {linear, read_stops(f.at("stops"), f.name("stops"), mentions)};
 }
 
 Grade read_distance(const Value& value, const std::string& what, Mentions& mentions) {
-  const Fields f(value, what, {"to", "stops"});
-  const DistanceGrade distance{f.at("to", "NAME of a node").text(f.name("to"))};
-  Grade grade{distance, read_stops(f.at("stops", "[[0, MATERIAL], [5, MATERIAL]]"), f.name("stops"), mentions)};
-  if (grade.stops.front().at < 0) f.at("stops", "").fail("a stop of a distance is negative; give 0 or more");
+  const Fields f(value, form("distance"), what);
+  DistanceGrade distance;
+  f.read("to", distance.to);
+  Grade grade{distance, read_stops(f.at("stops"), f.name("stops"), mentions)};
+  if (grade.stops.front().at < 0) f.at("stops").fail("a stop of a distance is negative; give 0 or more");
   return grade;
 }
 
@@ -170,21 +172,15 @@ std::vector<Material> read_materials(const Value& value) {
     mentions.by = materials.size();
     if (!e.value.is_empty()) {
       const std::string what = "material `" + e.key + "`";
-      const Fields f(e.value, what, {"color", "dominance", "linear", "distance"});
-      if (const Value* color = f.find("color")) {
-        material.color = color->text(f.name("color"));
-        if (!is_color(material.color)) color->fail_type(f.name("color"), "a text such as \"#998877\"");
-      }
-      if (const Value* dominance = f.find("dominance"))
-        material.dominance = dominance->number(f.name("dominance"));
-      const Value *linear = f.find("linear"), *distance = f.find("distance");
-      if (linear && distance) {
-        distance->fail(what + " is both `linear` and by `distance`; leave one out");
-      }
-      if (linear) material.grade = read_linear(*linear, "`linear` of " + what, mentions);
-      if (distance) {
-        material.grade = read_distance(*distance, "`distance` of " + what, mentions);
-        material.to_at = Fields(*distance, what, {"to", "stops"}).find("to")->at();
+      const Fields f(e.value, form("material"), what);
+      f.read("color", material.color, "dominance", material.dominance);
+      if (f.has("color") && !is_color(material.color))
+        f.at("color").fail_type(f.name("color"), "a text such as \"#998877\"");
+      if (const Value* linear = f.find("linear"))
+        material.grade = read_linear(*linear, f.name("linear"), mentions);
+      if (const Value* distance = f.find("distance")) {
+        material.grade = read_distance(*distance, f.name("distance"), mentions);
+        material.to_at = Fields(*distance, form("distance")).at("to").at();
       }
     }
     materials.push_back(std::move(material));

@@ -26,26 +26,23 @@ Rational written_number(const std::string& name, const Value& value) {
 
 void read_map(Document& document, const Value& map, const std::map<std::string, std::string>& given) {
   if (!map.is_map()) map.fail_type("`parameters`", "a map {NAME: NUMBER, ...}");
-  for (const auto& item : map.node()) {
-    const Value key(document, item.first, map.at());
-    const std::string name = key.text("a name in `parameters`"), what = "the parameter `" + name + "`";
-    if (!is_parameter_name(name)) key.fail(what + ": a name is letters, digits and `_`, and begins with no digit");
-    const Value written(document, item.second, key.at());
-    const auto it = given.find(name);
-    if (it == given.end() && !written.is_text()) written.fail_type(what, "a number or an expression");
-    const Rational value =
-        it != given.end() ? given_number(name, it->second, document.parameters) : written_number(name, written);
-    if (!document.parameters.emplace(name, value).second) key.fail(what + " is there twice; remove or rename one");
+  for (const Value::Entry& e : map.entries("`parameters`")) {
+    const std::string what = "the parameter `" + e.key + "`";
+    if (!is_parameter_name(e.key))
+      document.fail(e.key_at, what + ": a name is letters, digits and `_`, and begins with no digit");
+    const auto it = given.find(e.key);
+    if (it == given.end() && !e.value.is_text()) e.value.fail_type(what, "a number or an expression");
+    document.parameters.emplace(e.key, it != given.end() ? given_number(e.key, it->second, document.parameters)
+                                                         : written_number(e.key, e.value));
   }
 }
 
 }  // namespace
 
-void read_parameters(Document& document, const YAML::Node& root, const ReadOptions& options) {
-  if (!root.IsMap()) return;
-  for (const auto& entry : root) {
-    if (!entry.first.IsScalar() || entry.first.Scalar() != "parameters") continue;
-    read_map(document, Value(document, entry.second, Value(document, entry.first, {}).at()), options.parameters);
+void read_parameters(Document& document, const Value& top, const ReadOptions& options) {
+  if (!top.is_map()) return;
+  for (const Value::Entry& e : top.entries("a tree file")) {
+    if (e.key == "parameters") read_map(document, e.value, options.parameters);
   }
   for (const auto& [name, text] : options.parameters) {
     if (document.parameters.contains(name)) continue;

@@ -8,6 +8,6 @@ namespace cnrg {
 
 /// `parameters` of the file, in its order, to the document: an expression names those before it. Throws TreeError,
 /// and InputError for what `options` gives and the file has not, or what is no expression.
-void read_parameters(Document& document, const YAML::Node& root, const ReadOptions& options);
+void read_parameters(Document& document, const Value& top, const ReadOptions& options);
 
 }  // namespace cnrg

@@ -42,21 +42,20 @@ Transform read_transform(const Value::Entry& e) {
     }
     return Transform::scaling(factors);
   }
+  RationalPoint along, through{0, 0, 0};
   if (e.key == "rotate") {
     if (!e.value.is_map()) e.value.fail_type("`rotate`", "a map, such as {axis: [0, 0, 1], degrees: 90}");
-    const Fields f(e.value, "rotate", {"axis", "degrees", "center"});
-    const RationalPoint axis = f.at("axis", "[0, 0, 1]").point(f.name("axis"));
-    if (is_zero(axis)) f.at("axis", "").fail("`axis` of rotate has no direction; write one such as [0, 0, 1]");
-    const Rational degrees = f.at("degrees", "90").number(f.name("degrees"));
-    const Value* center = f.find("center");
-    return Transform::rotation(axis, degrees, center ? center->point(f.name("center")) : RationalPoint{0, 0, 0});
+    const Fields f(e.value, form("rotate"));
+    Rational degrees;
+    f.read("axis", along, "degrees", degrees, "center", through);
+    if (is_zero(along)) f.at("axis").fail("`axis` of rotate has no direction; write one such as [0, 0, 1]");
+    return Transform::rotation(along, degrees, through);
   }
   if (!e.value.is_map()) e.value.fail_type("`mirror`", "a map, such as {normal: [1, 0, 0], point: [0, 0, 0]}");
-  const Fields f(e.value, "mirror", {"normal", "point"});
-  const RationalPoint normal = f.at("normal", "[1, 0, 0]").point(f.name("normal"));
-  if (is_zero(normal)) f.at("normal", "").fail("`normal` of mirror has no direction; write one such as [1, 0, 0]");
-  const Value* point = f.find("point");
-  return Transform::reflection(normal, point ? point->point(f.name("point")) : RationalPoint{0, 0, 0});
+  const Fields f(e.value, form("mirror"));
+  f.read("normal", along, "point", through);
+  if (is_zero(along)) f.at("normal").fail("`normal` of mirror has no direction; write one such as [1, 0, 0]");
+  return Transform::reflection(along, through);
 }
 
 }  // namespace cnrg

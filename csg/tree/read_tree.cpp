@@ -35,10 +35,6 @@
 namespace cnrg {
 namespace {
 
-constexpr std::array<std::string_view, 12> kCriteria{"dimension",   "name",     "material", "attributes",
-                                                     "region",      "front of", "behind",   "from",
-                                                     "source face", "between",  "inside",   "touching"};
-
 template <class Range>
 bool contains(const Range& range, std::string_view name) {
   return std::find(range.begin(), range.end(), name) != range.end();
@@ -56,25 +52,19 @@ class TreeReader {
   void read(const YAML::Node& root) {
     const Value top(document_, root, {});
     check_no_result(top);
-    read_parameters(document_, root, options_);
+    read_parameters(document_, top, options_);
     tree_.parameters = document_.parameters;
-    const Fields fields(top, "a tree file", {"cnrg", "parameters", "materials", "nodes", "result", "weld"});
-    const Value& version = fields.at("cnrg", "1");
+    const Fields fields(top, form("a tree file"));
+    const Value& version = fields.at("cnrg");
     if (version.number("`cnrg`") != 1) version.fail("this program reads version 1 of tree files; write `cnrg: 1`");
     if (const Value* materials = fields.find("materials")) tree_.materials = read_materials(*materials);
-    const Value& nodes = fields.at("nodes", "{NAME: {box: {min: [0, 0, 0], max: [1, 1, 1]}}, ...}");
     tree_.nodes_at = fields.entry("nodes")->key_at;
-    read_nodes(nodes);
-    const Value* result = fields.find("result");
-    if (!result) {
-      top.fail("`result` is missing; add `result: NAME`, such as the last node: `result: " +
-               nodes.entries("`nodes`").back().key + "`");
-    }
-    tree_.result = named(*result, "`result`");
-    if (const Value* weld = fields.find("weld")) {
-      tree_.weld = read_weld(*weld, fields.name("weld"));
-      tree_.weld_at = weld->at();
-    }
+    read_nodes(fields.at("nodes"));
+    tree_.result = named(fields.at("result"), "`result`");
+    std::string for_editors;
+    fields.read("weld", tree_.weld, "$schema", for_editors);
+    check_weld(fields);
+    if (tree_.weld) tree_.weld_at = fields.at("weld").at();
     check_graph(tree_, dag_);
     check_selectors(tree_, dag_);
     check_distances(tree_);
@@ -166,15 +156,16 @@ class TreeReader {
 
   /// `{of: {...}, count: N, index: NAME}`: the node is read anew for each copy and may name the number of that.
   void read_repeat(NodeId id, const Value& value) {
-    const Fields f(value, "repeat", {"of", "count", "index"});
-    const Value &of = f.at("of", "{OPERATOR: ..., translate: [\"${i}\", 0, 0]}"), &index = f.at("index", "i");
+    const Fields f(value, form("repeat"));
+    const Value& of = f.at("of");
     if (!of.is_map())
       of.fail_type(f.name("of"), "a node {...}, such as {simplify: NODE, translate: [\"${i}\", 0, 0]}");
-    const std::string name = index.text(f.name("index"));
+    std::string name;
+    int copies = 0;
+    f.read("index", name, "count", copies);
     if (!is_parameter_name(name) || document_.parameters.contains(name))
-      index.fail_type(f.name("index"), "a name of letters, digits and `_` that no parameter has");
-    const std::int64_t copies = f.at("count", "30").integer(f.name("count"), 1, 50'000);
-    for (std::int64_t copy = 0; copy < copies; ++copy) {
+      f.at("index").fail_type(f.name("index"), "a name of letters, digits and `_` that no parameter has");
+    for (int copy = 0; copy < copies; ++copy) {
       const NodeId copied = add_node(tree_.nodes[id].name + "/" + std::to_string(copy + 1), true, of.at());
       dag_.add_operand(id, copied, of.at());
       document_.parameters[name] = Rational(copy);
@@ -259,11 +250,11 @@ class TreeReader {
 
   /// True for `regularize: true` and for `simplify: points` beside another operator.
   static bool is_attribute(const Value::Entry& e, bool has_operator) {
-    if (e.key == "within" || is_of_others(e.key)) return true;
+    if (is_of_others(e.key)) return true;
     if (e.key == "regularize") return e.value.as_bool().has_value();
     if (e.key == "simplify")
       return has_operator && e.value.is_text() && (e.value.raw() == "points" || e.value.raw() == "features");
-    return contains(kAttributes, e.key);
+    return form("attribute").find(e.key) != nullptr;
   }
 
   /// `yes` is a text in YAML 1.2, and so the name of a node.
@@ -343,14 +334,14 @@ class TreeReader {
                      "`of` stands in the map of `select` or `simplify`; a node that is moved or gets "
                      "attributes is written {simplify: NODE, translate: [1, 0, 0]}");
     }
-    if (contains(kCriteria, e.key)) {
+    if (form("criteria").find(e.key)) {
       document_.fail(e.key_at, "`" + e.key +
                                    "` is a criterion of `select`; write it in its map, {select: {of: NODE, " +
                                    e.key + ": ...}}");
     }
     std::vector<std::string_view> known(leaf_names().begin(), leaf_names().end());
     for (const OperatorName& o : kOperators) known.push_back(o.name);
-    known.insert(known.end(), kAttributes.begin(), kAttributes.end());
+    for (const Key& attribute : form("attribute").keys) known.push_back(attribute.name);
     const std::string hint = did_you_mean(e.key, known);
     document_.fail(e.key_at, "unknown key `" + e.key + "` in " + what + ": neither an operator nor an attribute" +
                                  (hint.empty() ? "; remove it or write the one that is meant" : hint));
@@ -372,10 +363,7 @@ class TreeReader {
       for (std::size_t i = 0; i < operands.size(); ++i) read_operand(id, operands[i], i + 1);
       return;
     }
-    if (known->op == Operator::select) {
-      read_selection(id, e.value);
-      return;
-    }
+    if (known->op == Operator::select) return read_selection(id, e.value);
     if (e.value.is_list()) e.value.fail_type("`" + e.key + "`", "one node, by name or {...}");
     if (known->op == Operator::simplify && e.value.is_map()) {
       const std::vector<Value::Entry> entries = e.value.entries("`simplify`");
@@ -384,21 +372,24 @@ class TreeReader {
       const auto is_side = [](const auto& o) { return o.key == "above" || o.key == "below"; };
       const bool is_node = std::any_of(entries.begin(), entries.end(), is_side);
       if (entries.empty() || (!is_node && std::any_of(entries.begin(), entries.end(), is_option))) {
-        const Fields f(e.value, "simplify", {"of", "mode", "within"});
-        read_operand(id, f.at("of", "NAME"), 1);
-        if (const Value* mode = f.find("mode")) tree_.nodes[id].forget_features = read_mode(*mode, f.name("mode"));
-        if (const Value* within = f.find("within")) {
-          const Rational d = within->number(f.name("within"));
-          if (d <= 0)
-            within->fail(f.name("within") +
-                         " must be above 0: give the length below which what does not "
-                         "touch is joined, such as 0.001");
-          tree_.nodes[id].within = d;
-        }
-        return;
+        return read_simplify(id, Fields(e.value, form("simplify")));
       }
     }
     read_operand(id, e.value, 1);
+  }
+
+  void read_simplify(NodeId id, const Fields& f) {
+    read_operand(id, f.at("of"), 1);
+    std::string mode;
+    std::optional<Rational> within;
+    f.read("mode", mode, "within", within);
+    if (within && *within <= 0) {
+      f.at("within").fail(
+          f.name("within") +
+          " must be above 0: give the length below which what does not touch is joined, such as 0.001");
+    }
+    tree_.nodes[id].forget_features = mode == "points";
+    tree_.nodes[id].within = within;
   }
 
   /// `{of: NODE, CRITERION: ..., ...}`; without `of` where that is given.
@@ -408,14 +399,9 @@ class TreeReader {
                                              : "a map {of: NODE, ...} with what is picked, such as {of: model, "
                                                "dimension: 2}");
     }
-    std::vector<std::string_view> keys(kCriteria.begin(), kCriteria.end());
-    if (!of.valid()) keys.push_back("of");
-    const Fields f(value, "select", keys);
-    if (std::none_of(keys.begin(), keys.end(), [&](auto key) { return key != "of" && f.has(key); })) {
-      value.fail("select has nothing to pick by; add a criterion, such as dimension: 2");
-    }
+    const Fields f(value, form(of.valid() ? "criteria" : "select"), "select");
     if (of.valid()) dag_.add_operand(id, of, value.at());
-    else read_operand(id, f.at("of", "NODE"), 1);
+    else read_operand(id, f.at("of"), 1);
     auto selector = std::make_shared<Selector>();
     selector->file = document_.file;
     Criteria& criteria = selector->criteria = read_criteria(f);
@@ -453,13 +439,6 @@ class TreeReader {
     tree_.nodes[id].selector = std::move(selector);
   }
 
-  /// True for `points`.
-  static bool read_mode(const Value& value, const std::string& what) {
-    const std::string mode = value.text(what);
-    if (mode != "points" && mode != "features") value.fail_type(what, "one of features, points");
-    return mode == "points";
-  }
-
   void read_attribute(Node& node, const Value::Entry& e) {
     if (is_of_others(e.key)) return;
     if (e.key == "material") {
@@ -482,7 +461,7 @@ class TreeReader {
       }
       node.each = *each;
     } else if (e.key == "simplify") {
-      node.forget_features = read_mode(e.value, "`simplify`");
+      node.forget_features = e.value.raw() == "points";
     } else if (e.key == "dominance") {
       read_dominance(node, e);
     } else if (e.key == "blend") {

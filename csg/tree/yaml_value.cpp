@@ -14,6 +14,7 @@
 #include "csg/text/escape.h"
 #include "csg/text/number.h"
 #include "csg/tree/suggest.h"
+#include "kernel/base/error.h"
 #include "kernel/exact/integers.h"
 
 namespace cnrg {
@@ -207,7 +208,7 @@ std::vector<std::vector<RationalPoint>> Value::loops(const std::string& what) co
   return result;
 }
 
-std::vector<Value::Entry> Value::entries(const std::string& what) const {
+std::vector<Value::Entry> Value::own_entries(const std::string& what, std::vector<Value>& merged) const {
   if (!is_map()) fail_type(what, "a map {key: value, ...}");
   std::vector<Entry> result;
   std::unordered_set<std::string> seen;
@@ -221,22 +222,106 @@ std::vector<Value::Entry> Value::entries(const std::string& what) const {
     if (!seen.insert(key).second) {
       document_->fail(key_at, "the key " + quoted(key) + " is there twice in " + what + "; remove or rename one");
     }
-    result.push_back({key, key_at, Value(*document_, item.second, key_at)});
+    Value value(*document_, item.second, key_at);
+    if (key != "<<" || item.first.Tag() == "!") {
+      result.push_back({key, key_at, value});
+      continue;
+    }
+    const std::vector<Value> maps =
+        value.is_map() ? std::vector<Value>{value} : value.list("`<<`", "a map, or a list of maps");
+    for (std::size_t i = maps.size(); i-- > 0;) merged.push_back(maps[i]);
   }
   return result;
 }
 
-Fields::Fields(const Value& map, std::string what, std::span<const std::string_view> allowed)
-    : map_(map), what_(std::move(what)), entries_(map.entries(what_)) {
-  for (const Value::Entry& e : entries_) {
-    if (is_of_others(e.key) || std::find(allowed.begin(), allowed.end(), std::string_view(e.key)) != allowed.end())
-      continue;
-    std::string known;
-    for (const std::string_view key : allowed) known += (known.empty() ? "" : ", ") + std::string(key);
-    const std::string hint = did_you_mean(e.key, allowed);
-    map.document().fail(e.key_at, "unknown key " + quoted(e.key) + " in " + what_ +
-                                      (hint.empty() ? "; known are: " + known : hint));
+std::vector<Value::Entry> Value::entries(const std::string& what) const {
+  std::vector<Value> merged;
+  std::vector<Entry> result = own_entries(what, merged);
+  std::unordered_set<std::string> seen;
+  for (const Entry& e : result) seen.insert(e.key);
+  while (!merged.empty()) {  // ends for a map that merges itself, too: each value counts (Document::values_left)
+    const Value map(merged.back());
+    merged.pop_back();
+    for (Entry& e : map.own_entries("`<<`", merged)) {
+      if (seen.insert(e.key).second) result.push_back(std::move(e));
+    }
   }
+  return result;
+}
+
+Fields::Fields(const Value& map, const Form& form, std::string what)
+    : map_(map),
+      form_(form),
+      what_(what.empty() ? std::string(form.name) : std::move(what)),
+      entries_(map.entries(what_)) {
+  check_keys();
+  check_presence();
+}
+
+void Fields::check_keys() const {
+  for (const Value::Entry& e : entries_) {
+    if (is_of_others(e.key) || form_.find(e.key)) continue;
+    std::vector<std::string_view> allowed;
+    std::string known;
+    for (const Key& k : form_.keys) {
+      allowed.push_back(k.name);
+      known += (known.empty() ? "" : ", ") + std::string(k.name);
+    }
+    const std::string hint = did_you_mean(e.key, allowed);
+    map_.document().fail(e.key_at, "unknown key " + quoted(e.key) + " in " + what_ +
+                                       (hint.empty() ? "; known are: " + known : hint));
+  }
+}
+
+void Fields::fail_missing(const std::vector<std::string_view>& keys) const {
+  std::string words;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    words += (i == 0 ? "`" : i + 1 == keys.size() ? " or `" : ", `") + std::string(keys[i]) + "`";
+  map_.fail(what_ + " needs " + words + "; add `" + std::string(keys[0]) + ": " +
+            std::string(form_.find(keys[0])->type->hint) + "`");
+}
+
+void Fields::check_partners(const Key& key, const Value::Entry& e) const {
+  for (const std::string_view other : key.excludes) {
+    const Value::Entry* o = entry(other);
+    if (!o) continue;
+    const auto [first, second] = std::minmax({&e, o});
+    map_.document().fail(second->key_at,
+                         what_ + " has `" + first->key + "` and `" + second->key + "`; remove one of them");
+  }
+  if (!key.needs.empty() && !has(key.needs)) fail_missing({key.needs});
+}
+
+void Fields::check_presence() const {
+  for (const Key& key : form_.keys) {
+    if (const Value::Entry* e = entry(key.name)) check_partners(key, *e);
+    else if (key.is_required()) fail_missing({key.name});
+  }
+  const std::vector<std::string_view>& keys = form_.one_of;
+  if (!keys.empty() && std::none_of(keys.begin(), keys.end(), [&](auto key) { return has(key); }))
+    fail_missing(keys);
+}
+
+const Value& Fields::value_of(std::string_view key, Type::Kind kind) const {
+  const Key* known = form_.find(key);
+  require(known && known->type->kind == kind, "Fields: a key that the form has not, or as another type");
+  return at(key);
+}
+
+std::string Fields::list_words(std::string_view key) const {
+  const Type& type = *form_.find(key)->type;
+  return (type.name.starts_with("list of") ? "a " : "a list of ") + std::string(type.name) + " " +
+         std::string(type.hint);
+}
+
+void Fields::read_text(std::string_view key, std::string& to) const {
+  const std::vector<std::string_view>& choices = form_.find(key)->type->choices;
+  const Value& value = value_of(key, choices.empty() ? Type::Kind::text : Type::Kind::choice);
+  to = value.text(name(key));
+  if (choices.empty() || std::find(choices.begin(), choices.end(), to) != choices.end()) return;
+  std::string words;
+  for (const std::string_view choice : choices) words += (words.empty() ? "" : ", ") + std::string(choice);
+  value.fail_type(name(key), "one of " + words);
 }
 
 const Value::Entry* Fields::entry(std::string_view key) const {
@@ -251,11 +336,9 @@ const Value* Fields::find(std::string_view key) const {
   return e ? &e->value : nullptr;
 }
 
-const Value& Fields::at(std::string_view key, std::string_view hint) const {
+const Value& Fields::at(std::string_view key) const {
   const Value* value = find(key);
-  if (!value)
-    map_.fail(what_ + " needs `" + std::string(key) + "`; add `" + std::string(key) + ": " + std::string(hint) +
-              "`");
+  require(value, "Fields: a key that is not there");
   return *value;
 }
 

@@ -8,15 +8,16 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "csg/tree/expression.h"
+#include "csg/tree/forms.h"
 #include "csg/tree/position.h"
 #include "kernel/exact/rational.h"
 
@@ -71,10 +72,13 @@ class Value {
   std::vector<std::vector<RationalPoint>> loops(const std::string& what) const;
 
   struct Entry;
-  /// Keys and values of a map in the order of the file; a repeated key or one that is no text fails.
+  /// Keys and values of a map in the order of the file, then those of the maps under `<<` that it has not itself;
+  /// a repeated key or one that is no text fails.
   std::vector<Entry> entries(const std::string& what) const;
 
  private:
+  /// Those of this map alone; maps under `<<` go to the end of `merged`, the first of them last.
+  std::vector<Entry> own_entries(const std::string& what, std::vector<Value>& merged) const;
   /// One list of exactly `n` numbers.
   std::vector<Rational> numbers(const std::string& what, std::size_t n, const std::string& wanted) const;
   Document* document_;
@@ -95,24 +99,66 @@ struct Value::Entry {
 /// Of maps with known keys: those that other programs read, such as `x-experiment`.
 inline bool is_of_others(std::string_view key) { return key.starts_with("x-"); }
 
-/// A map with known keys.
+/// A map with known keys: those of a form (forms.h).
 class Fields {
  public:
-  /// Fails for a key that is not among `allowed`, naming the nearest.
-  Fields(const Value& map, std::string what, std::span<const std::string_view> allowed);
-  Fields(const Value& map, std::string what, std::initializer_list<std::string_view> allowed)
-      : Fields(map, std::move(what), std::span(allowed.begin(), allowed.size())) {}
+  /// Fails for a key that the form has not, naming the nearest, for one that is missing, and for two that exclude
+  /// each other. `what` names the map in messages; without it the form does.
+  Fields(const Value& map, const Form& form, std::string what = {});
   /// The value of a key, or nullptr.
   const Value* find(std::string_view key) const;
   const Value::Entry* entry(std::string_view key) const;
-  /// The value of a key that must be there; `hint` says what it is, such as `[x, y, z]`.
-  const Value& at(std::string_view key, std::string_view hint) const;
+  /// The value of a key that is required.
+  const Value& at(std::string_view key) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
   /// `KEY of WHAT`.
   std::string name(std::string_view key) const { return "`" + std::string(key) + "` of " + what_; }
 
+  /// Reads the values of keys that are there, as the types that the form has for them: `read("min", min, "max",
+  /// max)`.
+  template <class T, class... More>
+  void read(std::string_view key, T& to, More&&... more) const {
+    if (has(key)) read_value(key, to);
+    if constexpr (sizeof...(more) > 0) read(more...);
+  }
+  /// The items of a list, each by `read(item)`; nothing where the key is not there.
+  template <class Read>
+  void each(std::string_view key, Read read) const {
+    if (const Value* value = find(key)) {
+      for (const Value& item : value->list(name(key), list_words(key))) read(item);
+    }
+  }
+
  private:
+  void check_keys() const;
+  void check_presence() const;
+  void check_partners(const Key& key, const Value::Entry& e) const;
+  [[noreturn]] void fail_missing(const std::vector<std::string_view>& keys) const;
+  /// The value of a key that is there; the form has to have it as one of that kind.
+  const Value& value_of(std::string_view key, Type::Kind kind) const;
+  std::string list_words(std::string_view key) const;
+  void read_text(std::string_view key, std::string& to) const;
+  template <class T>
+  void read_value(std::string_view key, T& to) const {
+    using Kind = Type::Kind;
+    if constexpr (std::is_same_v<T, Rational>) to = value_of(key, Kind::number).number(name(key));
+    else if constexpr (std::is_same_v<T, bool>) to = value_of(key, Kind::boolean).boolean(name(key));
+    else if constexpr (std::is_same_v<T, RationalPoint>) to = value_of(key, Kind::point).point(name(key));
+    else if constexpr (std::is_same_v<T, std::vector<RationalPoint>>)
+      to = value_of(key, Kind::points).points(name(key));
+    else if constexpr (std::is_same_v<T, std::string>) read_text(key, to);
+    else if constexpr (std::is_same_v<T, int>) {
+      const Type& type = *form_.find(key)->type;
+      to = static_cast<int>(value_of(key, Kind::count).integer(name(key), type.least, type.most));
+    } else to = value_of(key, Kind::loops).loops(name(key));
+  }
+  template <class T>
+  void read_value(std::string_view key, std::optional<T>& to) const {
+    read_value(key, to.emplace());
+  }
+
   Value map_;
+  const Form& form_;
   std::string what_;
   std::vector<Value::Entry> entries_;
 };

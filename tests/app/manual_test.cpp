@@ -15,8 +15,8 @@ namespace {
 using Catch::Contains;
 using Words = std::vector<std::string>;
 
-const char* const kCommands[] = {"eval", "check",   "locate", "explain", "view",
-                                 "mesh", "compare", "tables", "manual",  "completion"};
+const char* const kCommands[] = {"eval",    "check",  "locate", "explain", "view",      "mesh",
+                                 "compare", "tables", "schema", "manual",  "completion"};
 
 std::string plain(std::string text) {
   for (const auto& [from, to] : {std::pair("\\fB", ""), std::pair("\\fI", ""), std::pair("\\fR", ""),

@@ -211,6 +211,8 @@ TEST_CASE("what is not read is an error with its construct, line and column", "[
     expect("cube();\n  " + name + "();", "t.csg:2:3: error: `" + name + "` is not read; let OpenSCAD write");
   expect("cube(size = [1, 2]);", "t.csg:1:1: error: `cube` needs `size`, a finite number or a list of 3");
   expect("cube(side = 2);", "has the argument `side`, which is not read");
+  expect("cube(size = 2, size = 3);", "t.csg:1:1: error: `cube` has the argument `size` twice; remove one");
+  expect("cube(2, $fn = 8, size = 3);", "has the argument `size` twice");
   expect("cube(2, 3);", "has an argument without a name");
   expect("sphere(r = nan);", "`sphere` needs `r`, a finite number");
   expect("sphere(r = 1, $fn = 1e9);", "`sphere` would have more than 1,000,000 corners");

@@ -69,7 +69,7 @@ class Leaves(unittest.TestCase):
             self.assertTrue(hasattr(cnrg, name) or hasattr(cnrg.Node, name), name)
         attributes = PAGE[PAGE.index("\n### Attributes") : PAGE.index("\n## Leaves")]
         for line in attributes.splitlines():
-            if line.startswith("| `"):
+            if line.startswith("| `") and not line.startswith("| `within`"):  # of `below` and `above`
                 name = line.split("|")[1].strip(" `")
                 box = cnrg.box([0, 0, 0], [1, 1, 1])
                 node = box.boundary() if name == "each" else box | box.translate([1, 0, 0]) if name == "blend" else box

@@ -1,18 +1,42 @@
-"""Questions to results: the answers of the program, as text and as data."""
+"""Questions to results: the answers of the program, as text and as data, all of which is as its schema says."""
+import json
 import os
 import subprocess
 import sys
 import tempfile
 import threading
 import unittest
+import unittest.mock
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
 
+import jsonschema
 import numpy
 
 import cnrg
 from test_results import HALF, MIXED, OPEN, PROGRAM, ROUND, SLOPE, TREES, result_of
+
+ANSWERS = jsonschema.Draft7Validator(
+    json.loads((Path(os.environ["CNRG_SOURCES"]) / "csg" / "explain" / "answers.schema.json").read_text()))
+SEEN = {"lives": 0, "betti": 0, "only_a": 0}
+
+
+def checked(text):
+    """What `cnrg.stories` reads, checked."""
+    data = json.loads(text)
+    ANSWERS.validate(data)
+    for key in SEEN.keys() & data.keys():
+        SEEN[key] += 1
+    return data
+
+
+def setUpModule():
+    replaced = unittest.mock.patch.object(cnrg.stories, "json", SimpleNamespace(loads=checked))
+    unittest.addModuleCleanup(replaced.stop)
+    unittest.addModuleCleanup(lambda: unittest.TestCase().assertTrue(all(SEEN.values()), SEEN))
+    replaced.start()
 
 
 class WithProgram(unittest.TestCase):

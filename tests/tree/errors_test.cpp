@@ -107,7 +107,7 @@ TEST_CASE("faults of the file as a whole", "[tree][errors]") {
   expect("cnrg: 1\nresult: a\n", 1, 1, {"needs `nodes`"});
   expect("cnrg: 1\nnodes: {}\nresult: a\n", 2, 8, {"`nodes` is empty"});
   expect("cnrg: 1\nnodes: [a, b]\nresult: a\n", 2, 8, {"`nodes` must be a map", "a list of 2"});
-  expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\n", 1, 1, {"`result` is missing", "add `result: NAME`"});
+  expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\n", 1, 1, {"needs `result`", "add `result: NAME`"});
   expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult:\n", 3, 1, {"`result` must be a text", "empty"});
   expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: [a]\n", 3, 9, {"`result` must be a text"});
   expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: b\n", 3, 9,
@@ -207,7 +207,8 @@ TEST_CASE("operands of the wrong type or number", "[tree][errors]") {
   expect_node("select: {of: p, between: p}", 26, {"`between` of select must be two names", "the text `p`"});
   expect_node("select: {of: p, between: [p]}", 26, {"two names", "a list of one"});
   expect_node("select: {of: p, between: [null, null]}", 26, {"null is no region"});
-  expect_node("select: {of: p}", 9, {"select has nothing to pick by"});
+  expect_node("select: {of: p}", 9,
+              {"select needs `dimension`, `name`, ", "`inside` or `touching`; add `dimension: 2`"});
   expect_node("select: {of: p, region: null}", 17, {"`region` of select must be a name or a number"});
   expect_node("select: {of: p, attributes: {k: 1/0}}", 33, {"`1/0` begins like a number"});
   expect_node("select: {of: p, attributes: 3}", 29, {"`attributes` of select must be a map"});
@@ -247,7 +248,7 @@ TEST_CASE("values of the wrong type", "[tree][errors]") {
   expect_node("mesh: {file: [a]}", 14, {"`file` of mesh must be a text"});
   expect_node("mesh: {file: a.off, fill: full}", 27, {"one of winding, parity, cells, none"});
   expect_node("mesh: {points: [[0, 0, 0]], file: a.off}", 29,
-              {"mesh has `file`, which is for a mesh from a file"});
+              {"mesh has `points` and `file`; remove one of them"});
   expect_node("mesh: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], faces: [[0, 1, 3]]}", 66,
               {"a corner of a face must be a whole number from 0 to 2"});
   expect_node("mesh: {points: [[0, 0, 0]], faces: [[0, 0]]}", 37, {"three or more numbers of points"});
@@ -373,8 +374,8 @@ TEST_CASE("faults of graded materials", "[tree]") {
            {"`linear` of material `m` needs `to`", "[x, y, z]"});
   material("distance: {to: b, stops: [[0, s], [1, s]]}", 16, {"no node called `b`", "measure a distance"});
   material("distance: {to: a, stops: [[-1, s], [1, s]]}", 26, {"a stop of a distance is negative"});
-  material("distance: {to: a, stops: [[0, s], [1, s]]}, " + line + "[[0, s], [1, s]]}", 11,
-           {"both `linear` and by `distance`"});
+  material("distance: {to: a, stops: [[0, s], [1, s]]}, " + line + "[[0, s], [1, s]]}", 45,
+           {"material `m` has `distance` and `linear`; remove one of them"});
   material("linar: 1", 1, {"unknown key `linar`", "`linear`"});
 }
 

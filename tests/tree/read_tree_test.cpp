@@ -239,6 +239,46 @@ result: last
   CHECK(node(tree, "last").op == Operator::regularize);
 }
 
+TEST_CASE("keys of maps under `<<` stand in a map that has them not itself", "[tree][merge]") {
+  const Tree tree = parse_tree(R"(cnrg: 1
+$schema: tree.schema.json
+x-parts:
+  - &round {segments: 12, radius: 1}
+  - &place {center: [1, 2, 3], <<: {radius: 9, rings: 4}}
+nodes:
+  a: &a {sphere: {<<: [*round, *place]}, name: first}
+  b: {translate: [1, 0, 0], <<: *a, name: second}
+  c: {union: [a, b], attributes: {"<<": quoted}}
+result: c
+)",
+                               "t.yaml");
+  const auto& a = shape<SphereShape>(tree, "a");
+  CHECK(a.radius == 1);
+  CHECK(a.rings == 4);
+  CHECK(a.segments == 12);
+  CHECK(a.center == RationalPoint{1, 2, 3});
+  CHECK(shape<SphereShape>(tree, "b").center == a.center);
+  CHECK(node(tree, "a").label == "first");
+  CHECK(node(tree, "b").label == "second");
+  CHECK(node(tree, "c").properties.contains("<<"));
+  const auto fault = [](const std::string& inside) {
+    try {
+      single(inside);
+    } catch (const TreeError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  CHECK(fault("points: [[0, 0, 0]], <<: [1]") ==
+        "t.yaml:3:39: error: `<<` must be a map {key: value, ...}, not the text `1`");
+  CHECK(fault("points: [[0, 0, 0]], <<: rock") ==
+        "t.yaml:3:38: error: `<<` must be a map, or a list of maps, not the text `rock`");
+  CHECK(fault("points: [[0, 0, 0]], <<: {size: 1, size: 2}") ==
+        "t.yaml:3:48: error: the key `size` is there twice in `<<`; remove or rename one");
+  CHECK(fault("points: [[0, 0, 0]], <<: {sise: 1}").starts_with("t.yaml:3:39: error: unknown key `sise`"));
+  CHECK_THAT(fault("points: [[0, 0, 0]], attributes: &m {k: 1, <<: *m}"), Catch::Contains("repeat too much"));
+}
+
 TEST_CASE("a number is a dominance on every node, a side on Booleans only", "[tree]") {
   const Tree tree = parse_tree(R"(cnrg: 1
 nodes:
