@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "kernel/base/parallel.h"
 #include "kernel/base/union_find.h"
@@ -28,6 +29,45 @@
 namespace cnrg {
 
 namespace {
+
+/// A part of the common line of two sheets.
+struct PlaneTrace {
+  SheetId p, q;
+  VertexId a, b;  // the lexicographically smaller first
+  auto operator<=>(const PlaneTrace&) const = default;
+};
+
+/// Traces of two sheets that overlap are cut at each other's ends: what lies between two ends on the line is one
+/// trace, however many pairs of coplanar faces found it. Sorted, unique.
+void part_overlaps(const PointTable& t, std::vector<PlaneTrace>& traces) {
+  sort_unique_in_parallel(traces);
+  const auto less = [&](VertexId v, VertexId w) { return v != w && compare_lex(t, v, w) < 0; };
+  std::vector<PlaneTrace> parted;
+  std::vector<VertexId> ends;
+  for (auto first = traces.begin(); first != traces.end();) {
+    const auto last =
+        std::find_if(first, traces.end(), [&](const PlaneTrace& x) { return x.p != first->p || x.q != first->q; });
+    if (last - first < 2) {
+      parted.push_back(*first);
+    } else {
+      std::sort(first, last, [&](const PlaneTrace& x, const PlaneTrace& y) { return less(x.a, y.a); });
+      ends.clear();
+      for (auto i = first; i != last; ++i) ends.insert(ends.end(), {i->a, i->b});
+      std::sort(ends.begin(), ends.end(), less);
+      ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+      VertexId reach = first->a;
+      auto i = first;
+      for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+        for (; i != last && i->a == ends[k]; ++i) {
+          if (less(reach, i->b)) reach = i->b;
+        }
+        if (less(ends[k], reach)) parted.push_back({first->p, first->q, ends[k], ends[k + 1]});
+      }
+    }
+    first = last;
+  }
+  traces = std::move(parted);
+}
 
 /// All the state on the way from the soup to the refinement.
 class Refiner {
@@ -170,12 +210,7 @@ void Refiner::add_traces(InSheet& in_sheet) {
   r_.segments.ends = r_.input.segment_ends;
   r_.segments.input_count = r_.segments.ends.size();
   r_.segments.trace_sheets.assign(r_.segments.input_count, {SheetId::none(), SheetId::none()});
-  struct Trace {
-    VertexId a, b;
-    SheetId p, q;
-    auto operator<=>(const Trace&) const = default;
-  };
-  std::vector<Trace> traces;
+  std::vector<PlaneTrace> traces;
   for (const ContactList::Trace& t : contacts_.traces) {
     VertexId a = contact_points_(t.a), b = contact_points_(t.b);
     const SheetId p = r_.sheet_of[t.f], q = r_.sheet_of[t.g];
@@ -188,11 +223,14 @@ void Refiner::add_traces(InSheet& in_sheet) {
       continue;
     }
     if (compare_lex(r_.input.points, a, b) > 0) std::swap(a, b);
-    traces.push_back({a, b, std::min(p, q), std::max(p, q)});
+    traces.push_back({std::min(p, q), std::max(p, q), a, b});
   }
-  sort_unique_in_parallel(traces);
+  part_overlaps(r_.input.points, traces);
+  const auto by_ends = [](const PlaneTrace& t) { return std::tuple(t.a, t.b, t.p, t.q); };
+  tbb::parallel_sort(traces.begin(), traces.end(),
+                     [&](const PlaneTrace& x, const PlaneTrace& y) { return by_ends(x) < by_ends(y); });
   for (std::size_t i = 0; i < traces.size();) {
-    const Trace& first = traces[i];
+    const PlaneTrace& first = traces[i];
     SegmentId s = r_.input.find_segment(first.a, first.b);
     if (!s.valid()) {
       s = r_.segments.ends.push_back({first.a, first.b});
