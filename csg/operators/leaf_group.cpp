@@ -227,6 +227,7 @@ class LeafGroups {
     leaves = features;
     list_pieces(e, pieces);
     for (const Piece& piece : pieces) {
+      if (!leaves.empty() && leaves.back() == piece.leaf) continue;
       if (counts(piece.leaf) && !complex_.on_frame(complex_.edge_uses[e][piece.use].face))
         leaves.push_back(piece.leaf);
     }
