@@ -37,33 +37,34 @@ struct PlaneTrace {
   auto operator<=>(const PlaneTrace&) const = default;
 };
 
-/// Traces of two sheets that overlap are cut at each other's ends: what lies between two ends on the line is one
-/// trace, however many pairs of coplanar faces found it. Sorted, unique.
+/// Cuts the traces of two sheets at each other's ends, and adds them to `out`.
+void part_overlaps(const PointTable& t, std::span<PlaneTrace> traces, std::vector<PlaneTrace>& out) {
+  const auto less = [&](VertexId v, VertexId w) { return v != w && compare_lex(t, v, w) < 0; };
+  std::ranges::sort(traces, less, &PlaneTrace::a);
+  std::vector<VertexId> ends;
+  for (const PlaneTrace& trace : traces) ends.insert(ends.end(), {trace.a, trace.b});
+  std::ranges::sort(ends, less);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  VertexId reach = traces[0].a;  // of all that begin before
+  auto trace = traces.begin();
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    for (; trace != traces.end() && trace->a == ends[k]; ++trace) reach = std::max(reach, trace->b, less);
+    if (less(ends[k], reach)) out.push_back({traces[0].p, traces[0].q, ends[k], ends[k + 1]});
+  }
+}
+
+/// Each once, without overlaps: between two ends on the common line of two sheets is one trace, however many pairs
+/// of coplanar faces found it.
 void part_overlaps(const PointTable& t, std::vector<PlaneTrace>& traces) {
   sort_unique_in_parallel(traces);
-  const auto less = [&](VertexId v, VertexId w) { return v != w && compare_lex(t, v, w) < 0; };
   std::vector<PlaneTrace> parted;
-  std::vector<VertexId> ends;
+  parted.reserve(traces.size());
   for (auto first = traces.begin(); first != traces.end();) {
-    const auto last =
-        std::find_if(first, traces.end(), [&](const PlaneTrace& x) { return x.p != first->p || x.q != first->q; });
-    if (last - first < 2) {
-      parted.push_back(*first);
-    } else {
-      std::sort(first, last, [&](const PlaneTrace& x, const PlaneTrace& y) { return less(x.a, y.a); });
-      ends.clear();
-      for (auto i = first; i != last; ++i) ends.insert(ends.end(), {i->a, i->b});
-      std::sort(ends.begin(), ends.end(), less);
-      ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-      VertexId reach = first->a;
-      auto i = first;
-      for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-        for (; i != last && i->a == ends[k]; ++i) {
-          if (less(reach, i->b)) reach = i->b;
-        }
-        if (less(ends[k], reach)) parted.push_back({first->p, first->q, ends[k], ends[k + 1]});
-      }
-    }
+    const auto last = std::find_if(first, traces.end(), [&](const PlaneTrace& x) {
+      return std::tie(x.p, x.q) != std::tie(first->p, first->q);
+    });
+    if (last - first == 1) parted.push_back(*first);
+    else part_overlaps(t, {first, last}, parted);
     first = last;
   }
   traces = std::move(parted);
