@@ -142,7 +142,7 @@ TEST_CASE("Random boxes on few planes, in each number of copies", "[flush]") {
   }
 }
 
-std::uint64_t signs_of(const std::vector<GridBox>& boxes) {
+std::uint64_t signs_of_boxes(const std::vector<GridBox>& boxes) {
   const Soup soup = make_soup(leaves_of(boxes));
   reset_stage_counts();
   build_complex(soup);
@@ -151,7 +151,7 @@ std::uint64_t signs_of(const std::vector<GridBox>& boxes) {
 }
 
 TEST_CASE("Boxes with sides in common planes cost the square of their number", "[flush][growth]") {
-  const auto few = signs_of(row(20)), many = signs_of(row(80));
+  const auto few = signs_of_boxes(row(20)), many = signs_of(row(80));
   CHECK(few > 20 * 20);
   CHECK(double(many) < 1.4 * 4 * 4 * double(few));
 }
