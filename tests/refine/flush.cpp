@@ -151,7 +151,7 @@ std::uint64_t signs_of_boxes(const std::vector<GridBox>& boxes) {
 }
 
 TEST_CASE("Boxes with sides in common planes cost the square of their number", "[flush][growth]") {
-  const auto few = signs_of_boxes(row(20)), many = signs_of(row(80));
+  const auto few = signs_of_boxes(row(20)), many = signs_of_boxes(row(80));
   CHECK(few > 20 * 20);
   CHECK(double(many) < 1.4 * 4 * 4 * double(few));
 }
