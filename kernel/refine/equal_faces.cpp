@@ -17,17 +17,16 @@ EqualFaces equal_faces(const RefineInput& in) {
   }
   std::sort(faces.begin(), faces.end());
   EqualFaces equal;
-  for (auto begin = faces.begin(); begin != faces.end();) {
-    const auto end =
-        std::find_if(begin, faces.end(), [&](const auto& face) { return face.first != begin->first; });
+  for (auto begin = faces.begin(), end = begin; begin != faces.end(); begin = end) {
+    end = std::find_if(begin, faces.end(), [&](const auto& face) { return face.first != begin->first; });
+    if (end - begin == 1) continue;
     std::map<std::vector<SegmentId>, SourceId> by_sides;
-    for (; begin != end && (end - begin > 1 || !by_sides.empty()); ++begin) {
-      std::vector<SegmentId> sides(in.sides[begin->second].begin(), in.sides[begin->second].end());
+    for (auto face = begin; face != end; ++face) {
+      std::vector<SegmentId> sides(in.sides[face->second].begin(), in.sides[face->second].end());
       std::sort(sides.begin(), sides.end());
-      const SourceId first = by_sides.try_emplace(std::move(sides), begin->second).first->second;
-      if (first != begin->second) equal.pairs.emplace_back(first, begin->second);
+      const SourceId first = by_sides.try_emplace(std::move(sides), face->second).first->second;
+      if (first != face->second) equal.pairs.emplace_back(first, face->second);
     }
-    begin = end;
   }
   if (equal.pairs.empty()) return equal;
   equal.copies.assign(in.corners.size(), 1);
