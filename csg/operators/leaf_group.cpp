@@ -120,8 +120,10 @@ class LeafGroups {
 
   // A soup face that covers a face around an edge.
   struct Piece {
-    FaceUse use;
+    LeafId leaf;
+    std::uint32_t use;  // its place around the edge
     SourceId source;
+    auto operator<=>(const Piece&) const = default;
   };
 
   // Lists about one cell, kept for their memory.
@@ -223,33 +225,42 @@ class LeafGroups {
       for (SourceId f : complex_.segment_faces[s]) bordering.push_back(complex_.sources[f].leaf);
     }
     leaves = features;
-    for (const FaceUse& use : complex_.edge_uses[e]) {
-      if (!complex_.on_frame(use.face)) add_covering(use.face, leaves);
+    list_pieces(e, pieces);
+    for (const Piece& piece : pieces) {
+      if (!leaves.empty() && leaves.back() == piece.leaf) continue;
+      if (counts(piece.leaf) && !complex_.on_frame(complex_.edge_uses[e][piece.use].face))
+        leaves.push_back(piece.leaf);
     }
     sort_unique(leaves), sort_unique(bordering);
     for (LeafId leaf : bordering) {
-      if (counts(leaf) && parts_faces(e, leaf, pieces)) features.push_back(leaf);
+      const auto of_leaf = std::ranges::equal_range(pieces, leaf, {}, &Piece::leaf);
+      if (counts(leaf) && parts_faces(of_leaf)) features.push_back(leaf);
     }
     sort_unique(features);
   }
 
-  // False if around the edge there are two pieces and the same faces or curved patches of the leaf cover both, or
-  // if none does: a face without area borders edges and covers nothing.
-  bool parts_faces(EdgeId e, LeafId leaf, std::vector<Piece>& pieces) const {
+  void list_pieces(EdgeId e, std::vector<Piece>& pieces) const {
     pieces.clear();
-    for (const FaceUse& use : complex_.edge_uses[e]) {
-      for (const Cover& c : complex_.cover(use.face)) {
-        if (complex_.sources[c.source].leaf == leaf) pieces.push_back({use, c.source});
+    const auto uses = complex_.edge_uses[e];
+    for (std::uint32_t use = 0; use < uses.size(); ++use) {
+      for (const Cover& c : complex_.cover(uses[use].face)) {
+        pieces.push_back({complex_.sources[c.source].leaf, use, c.source});
       }
     }
+    std::sort(pieces.begin(), pieces.end());
+  }
+
+  // Of all pieces of a leaf around an edge: false if there are two and the same faces or curved patches of the
+  // leaf cover both, or if there are none: a face without area borders edges and covers nothing.
+  bool parts_faces(std::span<const Piece> pieces) const {
     if (pieces.empty()) return false;
     if (pieces.size() < 2 || pieces.front().use == pieces.back().use) return true;
     // There are two uses at least. A third one makes a feature; of two, each may be covered by several faces,
     // which all go on beyond the edge or do not.
-    const FaceUse one = pieces.front().use;
+    const std::uint32_t one = pieces.front().use;
     const auto first_of_back =
         std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.use != one; });
-    const FaceUse other = first_of_back->use;
+    const std::uint32_t other = first_of_back->use;
     return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) {
       if (p.use != one && p.use != other) return true;
       return std::none_of(pieces.begin(), pieces.end(), [&](const Piece& q) {

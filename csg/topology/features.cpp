@@ -15,18 +15,19 @@
 #include "kernel/base/sorted.h"
 #include "kernel/exact/distance.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Parts::Index;
 
-/// Degrees of the angle whose sine and cosine are as a root and a number, up to a common factor.
+/// Degrees of the angle whose sine and cosine are as a root and a number, up to a common factor; kSharp for all
+/// that are much larger.
 double degrees(const Rational& squared_sine, const Rational& cosine) {
-  if (cosine == 0) return 90;
-  const Rational square = squared_sine / (cosine * cosine);
-  const double acute = std::atan(nearest_root(square)) * 180 / std::numbers::pi;
-  return cosine > 0 ? acute : 180 - acute;
+  const Rational squared_cosine = cosine * cosine;
+  if (cosine <= 0 || squared_sine > 4 * squared_cosine) return kSharp;  // its tangent is the root of 3
+  return std::atan(nearest_root(squared_sine / squared_cosine)) * 180 / std::numbers::pi;
 }
 
 class Finder {
@@ -57,6 +58,7 @@ class Finder {
   std::map<std::array<Index, 3>, Index> left_of_;  // by face and a side: the corner of the triangle to its left
 
   const RationalPoint& x(Index p) const { return parts_.points()[p]; }
+  RationalPoint direction(Index p, Index q) const { return whole(x(q) - x(p)); }
 
   void put(std::vector<Feature>& list, std::size_t most) {
     std::stable_sort(list.begin(), list.end(), [](const Feature& a, const Feature& b) {
@@ -102,10 +104,11 @@ class Finder {
       sort_unique(faces);
       std::optional<Feature> least;
       for_each_segment(edge, [&](Index p, Index q) {
-        const std::vector<Triangle> around = triangles_around(p, q, faces);
-        for (std::size_t i = 0; around.size() > 1 && i < around.size(); ++i) {
+        const RationalPoint axis = direction(p, q);
+        const std::vector<Triangle> around = triangles_around(p, q, axis, faces);
+        for (std::size_t i = around.size() < 3 ? 1 : 0; i < around.size(); ++i) {
           const Triangle &one = around[i], &next = around[(i + 1) % around.size()];
-          const double angle = between(p, q, one.corner, next.corner);
+          const double angle = between(axis, one.way, next.way);
           if (least && least->value <= angle) continue;
           least = Feature{Feature::Kind::dihedral_angle,
                           angle,
@@ -118,33 +121,34 @@ class Finder {
     }
   }
 
-  /// A triangle with the side pq: its face, its third corner, and its direction as seen along the side.
+  /// A triangle with the side pq: its face, and the direction of its third corner.
   struct Triangle {
-    Index face, corner;
-    double turn;
+    Index face;
+    RationalPoint way;
   };
-  /// In the order of their directions; a face that has the piece on both sides is there twice.
-  std::vector<Triangle> triangles_around(Index p, Index q, const std::vector<Index>& faces) const {
+  /// Counter-clockwise around the axis pq; a face that has the piece on both sides is there twice.
+  std::vector<Triangle> triangles_around(Index p, Index q, const RationalPoint& axis,
+                                         const std::vector<Index>& faces) const {
     std::vector<Triangle> out;
     for (const Index f : faces) {
       for (const auto& [a, b] : {std::pair(p, q), std::pair(q, p)}) {
         const auto found = left_of_.find({f, a, b});
-        if (found != left_of_.end()) out.push_back({f, found->second, 0});
+        if (found != left_of_.end()) out.push_back({f, direction(p, found->second)});
       }
     }
-    if (out.empty()) return out;
-    const RationalPoint axis = x(q) - x(p), first = x(out[0].corner) - x(p), up = cross(axis, first);
-    const double length = nearest_root(dot(axis, axis));
-    for (Triangle& t : out) {
-      const RationalPoint v = x(t.corner) - x(p);
-      const Rational along = dot(axis, axis) * dot(first, v) - dot(first, axis) * dot(v, axis);
-      t.turn = std::atan2(to_double(dot(up, v)) * length, to_double(along));
-    }
-    std::sort(out.begin(), out.end(), [](const Triangle& a, const Triangle& b) { return a.turn < b.turn; });
+    if (out.size() < 3) return out;
+    const RationalPoint up = cross(axis, out[0].way), ahead = cross(up, axis);
+    const auto part = [&](const Triangle& t) {  // below the plane of the first one, on it, above, opposite
+      const int side = sgn(dot(up, t.way));
+      return side != 0 || dot(ahead, t.way) > 0 ? 1 + side : 3;
+    };
+    std::sort(out.begin(), out.end(), [&](const Triangle& a, const Triangle& b) {
+      const int of_a = part(a), of_b = part(b);
+      return of_a != of_b ? of_a < of_b : dot(axis, cross(a.way, b.way)) > 0;
+    });
     return out;
   }
-  double between(Index p, Index q, Index first, Index second) const {
-    const RationalPoint axis = x(q) - x(p), u = x(first) - x(p), v = x(second) - x(p);
+  static double between(const RationalPoint& axis, const RationalPoint& u, const RationalPoint& v) {
     const Rational length = dot(axis, axis), volume = dot(axis, cross(u, v));
     return degrees(length * volume * volume, length * dot(u, v) - dot(u, axis) * dot(v, axis));
   }
@@ -156,10 +160,10 @@ class Finder {
         for (std::size_t k = 0; k < loop.size(); ++k) {
           const Index p = loop[k], next = loop[(k + 1) % loop.size()],
                       before = loop[(k + loop.size() - 1) % loop.size()];
-          const RationalPoint u = x(next) - x(p), v = x(before) - x(p), normal = cross(u, v);
+          const RationalPoint u = direction(p, next), v = direction(p, before), normal = cross(u, v);
           const auto left = left_of_.find({f, p, next});
           require(left != left_of_.end(), "features: a side of a face has no triangle");
-          const RationalPoint front = cross(u, x(left->second) - x(p));
+          const RationalPoint front = cross(u, direction(p, left->second));
           const Rational cosine = dot(u, v);
           const int turn = sgn(dot(normal, front));
           if (turn < 0 || (is_zero(normal) && cosine > 0)) continue;  // more than half a turn

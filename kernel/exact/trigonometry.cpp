@@ -169,13 +169,19 @@ int exponent_of_root(const Rational& square) {
   return static_cast<int>(e >= 0 ? e / 2 : -((-e + 1) / 2));
 }
 
+RationalPoint whole(const RationalPoint& v) {
+  const Integer denominator = lcm(lcm(v[0].get_den(), v[1].get_den()), v[2].get_den());
+  RationalPoint out;
+  for (std::size_t k = 0; k < 3; ++k) out[k] = v[k].get_num() * (denominator / v[k].get_den());
+  return out;
+}
+
 std::array<Integer, 3> primitive_direction(const RationalPoint& direction) {
-  Integer denominator = 1;
-  for (const Rational& x : direction) denominator = lcm(denominator, x.get_den());
   std::array<Integer, 3> result;
   Integer common = 0;
+  const RationalPoint numbers = whole(direction);
   for (std::size_t k = 0; k < 3; ++k) {
-    result[k] = direction[k].get_num() * (denominator / direction[k].get_den());
+    result[k] = numbers[k].get_num();
     common = gcd(common, result[k]);
   }
   require(common != 0, "primitive_direction: zero vector");

@@ -21,6 +21,9 @@ Rational round_cosine(const Rational& degrees, const Rational& square, int expon
 /// floor(log2(sqrt(square))) for square > 0: the binary exponent of a length, exactly.
 int exponent_of_root(const Rational& square);
 
+/// A positive multiple of the vector in whole numbers: signs and angles stay, and no sum or product of such
+/// vectors has to be reduced, which costs more than these.
+RationalPoint whole(const RationalPoint& v);
 /// The primitive integer vector (gcd 1) with the direction of `direction`, which is not zero.
 std::array<Integer, 3> primitive_direction(const RationalPoint& direction);
 

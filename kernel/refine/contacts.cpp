@@ -12,6 +12,7 @@
 #include "kernel/base/parallel.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/box_pairs.h"
+#include "kernel/refine/equal_faces.h"
 #include "kernel/refine/fans.h"
 #include "kernel/refine/large_fans.h"
 #include "kernel/refine/pair_tester.h"
@@ -36,15 +37,20 @@ constexpr std::uint64_t kUnchecked = 1024;
 /// All that can be in contact, in one numbering: faces, then wires, then isolated points.
 class Elements {
  public:
-  explicit Elements(const RefineInput& in)
-      : in_(in), faces_(in.corners.size()), wires_(in.wires.size()), points_(in.isolated.size()) {}
-  /// All but dropped faces.
+  Elements(const RefineInput& in, const std::vector<std::uint32_t>& copies)
+      : in_(in),
+        copies_(copies),
+        faces_(in.corners.size()),
+        wires_(in.wires.size()),
+        points_(in.isolated.size()) {}
+  /// All but dropped faces, and of equal faces the first.
   std::vector<std::uint32_t> list() const {
     std::vector<std::uint32_t> kept;
     const std::size_t n = faces_ + wires_ + points_;
     kept.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
-      if (i >= faces_ || !in_.dropped(SourceId(i))) kept.push_back(static_cast<std::uint32_t>(i));
+      if (i >= faces_ || (!in_.dropped(SourceId(i)) && (copies_.empty() || copies_[i] != 0)))
+        kept.push_back(static_cast<std::uint32_t>(i));
     }
     return kept;
   }
@@ -91,6 +97,7 @@ class Elements {
   SegmentId wire(std::uint32_t e) const { return in_.wires[e - faces_]; }
   VertexId point(std::uint32_t e) const { return in_.isolated[e - faces_ - wires_]; }
   const RefineInput& in_;
+  const std::vector<std::uint32_t>& copies_;
   std::size_t faces_, wires_, points_;
 };
 
@@ -140,14 +147,15 @@ Glance glance(const RefineInput& in, std::uint32_t element, bool is_face, const 
 }  // namespace
 
 ContactList find_contacts(const RefineInput& in, const Watch& watch) {
-  const Elements elements(in);
+  const EqualFaces equal = equal_faces(in);
+  const Elements elements(in, equal.copies);
   std::vector<std::uint32_t> kept = elements.list();
   std::vector<Box> boxes(kept.size());
   for_each_index(kept.size(), [&](std::size_t i) { boxes[i] = elements.box(kept[i]); });
   BoxPairs pairs(boxes);
   std::vector<char> fans = embedded_fans(in);
   const FaceBoundaries boundaries(in);
-  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in, boundaries); });
+  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in, boundaries, equal.copies); });
   if (pairs.crowded()) {
     const LargeFans large(in, fans);
     pairs.orient(boxes, [&](std::uint32_t i, BoxPairs::Outline& out) { elements.describe(kept[i], large, out); });
@@ -172,6 +180,7 @@ ContactList find_contacts(const RefineInput& in, const Watch& watch) {
     steps.step();
   });
   ContactList all;
+  all.coplanar = equal.pairs;
   for (const PairTester& tester : testers) {
     all.append(tester.list);
     count_filtered(tester.filtered);

@@ -264,7 +264,7 @@ void PairTester::faces(SourceId f, SourceId g) {
                             has_corner(g, VertexId(key.id[0]));
         if (!shared) {
           on_both(key);
-          ++list.kinds[key.kind != PointKey::Kind::vertex ? 3 : (take_f && take_g ? 4 : 2)];
+          list.kinds[key.kind != PointKey::Kind::vertex ? 3 : (take_f && take_g ? 4 : 2)] += copies(f) * copies(g);
         }
       }
       if (take_f && take_g && events_f_[i].key != key) on_both(events_f_[i].key);
@@ -273,7 +273,7 @@ void PairTester::faces(SourceId f, SourceId g) {
     if (take_f) ++i;
     if (take_g) ++j;
   }
-  if (trace) ++list.kinds[0];
+  if (trace) list.kinds[0] += copies(f) * copies(g);
 }
 
 void PairTester::wire_face(SegmentId s, SourceId f) {
@@ -284,7 +284,7 @@ void PairTester::wire_face(SegmentId s, SourceId f) {
   if (side[0] * side[1] > 0) return;
   if (side[0] == 0 && side[1] == 0) {
     list.wires_in_plane.push_back({f, s});
-    ++list.kinds[1];
+    list.kinds[1] += copies(f);
     return;
   }
   if (side[0] * side[1] < 0) {
@@ -305,14 +305,14 @@ void PairTester::wire_face(SegmentId s, SourceId f) {
     if (locate_in_face(in_, f, axes, p) == 0) return;
     list.on_face.push_back({f, key});
     list.on_wire.push_back({s, key});
-    ++list.kinds[1];
+    list.kinds[1] += copies(f);
     return;
   }
   const VertexId v = side[0] == 0 ? ends[0] : ends[1];
   if (has_corner(f, v)) return;
   if (locate_in_face(in_, f, projection_of(t_, plane), t_.view(v)) == 0) return;
   list.on_face.push_back({f, PointKey::vertex(v)});
-  ++list.kinds[2];
+  list.kinds[2] += copies(f);
 }
 
 void PairTester::point_face(VertexId p, SourceId f) {
@@ -321,7 +321,7 @@ void PairTester::point_face(VertexId p, SourceId f) {
   if (side_of_plane(t_, plane, p) != 0) return;
   if (locate_in_face(in_, f, projection_of(t_, plane), t_.view(p)) == 0) return;
   list.on_face.push_back({f, PointKey::vertex(p)});
-  ++list.kinds[2];
+  list.kinds[2] += copies(f);
 }
 
 void PairTester::point_wire(VertexId p, SegmentId s) {

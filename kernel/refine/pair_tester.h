@@ -14,8 +14,9 @@ namespace cnrg {
 /// The pair tests of one thread, with its scratch memory and what it found.
 class PairTester {
  public:
-  PairTester(const RefineInput& in, const FaceBoundaries& boundaries)
-      : in_(in), t_(in.points), boundaries_(boundaries) {}
+  /// `copies` of equal_faces.h: a face stands for all that are equal to it.
+  PairTester(const RefineInput& in, const FaceBoundaries& boundaries, const std::vector<std::uint32_t>& copies)
+      : in_(in), t_(in.points), boundaries_(boundaries), copies_(copies) {}
   ContactList list;
   std::uint64_t filtered = 0;  ///< signs that the filters of planes decided
 
@@ -42,6 +43,7 @@ class PairTester {
   PointView view_of_key(const PointKey& key, const Definition& d);
   int order(Event& a, Event& b);
   const ExactPoint& exact(Event& e);
+  std::uint64_t copies(SourceId f) const { return copies_.empty() ? 1 : copies_[f.index()]; }
   bool has_corner(SourceId f, VertexId v) const { return boundaries_.has_corner(f, v); }
   void choose_axis();
   /// Do chains of pairs found so far say that two faces are coplanar? No filter does, and exact zeros cost most.
@@ -60,6 +62,7 @@ class PairTester {
   const RefineInput& in_;
   const PointTable& t_;
   const FaceBoundaries& boundaries_;
+  const std::vector<std::uint32_t>& copies_;
   UnionFind planes_;  // faces found coplanar with each other; empty until there are such
   std::vector<int> sign_f_, sign_g_;
   std::vector<Event> events_f_, events_g_;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "kernel/base/parallel.h"
 #include "kernel/base/union_find.h"
@@ -28,6 +29,46 @@
 namespace cnrg {
 
 namespace {
+
+/// A part of the common line of two sheets.
+struct PlaneTrace {
+  SheetId p, q;
+  VertexId a, b;  // the lexicographically smaller first
+  auto operator<=>(const PlaneTrace&) const = default;
+};
+
+/// Cuts the traces of two sheets at each other's ends, and adds them to `out`.
+void part_overlaps(const PointTable& t, std::span<PlaneTrace> traces, std::vector<PlaneTrace>& out) {
+  const auto less = [&](VertexId v, VertexId w) { return v != w && compare_lex(t, v, w) < 0; };
+  std::ranges::sort(traces, less, &PlaneTrace::a);
+  std::vector<VertexId> ends;
+  for (const PlaneTrace& trace : traces) ends.insert(ends.end(), {trace.a, trace.b});
+  std::ranges::sort(ends, less);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  VertexId reach = traces[0].a;  // of all that begin before
+  auto trace = traces.begin();
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    for (; trace != traces.end() && trace->a == ends[k]; ++trace) reach = std::max(reach, trace->b, less);
+    if (less(ends[k], reach)) out.push_back({traces[0].p, traces[0].q, ends[k], ends[k + 1]});
+  }
+}
+
+/// Each once, without overlaps: between two ends on the common line of two sheets is one trace, however many pairs
+/// of coplanar faces found it.
+void part_overlaps(const PointTable& t, std::vector<PlaneTrace>& traces) {
+  sort_unique_in_parallel(traces);
+  std::vector<PlaneTrace> parted;
+  parted.reserve(traces.size());
+  for (auto first = traces.begin(); first != traces.end();) {
+    const auto last = std::find_if(first, traces.end(), [&](const PlaneTrace& x) {
+      return std::tie(x.p, x.q) != std::tie(first->p, first->q);
+    });
+    if (last - first == 1) parted.push_back(*first);
+    else part_overlaps(t, {first, last}, parted);
+    first = last;
+  }
+  traces = std::move(parted);
+}
 
 /// All the state on the way from the soup to the refinement.
 class Refiner {
@@ -170,12 +211,7 @@ void Refiner::add_traces(InSheet& in_sheet) {
   r_.segments.ends = r_.input.segment_ends;
   r_.segments.input_count = r_.segments.ends.size();
   r_.segments.trace_sheets.assign(r_.segments.input_count, {SheetId::none(), SheetId::none()});
-  struct Trace {
-    VertexId a, b;
-    SheetId p, q;
-    auto operator<=>(const Trace&) const = default;
-  };
-  std::vector<Trace> traces;
+  std::vector<PlaneTrace> traces;
   for (const ContactList::Trace& t : contacts_.traces) {
     VertexId a = contact_points_(t.a), b = contact_points_(t.b);
     const SheetId p = r_.sheet_of[t.f], q = r_.sheet_of[t.g];
@@ -188,11 +224,14 @@ void Refiner::add_traces(InSheet& in_sheet) {
       continue;
     }
     if (compare_lex(r_.input.points, a, b) > 0) std::swap(a, b);
-    traces.push_back({a, b, std::min(p, q), std::max(p, q)});
+    traces.push_back({std::min(p, q), std::max(p, q), a, b});
   }
-  sort_unique_in_parallel(traces);
+  part_overlaps(r_.input.points, traces);
+  const auto by_ends = [](const PlaneTrace& t) { return std::tuple(t.a, t.b, t.p, t.q); };
+  tbb::parallel_sort(traces.begin(), traces.end(),
+                     [&](const PlaneTrace& x, const PlaneTrace& y) { return by_ends(x) < by_ends(y); });
   for (std::size_t i = 0; i < traces.size();) {
-    const Trace& first = traces[i];
+    const PlaneTrace& first = traces[i];
     SegmentId s = r_.input.find_segment(first.a, first.b);
     if (!s.valid()) {
       s = r_.segments.ends.push_back({first.a, first.b});

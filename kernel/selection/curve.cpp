@@ -86,11 +86,15 @@ bool is_bare(const Complex& complex, FaceId f, LeavesThere leaves) {
 
 bool share_surface(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f, LeavesThere at_g) {
   const bool all_at_f = is_bare(complex, f, at_f), all_at_g = is_bare(complex, g, at_g);
+  Surface before{Kind::wire, LeafId::none(), 0};  // no face lies on it
   for (const Cover& c : complex.cover(f)) {
     if (!all_at_f && !counts(at_f, complex.sources[c.source].leaf)) continue;
+    const Surface surface = surface_of(complex, f, c);
+    if (surface == before) continue;  // as of all that lies in the plane alone
+    before = surface;
     for (const Cover& d : complex.cover(g)) {
       if (!all_at_g && !counts(at_g, complex.sources[d.source].leaf)) continue;
-      if (surface_of(complex, f, c) == surface_of(complex, g, d)) return true;
+      if (surface == surface_of(complex, g, d)) return true;
     }
   }
   return false;

@@ -340,7 +340,7 @@ bool Merging::continues(VertexId v, EdgeId a, EdgeId b) {
 // chance: they are no face of it.
 bool Merging::one_surface(FaceId f, FaceId g) const {
   const bool coplanar = complex_.face_sheet[f] == complex_.face_sheet[g];
-  if (mode_ == SimplifyMode::points || (coplanar && complex_.surface_count == 0)) return coplanar;
+  if (mode_ == SimplifyMode::points || complex_.surface_count == 0) return coplanar;
   if (!share_surface(complex_, f, g)) return false;
   if (sources_ == nullptr) return true;
   std::vector<LeafId> at_f, at_g;
