@@ -388,20 +388,6 @@ int sweep(const Options& options) {
   return say_failed(failed) ? 1 : 0;
 }
 
-/// CLI11's own range lets what is no number through.
-CLI::Validator number_between(double low, double high) {
-  std::ostringstream range;
-  range << "a number from " << low << " to " << high;
-  return CLI::Validator(
-      [=, text = range.str()](const std::string& word) {
-        const std::optional<Rational> value = parse_rational(word);
-        return value && *value >= from_double(low) && *value <= from_double(high)
-                   ? std::string()
-                   : "'" + word + "' is not " + text;
-      },
-      "NUMBER");
-}
-
 /// The sweep ends with its children; nothing is lost.
 void stop(int) {
   constexpr char kText[] = "\nbench/run: stopped; the same command goes on\n";
@@ -460,10 +446,7 @@ int main(int argc, char** argv) try {
       ->check(CLI::Range(1, 1000000000));
   program.add_option("--out", options.out, "Folder of the rows (out/sweep)")->type_name("FOLDER");
   program.add_option("--jobs", options.jobs, "Runs at a time (1)")->check(CLI::Range(1, 1024));
-  program.add_option("--seconds", options.seconds, "Time limit of a run, in place of the experiment's (60)")
-      ->check(number_between(0.01, 1e5));
-  program.add_option("--gigabytes", options.gigabytes, "Memory limit of a run, in place of the experiment's (4)")
-      ->check(number_between(0.01, 1e4));
+  add_limits(program, options.seconds, options.gigabytes, ", in place of the experiment's");
   program.add_option("--commit", options.commit, "Of the sources, for the report");
   for (int i = 1; i < argc; ++i)  // bench/run gives the commit, people do not
     if (std::string(argv[i]) == "--commit") ++i;

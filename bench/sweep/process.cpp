@@ -11,13 +11,17 @@ namespace cnrg::bench {
 using End = ChildResult::End;
 using Json = nlohmann::json;
 
+Limits run_limits(std::optional<double> seconds, std::optional<double> gigabytes) {
+  return {seconds.value_or(60), static_cast<std::size_t>(gigabytes.value_or(4) * (1 << 30))};
+}
+
 Limits judging_limits(const Limits& limits) { return {5 * limits.seconds, 3 * limits.bytes}; }
 
 namespace {
 
 std::string why(const ChildResult& child, double limit) {
   switch (child.end) {
-    case End::timeout: return "no result in " + std::to_string(static_cast<long>(limit)) + " s";
+    case End::timeout: return "no result in " + to_decimal(from_double(limit)) + " s";
     case End::out_of_memory: return "memory ran out";
     case End::crash: return "crashed: " + std::string(strsignal(child.signal));
     case End::done: break;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -19,6 +20,9 @@ class ProblemError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Of a run, where nobody says anything 60 s and 4 GiB.
+Limits run_limits(std::optional<double> seconds, std::optional<double> gigabytes);
 
 /// Of what is not timed, from those of a run.
 Limits judging_limits(const Limits& limits);

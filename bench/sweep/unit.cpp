@@ -150,8 +150,7 @@ Problem Setup::make(const std::string& problem) const {
 
 Limits Setup::limits(const std::string& problem) const {
   const Experiment& experiment = experiment_of(problem);
-  const double given = gigabytes.value_or(experiment.gigabytes.value_or(4));
-  return {seconds.value_or(experiment.seconds.value_or(60)), static_cast<std::size_t>(given * (1 << 30))};
+  return run_limits(seconds ? seconds : experiment.seconds, gigabytes ? gigabytes : experiment.gigabytes);
 }
 
 const System& Setup::system(const std::string& name) const {
