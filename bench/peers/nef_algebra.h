@@ -79,9 +79,11 @@ inline Set closed_difference(const Set& a, const Set& b) {
   return settled(with_unbounded(a - b, unbounded_mark(a) && !unbounded_mark(b)).closure());
 }
 
-/// As CGAL decides it, but for space: its symmetric difference with another set is empty to CGAL 5.5.1.
+/// As CGAL decides it, but for what its symmetric difference gets wrong: with space it is empty to CGAL 5.5.1, and
+/// so is one without a vertex that reaches everywhere, such as that of a set and its complement.
 inline bool are_equal(const Set& a, const Set& b) {
-  return a.is_space() || b.is_space() ? a.is_space() == b.is_space() : a == b;
+  if (a.is_space() || b.is_space()) return a.is_space() == b.is_space();
+  return unbounded_mark(a) == unbounded_mark(b) && a == b;
 }
 
 }  // namespace cnrg::bench::nef

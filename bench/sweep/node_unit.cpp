@@ -15,8 +15,10 @@ TreeNode made_node(const Setup& setup, const std::string& problem) {
 }
 
 std::string sets_text(const Setup& setup, const System& system, const TreeNode& node) {
+  const SetProblem sets = node.set_problem();
+  if (!system.asserted) return comparison_text(sets, system);
   std::ostringstream problem;
-  write_set_problem(problem, node.set_problem());
+  write_set_problem(problem, sets);
   return asserted_text(setup.asserted, "compare", system.name, problem.str());
 }
 

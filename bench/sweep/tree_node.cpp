@@ -65,6 +65,9 @@ bool is_boolean(Operator op) {
   return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
 }
 
+/// All others are folds, also of one operand.
+bool is_unary(Operator op) { return is_topological(op) || op == Operator::complement; }
+
 /// As SetProblem has it; empty: the set stays.
 std::string word_of(const Node& node) {
   switch (node.op) {
@@ -253,7 +256,7 @@ SetProblem TreeNode::set_problem() const {
       // The complement of a group stands for its closure there.
       if (is_boolean(node().op) && operands_[k]->stands_for) problem.words.push_back("closure");
     });
-    if (operands_.size() == 1 && !word.empty()) problem.words.push_back(word);
+    if (is_unary(node().op) && !word.empty()) problem.words.push_back(word);
   }
   if (node().regularize) problem.words.push_back("regularization");
   problem.value = marked(complex, support(selection_of(complex, *value_)), "value");
