@@ -2,6 +2,7 @@
 #include "bench/sweep/experiment.h"
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "bench/cases/tree_problem.h"
@@ -220,7 +221,8 @@ TEST_CASE("faults of experiments have a place and a remedy", "[experiments]") {
   CHECK_THAT(fault("x-experiment: {title: t, family: turnd}\n"),
              Contains("mine.yaml: no family of problems is called 'turnd'"));
   CHECK_THAT(fault("x-experiment: {title: t, family: turned, values: {n: 3}}\n"), Contains("and no `n`"));
-  CHECK_THAT(fault("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n"), Contains("this tree has no operator"));
+  CHECK_THAT(fault("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n"),
+             Contains("this tree has no operator"));
   CHECK_THAT(fault("x-experiment: {title: t, program: /bin/false, nodes: a}\n"),
              Contains("/bin/false: ended with status 1"));
   CHECK_THAT(fault("weld: 1/10\n" + kTree), Contains("mine.yaml:1:7") && Contains("other systems do not weld"));
@@ -283,6 +285,36 @@ TEST_CASE("a sweep of a tree: claims, warm runs, programs of the file", "[sweep]
   CHECK(evaluation.rows.back().cells == std::array<std::size_t, 4>{});
   for (const NodeRow& r : evaluation.rows)
     if (r.name == "exact" || r.name == "given") CHECK(cnrg::to_string(r.volume().value()) == ours.facts->volume);
+}
+
+TEST_CASE("a sweep of all nodes of random trees: sets and regions as others have them", "[sweep]") {
+  const Workshop w;
+  std::map<std::pair<std::string, Verdict>, int> counts;
+  const auto [first, last] = scenes::seeds(2);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    const std::string name = "t" + std::to_string(seed);
+    w.write(name + ".yaml", properties::tree_file(properties::random_dag(seed, scenes::Position::degenerate)) +
+                                "\nx-experiment: {title: random, nodes: all, compare: [sets, regions]}\n");
+    const Outcome o = w.run(name + ".yaml --out out --quiet --jobs 2 --seconds 20");
+    INFO(o.err);
+    REQUIRE(o.status == 0);
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(w.path("out/rows"))) {
+    if (!entry.is_regular_file() || entry.path().parent_path().filename() == "rows") continue;
+    const SweepRow row = row_of_json(w.read(fs::relative(entry.path(), w.path("")).string()));
+    INFO(row.command << ": " << row.message);
+    CHECK(row.verdict != Verdict::wrong);
+    CHECK(row.size == 0);
+    ++counts[{row.family.substr(row.family.find('.')), row.verdict}];
+  }
+  for (const char* kind : {".sets", ".regions"}) {
+    const int same = counts[{kind, Verdict::same}], refused = counts[{kind, Verdict::refused}];
+    INFO(kind);
+    CHECK(same > 2 * refused);
+  }
+  // What nobody compares is no sweep.
+  CHECK_THAT(w.run("t" + std::to_string(first) + ".yaml --systems openscad --out none --quiet").err,
+             Contains("none of these systems compares what the experiment asks for"));
 }
 
 TEST_CASE("what is kept can be read: holes, many steps, nothing", "[sweep]") {
