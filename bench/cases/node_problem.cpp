@@ -13,7 +13,7 @@ void write_set(std::ostream& out, const MarkedSet& set) {
 }
 
 /// The rest of a line that starts with `word`.
-std::istringstream line_of(std::istream& in, const std::string& word) {
+std::istringstream words_after(std::istream& in, const std::string& word) {
   std::string line, first;
   std::getline(in, line);
   std::istringstream words(line);
@@ -24,7 +24,7 @@ std::istringstream line_of(std::istream& in, const std::string& word) {
 MarkedSet read_set(std::istream& in) {
   std::size_t layers = 0;
   MarkedSet set;
-  if (!(line_of(in, "set") >> layers >> set.complement)) throw std::runtime_error("a set has no layers");
+  if (!(words_after(in, "set") >> layers >> set.complement)) throw std::runtime_error("a set has no layers");
   for (std::size_t i = 0; i < layers; ++i) set.layers.push_back(read_model(in));
   return set;
 }
@@ -41,10 +41,10 @@ void write_set_problem(std::ostream& out, const SetProblem& problem) {
 
 SetProblem read_set_problem(std::istream& in) {
   SetProblem problem;
-  std::istringstream words = line_of(in, "words");
+  std::istringstream words = words_after(in, "words");
   for (std::string word; words >> word;) problem.words.push_back(word);
   std::size_t operands = 0;
-  if (!(line_of(in, "operands") >> operands)) throw std::runtime_error("operands have no number");
+  if (!(words_after(in, "operands") >> operands)) throw std::runtime_error("operands have no number");
   for (std::size_t i = 0; i < operands; ++i) problem.operands.push_back(read_set(in));
   problem.value = read_set(in);
   return problem;

@@ -125,7 +125,7 @@ class ArrangementMaker {
 namespace {
 
 /// A fuse takes two arguments or more; fewer are parted already.
-TopoDS_Shape parted(BOPAlgo_Builder& fuse, const std::vector<Origin>& origins) {
+TopoDS_Shape parted_space(BOPAlgo_Builder& fuse, const std::vector<Origin>& origins) {
   BRep_Builder builder;
   TopoDS_Compound whole;
   builder.MakeCompound(whole);
@@ -145,7 +145,7 @@ Arrangement arranged_by_occt(const std::vector<ParcelledOperand>& operands) {
   const std::vector<Origin> origins = guarded_occt("input", [&] { return origins_of(operands); });
   BOPAlgo_Builder fuse;
   fuse.SetNonDestructive(true);
-  const TopoDS_Shape shape = guarded_occt("General Fuse", [&] { return parted(fuse, origins); });
+  const TopoDS_Shape shape = guarded_occt("General Fuse", [&] { return parted_space(fuse, origins); });
   return guarded_occt("output", [&] { return ArrangementMaker(fuse, shape, operands).run(origins); });
 }
 

@@ -133,7 +133,7 @@ std::vector<std::uint32_t> region_numbers(const RegionProblem& problem, const Ar
 
 // --- the judgement
 
-std::string text_of(const Place& place) {
+std::string place_text(const Place& place) {
   std::string text;
   for (std::size_t k = 0; k < place.size(); ++k)
     if (place[k] != 0)
@@ -198,7 +198,7 @@ class RegionJudge {
   static std::string words(const FoundRegion& region) {
     std::string text;
     for (const auto& [place, volume] : region)
-      text += (text.empty() ? "" : " and ") + to_decimal(from_double(volume)) + " in " + text_of(place);
+      text += (text.empty() ? "" : " and ") + to_decimal(from_double(volume)) + " in " + place_text(place);
     return text;
   }
 

@@ -181,7 +181,7 @@ std::vector<ExactRegion> exact_regions(const Complex& complex, const Numbered& c
   return all;
 }
 
-double extent_of(const std::vector<ParcelledOperand>& operands) {
+double largest_coordinate(const std::vector<ParcelledOperand>& operands) {
   Rational largest = 0;
   const auto look_at = [&](const Model& model) {
     for (const RationalPoint& p : model.points)
@@ -276,7 +276,7 @@ RegionProblem TreeNode::region_problem() const {
     problem.operands.push_back(parcelled_operand(complex, operand));
     numbers.push_back(numbers_of(complex, operand.cells));
   }
-  problem.extent = extent_of(problem.operands);
+  problem.extent = largest_coordinate(problem.operands);
   problem.regions = exact_regions(complex, selection_of(complex, *value_).regions, numbers);
   return problem;
 }

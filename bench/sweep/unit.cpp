@@ -27,11 +27,11 @@ Run run_by(const Setup& setup, const std::string& name, const Limits& limits,
 }
 
 /// What a process says within the limits of judging.
-Told told(const Setup& setup, const std::string& problem, const std::function<Json(std::ostream&)>& work) {
+Told told_of(const Setup& setup, const std::string& problem, const std::function<Json(std::ostream&)>& work) {
   return told(judging_limits(setup.limits(problem)), work);
 }
 
-Judged judged(const Setup& setup, const std::string& name, double rounding, const std::string& model) {
+Judged judged_of(const Setup& setup, const std::string& name, double rounding, const std::string& model) {
   return judged([&] { return setup.make(name); }, judging_limits(setup.limits(name)), rounding, model);
 }
 
@@ -96,7 +96,7 @@ Run run_and_time(const Setup& setup, const std::string& problem, const System& s
 
 /// Sizes of a problem, by a process of its own: this one stays small.
 Json described(const Setup& setup, const std::string& name) {
-  const auto [reply, reason] = told(setup, name, [&](std::ostream&) {
+  const auto [reply, reason] = told_of(setup, name, [&](std::ostream&) {
     if (setup.experiment_of(name).compared != Compared::results) return described_node(setup, name);
     const Problem problem = setup.make(name);
     std::ostringstream operands;
@@ -178,7 +178,7 @@ struct ClaimedTruth {
 };
 
 ClaimedTruth claimed_truth(const Setup& setup, const std::string& problem) {
-  const auto [reply, reason] = told(setup, problem, [&](std::ostream& out) {
+  const auto [reply, reason] = told_of(setup, problem, [&](std::ostream& out) {
     const Claimed claimed = setup.experiment_of(problem).claimed(setup.planned(problem).problem);
     if (claimed.result) write_model(out, *claimed.result);
     return Json{{"node", claimed.result.has_value()},
@@ -187,7 +187,7 @@ ClaimedTruth claimed_truth(const Setup& setup, const std::string& problem) {
   if (!reason.empty()) return {{}, {}, reason};
   ClaimedTruth claim{{}, reply.head["volume"], {}};
   if (!reply.head["node"].get<bool>()) return claim;
-  const Judged judgement = judged(setup, problem, 0, reply.rest);
+  const Judged judgement = judged_of(setup, problem, 0, reply.rest);
   claim.node = judgement.judgement;
   claim.reason = judgement.reason;
   return claim;
@@ -195,8 +195,8 @@ ClaimedTruth claimed_truth(const Setup& setup, const std::string& problem) {
 
 /// Of the exact result; of nothing, with an empty volume, if they cannot be had within the limits.
 Facts exact_facts_of(const Setup& setup, const std::string& problem) {
-  const auto [reply, reason] =
-      told(setup, problem, [&](std::ostream&) { return Json::parse(to_json(exact_facts(setup.make(problem)))); });
+  const auto [reply, reason] = told_of(
+      setup, problem, [&](std::ostream&) { return Json::parse(to_json(exact_facts(setup.make(problem)))); });
   if (reason.empty()) return facts_of_json(reply.head.dump());
   Facts none;
   none.volume.clear();
@@ -206,7 +206,7 @@ Facts exact_facts_of(const Setup& setup, const std::string& problem) {
 /// Whether Nef polyhedra have this result, compared by themselves. Nothing, with the reason, if they cannot say.
 std::optional<bool> agrees_with_nef(const Setup& setup, const std::string& problem, const std::string& model,
                                     std::string& why_not) {
-  const auto [reply, reason] = told(setup, problem, [&](std::ostream&) {
+  const auto [reply, reason] = told_of(setup, problem, [&](std::ostream&) {
     return Json::parse(asserted_reply(setup, "agrees", "nef", setup.make(problem), model));
   });
   why_not = reason;
@@ -240,7 +240,7 @@ Confirmation confirmed(const Setup& setup, const SweepRow& row, const System& sy
   const bool compared = (row.system == "ours" || row.system == "nef") && is_same(row.verdict);
   if (nef && (loose || compared)) return confirmed_by_nef(setup, row, model);
   const auto witnessed = [&](bool integrals) {
-    return told(setup, row.problem, [&](std::ostream&) {
+    return told_of(setup, row.problem, [&](std::ostream&) {
       std::istringstream in(model);
       const Confirmation c = confirm_by_witness(setup.make(row.problem), read_model(in), system.rounding,
                                                 row.verdict, row.stage, integrals);
@@ -283,7 +283,7 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
       add_reason(name, row.message);
       return {};
     }
-    const Judged j = judged(setup, problem, setup.system(name).rounding, r.reply.rest);
+    const Judged j = judged_of(setup, problem, setup.system(name).rounding, r.reply.rest);
     if (!j.judgement) add_reason(name, j.reason);
     else truth.facts = j.judgement->truth;
     return j.judgement;
@@ -388,7 +388,7 @@ SweepRow run_unit(const Setup& setup, const std::string& problem, const std::str
     std::istringstream in(r.reply.rest);
     *result = read_model(in);
   }
-  const Judged j = judged(setup, problem, system.rounding, r.reply.rest);
+  const Judged j = judged_of(setup, problem, system.rounding, r.reply.rest);
   if (!j.judgement) {
     row.verdict = Verdict::unjudged;
     row.message = j.reason;
