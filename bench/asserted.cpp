@@ -3,6 +3,7 @@
 //
 //   bench_asserted evaluate SYSTEM PROBLEM     prints a reply (sweep/answer.h)
 //   bench_asserted agrees SYSTEM PROBLEM       PROBLEM ends with a model; prints {"agrees": true} or false
+//   bench_asserted compare SYSTEM PROBLEM      PROBLEM is one of sets; prints a reply with `difference`
 #include <CGAL/assertions.h>
 
 #include <cstdio>
@@ -29,6 +30,10 @@ void run(const std::string& work, const std::string& name, const char* path) {
   const System system = asserted_system(name);
   std::ifstream in(path);
   if (!in) throw std::runtime_error(std::string(path) + ": cannot be read");
+  if (work == "compare" && system.compare_sets) {
+    std::cout << comparison_text(read_set_problem(in), system);
+    return;
+  }
   const Problem problem = read_problem(in);
   if (work == "evaluate") std::cout << reply_text(problem, system, 0, 0);
   else if (work == "agrees" && system.agrees)

@@ -1,11 +1,12 @@
 // Mäntylä's Boolean stage after stage: a table on the terminal, and a tree file with a node per stage.
-#include <algorithm>
-#include <filesystem>
+#include <functional>
+#include <sstream>
 
 #include "bench/baseline/steps_tree.h"
 #include "bench/cases/tree_problem.h"
 #include "bench/command.h"
-#include "bench/sweep/judge.h"
+#include "bench/sweep/judged.h"
+#include "bench/sweep/process.h"
 #include "bench/sweep/store.h"
 #include "csg/text/table.h"
 #include "csg/tree/tree_of_file.h"
@@ -16,6 +17,7 @@ namespace {
 struct Options {
   std::vector<std::string> files;
   std::string operation, node, system = "mantyla-published", tree;
+  std::optional<double> seconds, gigabytes;
 };
 
 Problem problem_of(const Options& options) {
@@ -44,12 +46,14 @@ Problem problem_of(const Options& options) {
   return problem;
 }
 
-void print(const mantyla::Steps& steps) {
+void print_row(std::ostream& out, const std::string& name, const std::string& text) {
+  out << name << std::string(name.size() < 15 ? 16 - name.size() : 1, ' ') << shown(text) << '\n';
+}
+
+void print(std::ostream& out, const mantyla::Steps& steps) {
   using mantyla::Stage;
   const mantyla::StepCounts& counts = steps.counts;
-  const auto row = [](Stage stage, const std::string& text) {
-    std::printf("%-15s %s\n", to_string(stage), shown(text).c_str());
-  };
+  const auto row = [&](Stage stage, const std::string& text) { print_row(out, to_string(stage), text); };
   const std::pair<Stage, std::string> rows[] = {
       {Stage::reduction, counted(counts.contacts, "contact", "contacts")},
       {Stage::classification, counted(counts.crossings, "crossing", "crossings") + " of neighbourhoods"},
@@ -65,31 +69,65 @@ void print(const mantyla::Steps& steps) {
   if (!steps.failure) return;
   row(steps.failure->stage(), std::string("fails: ") + steps.failure->what());
   for (const RationalPoint& p : steps.failure->places())
-    std::printf("%-15s at %s, %s, %s\n", "", cnrg::to_string(p[0]).c_str(), cnrg::to_string(p[1]).c_str(),
-                cnrg::to_string(p[2]).c_str());
+    print_row(out, "",
+              "at " + cnrg::to_string(p[0]) + ", " + cnrg::to_string(p[1]) + ", " + cnrg::to_string(p[2]));
+}
+
+/// What a process says, which is given nothing but the options: operands may be such that nothing ever ends.
+Reply told_of(const Options& options, const Limits& limits,
+              const std::function<nlohmann::json(std::ostream&, const Problem&, const mantyla::Steps&)>& work) {
+  const mantyla::Variant variant = mantyla::parse_variant(options.system).value();
+  Told told = cnrg::bench::told(limits, [&](std::ostream& out) {
+    const Problem problem = problem_of(options);
+    const mantyla::Steps steps =
+        mantyla::steps_of(problem.operands[0], problem.operands[1], problem.steps[0], variant);
+    return work(out, problem, steps);
+  });
+  if (told.reply.head.is_null())
+    throw std::runtime_error(told.reason + ": --seconds and --gigabytes give it more, or take smaller operands");
+  if (!told.reason.empty()) throw std::runtime_error(told.reason);
+  return std::move(told.reply);
+}
+
+/// Verdict on the result that Mäntylä's Boolean has.
+mantyla::StepsTitle title_of(const Options& options, const Limits& limits) {
+  const mantyla::Variant variant = mantyla::parse_variant(options.system).value();
+  const Reply reply = told_of(
+      options, limits, [](std::ostream& out, const Problem&, const mantyla::Steps& steps) -> nlohmann::json {
+        if (steps.failure)
+          return {{"refused",
+                   std::string("refused in ") + to_string(steps.failure->stage()) + ": " + steps.failure->what()}};
+        write_model(out, steps.result);
+        return nlohmann::json::object();
+      });
+  if (reply.head.contains("refused")) return {options.system, reply.head["refused"], false, false};
+  const auto [judgement, reason] = judged([&] { return problem_of(options); }, judging_limits(limits),
+                                          variant.fractions ? 0 : variant.epsilon, reply.rest);
+  if (!judgement) return {options.system, "unjudged: " + reason, false, true};
+  return {options.system,
+          to_string(judgement->verdict) + (judgement->message.empty() ? "" : ": " + judgement->message),
+          judgement->facts.has_value(),
+          judgement->verdict != Verdict::same && judgement->verdict != Verdict::contact_duplicated};
 }
 
 int run(const Options& options) {
-  const std::optional<mantyla::Variant> variant = mantyla::parse_variant(options.system);
-  if (!variant)
+  if (!mantyla::parse_variant(options.system))
     throw std::runtime_error("'" + options.system +
                              "' is no variant of Mäntylä's; such are mantyla-published, mantyla-published-exact, "
                              "mantyla-double:1e-8, mantyla-exact");
-  const Problem problem = problem_of(options);
-  const Model &a = problem.operands[0], &b = problem.operands[1];
-  const mantyla::Steps steps = mantyla::steps_of(a, b, problem.steps[0], *variant);
-  mantyla::StepsTitle title{options.system, "", false, false};
-  if (steps.failure) {
-    title.verdict = std::string("refused in ") + to_string(steps.failure->stage()) + ": " + steps.failure->what();
-  } else {
-    const Judgement judgement = judge(problem, steps.result, variant->fractions ? 0 : variant->epsilon);
-    title.verdict = to_string(judgement.verdict) + (judgement.message.empty() ? "" : ": " + judgement.message);
-    title.solid = judgement.facts.has_value();
-    title.differs = judgement.verdict != Verdict::same && judgement.verdict != Verdict::contact_duplicated;
-  }
-  print(steps);
-  std::printf("%-15s %s\n", "verdict", shown(title.verdict).c_str());
-  if (!options.tree.empty()) write_whole(options.tree, steps_tree(a, b, problem.steps[0], steps, title));
+  const Limits limits = run_limits(options.seconds, options.gigabytes);
+  const mantyla::StepsTitle title = title_of(options, limits);
+  const Reply reply =
+      told_of(options, limits, [&](std::ostream& out, const Problem& problem, const mantyla::Steps& steps) {
+        std::ostringstream table;
+        print(table, steps);
+        print_row(table, "verdict", title.verdict);
+        if (!options.tree.empty())
+          out << steps_tree(problem.operands[0], problem.operands[1], problem.steps[0], steps, title);
+        return nlohmann::json{{"table", table.str()}};
+      });
+  std::fputs(reply.head.at("table").get<std::string>().c_str(), stdout);
+  if (!options.tree.empty()) write_whole(options.tree, reply.rest);
   return 0;
 }
 
@@ -110,6 +148,7 @@ int main_of_mantyla(int argc, char** argv) {
   program.add_option("--system", options.system, "Which variant; as in sweeps")
       ->type_name("NAME")
       ->capture_default_str();
+  add_limits(program, options.seconds, options.gigabytes, ", and five times as long for the verdict");
   program.add_option("--tree", options.tree, "Write the stages as nodes of this tree file")
       ->type_name("FILE.yaml");
   program.footer("\nbench/run mantyla ... --steps PAGE.html: the tree as a page of cnrg view, one node per stage");

@@ -14,6 +14,7 @@
 #include "bench/peers/program.h"
 #include "bench/sweep/json_fields.h"
 #include "bench/sweep/keep.h"
+#include "bench/sweep/node_unit.h"
 #include "bench/sweep/schedule.h"
 #include "bench/sweep/store.h"
 #include "csg/app/progress_bar.h"
@@ -59,6 +60,34 @@ void make_known(Setup& setup, const std::string& name) {
   else setup.system(name);
 }
 
+/// Its programs, the systems that it names, and its problems.
+void add_experiment(Setup& setup, const std::string& name, Experiment experiment, std::set<std::string>& known) {
+  for (const Experiment& other : setup.experiments)
+    if (other.name == experiment.name)
+      throw std::runtime_error("the experiment " + other.name + " is there twice");
+  for (const ProgramSystem& program : experiment.programs) {
+    const auto same = [&](const Experiment& other) {
+      return std::find(other.programs.begin(), other.programs.end(), program) != other.programs.end();
+    };
+    if (std::any_of(setup.experiments.begin(), setup.experiments.end(), same)) continue;
+    System system = external_system(program.name, program.words, program.rounding);
+    add_system(setup, program.rescale ? rescaled(std::move(system), *program.rescale, program.rounding) : system);
+  }
+  try {
+    for (const std::string& system : experiment.systems) make_known(setup, system);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(experiment.path + ": " + error.what());
+  }
+  std::vector<Experiment::Named> problems = experiment.problems();
+  if (problems.empty()) throw std::runtime_error(name + ": holds no OFF, OBJ, STL or PLY file");
+  for (Experiment::Named& problem : problems) {
+    if (!known.insert(problem.name).second)
+      throw std::runtime_error("two experiments have a problem " + problem.name + "; rename one of the files");
+    setup.problems.push_back({setup.experiments.size(), std::move(problem)});
+  }
+  setup.experiments.push_back(std::move(experiment));
+}
+
 /// Systems, experiments, and their problems: all, or those whose names are given.
 Setup setup_of(const Options& options) {
   Setup setup;
@@ -82,34 +111,9 @@ Setup setup_of(const Options& options) {
     const std::vector<std::string> all = experiment_names();
     names.insert(names.end(), all.begin(), all.end());
   }
-  for (const std::string& name : names) {
-    Experiment experiment = read_experiment(name, given, used);
-    for (const Experiment& other : setup.experiments)
-      if (other.name == experiment.name)
-        throw std::runtime_error("the experiment " + other.name + " is there twice");
-    for (const ProgramSystem& program : experiment.programs) {
-      const auto same = [&](const Experiment& other) {
-        return std::find(other.programs.begin(), other.programs.end(), program) != other.programs.end();
-      };
-      if (std::any_of(setup.experiments.begin(), setup.experiments.end(), same)) continue;
-      System system = external_system(program.name, program.words, program.rounding);
-      add_system(setup,
-                 program.rescale ? rescaled(std::move(system), *program.rescale, program.rounding) : system);
-    }
-    try {
-      for (const std::string& system : experiment.systems) make_known(setup, system);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(experiment.path + ": " + error.what());
-    }
-    std::vector<Experiment::Named> problems = experiment.problems();
-    if (problems.empty()) throw std::runtime_error(name + ": holds no OFF, OBJ, STL or PLY file");
-    for (Experiment::Named& problem : problems) {
-      if (!known.insert(problem.name).second)
-        throw std::runtime_error("two experiments have a problem " + problem.name + "; rename one of the files");
-      setup.problems.push_back({setup.experiments.size(), std::move(problem)});
-    }
-    setup.experiments.push_back(std::move(experiment));
-  }
+  for (const std::string& name : names)
+    for (Experiment& experiment : read_experiments(name, given, used))
+      add_experiment(setup, name, std::move(experiment), known);
   for (const std::string& system : options.systems) make_known(setup, system);
   if (options.one.size() == 2 && options.one[1] != kTruth) make_known(setup, options.one[1]);
   for (const GivenValues& values : given)
@@ -125,11 +129,12 @@ std::vector<std::string> chosen_systems(const Setup& setup, const Options& optio
   const auto add = [&](const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
+  const auto compares = [&](const System& system) { return can_compare(system, experiment.compared); };
   const std::vector<std::string>& asked = options.systems.empty() ? experiment.systems : options.systems;
   for (const std::string& name : asked) {
     const System& system = setup.system(name);
     if (!system.absent.empty()) throw std::runtime_error(name + ": " + system.absent);
-    add(name);
+    if (compares(system)) add(name);
   }
   const auto of_a_file = [&](const std::string& name) {
     for (const Experiment& e : setup.experiments)
@@ -138,7 +143,7 @@ std::vector<std::string> chosen_systems(const Setup& setup, const Options& optio
     return false;
   };
   for (const System& system : setup.systems)
-    if (system.absent.empty() &&
+    if (system.absent.empty() && compares(system) &&
         (!system.executable.empty() || (asked.empty() && !system.if_named && !of_a_file(system.name))))
       add(system.name);
   return names;
@@ -148,7 +153,7 @@ void list_all(const Setup& setup, const std::vector<std::string>& names) {
   std::printf("Experiments:\n");
   std::set<std::string> used;
   for (const std::string& name : names) {
-    const Experiment e = read_experiment(name, {}, used);
+    const Experiment e = read_experiments(name, {}, used).at(0);
     std::printf("  %-14s %s\n", shown(e.name).c_str(), shown(e.title).c_str());
     for (const Parameter& p : e.parameters) {
       constexpr std::size_t kShown = 8;
@@ -190,6 +195,12 @@ int run_one(Options& options) {
   if (options.names.empty()) options.names = {own_experiment(problem)};
   const Setup setup = setup_of(options);
   setup.planned(problem);
+  const Compared compared = setup.experiment_of(problem).compared;
+  if (!options.keep.empty() && compared != Compared::results)
+    throw std::runtime_error(
+        "--keep keeps the result of a system, and here a system has none: look at the node itself");
+  if (system != kTruth && !can_compare(setup.system(system), compared))
+    throw std::runtime_error(system + " cannot compare " + (compared == Compared::sets ? "sets" : "regions"));
   std::optional<Store> store;
   if (!options.out.empty()) {
     store.emplace(options.out);
@@ -337,6 +348,9 @@ int sweep(const Options& options) {
   if (!options.dry_run) made.emplace(options.out);
   const Store::LeftOut left_out = check_problems(setup, made ? &*made : nullptr);
   const std::vector<std::vector<std::string>> systems = systems_of(setup, options);
+  std::erase_if(setup.problems, [&](const auto& planned) { return systems[planned.experiment].empty(); });
+  if (setup.problems.empty())
+    throw std::runtime_error("none of these systems compares what the experiment asks for");
   std::size_t rows = 0;
   for (const Setup::Planned& planned : setup.problems) rows += systems[planned.experiment].size();
   if (options.dry_run) {
@@ -372,20 +386,6 @@ int sweep(const Options& options) {
   bar.clear();
   std::printf("%zu of %zu runs and confirmations done\n", units.size() - failed.size(), units.size());
   return say_failed(failed) ? 1 : 0;
-}
-
-/// CLI11's own range lets what is no number through.
-CLI::Validator number_between(double low, double high) {
-  std::ostringstream range;
-  range << "a number from " << low << " to " << high;
-  return CLI::Validator(
-      [=, text = range.str()](const std::string& word) {
-        const std::optional<Rational> value = parse_rational(word);
-        return value && *value >= from_double(low) && *value <= from_double(high)
-                   ? std::string()
-                   : "'" + word + "' is not " + text;
-      },
-      "NUMBER");
 }
 
 /// The sweep ends with its children; nothing is lost.
@@ -446,10 +446,7 @@ int main(int argc, char** argv) try {
       ->check(CLI::Range(1, 1000000000));
   program.add_option("--out", options.out, "Folder of the rows (out/sweep)")->type_name("FOLDER");
   program.add_option("--jobs", options.jobs, "Runs at a time (1)")->check(CLI::Range(1, 1024));
-  program.add_option("--seconds", options.seconds, "Time limit of a run, in place of the experiment's (60)")
-      ->check(number_between(0.01, 1e5));
-  program.add_option("--gigabytes", options.gigabytes, "Memory limit of a run, in place of the experiment's (4)")
-      ->check(number_between(0.01, 1e4));
+  add_limits(program, options.seconds, options.gigabytes, ", in place of the experiment's");
   program.add_option("--commit", options.commit, "Of the sources, for the report");
   for (int i = 1; i < argc; ++i)  // bench/run gives the commit, people do not
     if (std::string(argv[i]) == "--commit") ++i;

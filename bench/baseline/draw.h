@@ -57,11 +57,15 @@ double distance(const Vec<N>& p, const Vec<N>& q) {
 /// The point in a direction of any length, about so far away, exactly on the line.
 template <class N>
 RationalPoint along(const Vec<N>& p, const Vec<N>& direction, double far) {
-  const Vec<N> none = {N(0), N(0), N(0)};
-  const Rational factor = from_double(static_cast<float>(far / distance(direction, none)));
+  RationalPoint way = exact(direction);
+  Rational longest = 0;
+  for (const Rational& x : way) longest = std::max<Rational>(longest, abs(x));
+  for (Rational& x : way) x /= longest;
+  const double length = std::hypot(to_double(way[0]), to_double(way[1]), to_double(way[2]));
+  int exponent = 0;
+  const auto few_digits = static_cast<float>(std::frexp(far / length, &exponent));
   RationalPoint at = exact(p);
-  const RationalPoint way = exact(direction);
-  for (int k = 0; k < 3; ++k) at[k] += way[k] * factor;
+  for (int k = 0; k < 3; ++k) at[k] += way[k] * from_double(std::ldexp(few_digits, exponent));
   return at;
 }
 

@@ -15,4 +15,7 @@ System corefinement_system();
 System occt_system();
 System openscad_system();
 
+/// `arrange` of OpenCASCADE (occt_regions.cpp).
+Arrangement arranged_by_occt(const std::vector<ParcelledOperand>& operands);
+
 }  // namespace cnrg::bench

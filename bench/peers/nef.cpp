@@ -1,19 +1,18 @@
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_nary_union_3.h>
-#include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <optional>
 #include <stdexcept>
 
 #include "bench/peers/cgal_mesh.h"
+#include "bench/peers/nef_algebra.h"
 #include "bench/peers/peer.h"
 
 namespace cnrg::bench {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Nef = CGAL::Nef_polyhedron_3<Kernel>;
+using Nef = nef::Set;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 Mesh mesh_of(const TriangleMesh& in) {

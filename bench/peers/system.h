@@ -10,6 +10,7 @@
 
 #include "bench/cases/family.h"
 #include "bench/cases/measurement.h"
+#include "bench/cases/node_problem.h"
 
 namespace cnrg::bench {
 
@@ -20,6 +21,12 @@ struct Answer {
   double exact_share =
       -1;            ///< of predicate calls that went to exact arithmetic; negative: the system does not say
   std::string note;  ///< a few words, or empty
+};
+
+/// How the value of a node differs from the system's own.
+struct SetComparison {
+  std::string difference;  ///< in words; empty: they are the same set
+  Measures measures;       ///< from operands in memory to the system's value
 };
 
 /// The system itself says that it has no result, or stops at what it cannot do: a verdict, no fault of ours.
@@ -59,6 +66,10 @@ struct System {
   bool if_named = false;  ///< it is given problems only where somebody names it
   /// Whether a model is the exact result, by code of the system alone; empty: it has none. Throws as `evaluate`.
   std::function<bool(const Problem&, const Model&)> agrees{};
+  // Of nodes of any operator; empty: it has nothing of the kind. They throw as `evaluate`.
+  std::function<SetComparison(const SetProblem&)> compare_sets{};  ///< by itself
+  std::function<Arrangement(const std::vector<ParcelledOperand>&)>
+      arrange{};          ///< of as many operands as there are
   bool asserted = false;  ///< of CGAL: verdicts are those of bench_asserted, which has it with CGAL's assertions
   std::string executable{};  ///< of one that the command line names
   Variation varies{};

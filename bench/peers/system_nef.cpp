@@ -3,19 +3,18 @@
 //
 // Differences are closed after each step: cl(A - B), as everywhere in this project.
 #include <CGAL/IO/Nef_polyhedron_iostream_3.h>
-#include <CGAL/Nef_S2/SM_const_decorator.h>
-#include <CGAL/Nef_S2/SM_point_locator.h>
 #include <CGAL/Nef_nary_union_3.h>
-#include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/version.h>
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <unordered_map>
 
 #include "bench/cases/face_loops.h"
 #include "bench/peers/built_in.h"
 #include "bench/peers/cgal_mesh.h"
+#include "bench/peers/nef_algebra.h"
 #include "bench/peers/nef_file.h"
 #include "bench/peers/nef_parts.h"
 
@@ -24,7 +23,7 @@ namespace {
 
 using nef::Kernel;
 using nef::Parts;
-using Nef = CGAL::Nef_polyhedron_3<Kernel>;
+using Nef = nef::Set;
 
 RationalPoint point_of(const Kernel::Point_3& p) {
   const auto number = [](const Kernel::FT& x) { return rational_of(CGAL::exact(x)); };
@@ -33,54 +32,20 @@ RationalPoint point_of(const Kernel::Point_3& p) {
 
 // --- operations
 
-/// Makes nothing; `delegate` with it makes facets and volumes anew.
-class Nothing : public CGAL::Modifier_base<Nef::SNC_structure> {
- public:
-  void operator()(Nef::SNC_structure&) override {}
-};
-
-/// True if the first volume is the one around the lexicographically smallest vertex, on its side of smaller x.
-bool first_volume_is_unbounded(const Nef& nef) {
-  using Map = Nef::SNC_structure::Sphere_map;
-  if (nef.number_of_vertices() == 0) return true;
-  auto smallest = nef.vertices_begin();
-  for (auto v = nef.vertices_begin(); v != nef.vertices_end(); ++v)
-    if (CGAL::lexicographically_xyz_smaller(v->point(), smallest->point())) smallest = v;
-  const Map* map = &*smallest;
-  CGAL::SM_point_locator<CGAL::SM_const_decorator<Map>> locator(const_cast<Map*>(map));
-  Nef::SFace_const_handle face;
-  return CGAL::assign(face, locator.locate(Map::Sphere_point(-1, 0, 0))) && face->volume() == nef.volumes_begin();
-}
-
-/// CGAL takes the first volume for the unbounded one. When simplification merges it with others, CGAL 5.5 may keep
-/// one of them in its place; facets and volumes are then made anew. All sets here are bounded.
-Nef settled(Nef nef) {
-  if (!first_volume_is_unbounded(nef)) {
-    Nothing nothing;
-    nef.delegate(nothing, true, false);
-    if (!first_volume_is_unbounded(nef)) throw Refusal("output", "the unbounded volume is not the first");
-  }
-  if (!nef.volumes_begin()->mark()) return nef;
-  if (nef.number_of_vertices() > 0) throw Refusal("output", "the unbounded volume is marked");
-  return Nef(Nef::EMPTY);  // CGAL reads the mark off a vertex, and there is none
-}
-
+/// Of bounded sets.
 Nef united_nef(const std::vector<Nef>& sets) {
   if (sets.empty()) return Nef(Nef::EMPTY);
   if (sets.size() == 1) return sets[0];
-  if (sets.size() == 2) return settled(sets[0] + sets[1]);
+  if (sets.size() == 2) return nef::united(sets[0], sets[1]);
   CGAL::Nef_nary_union_3<Nef> all;
   for (const Nef& set : sets) all.add_polyhedron(set);
-  return settled(all.get_union());
+  return nef::with_unbounded(all.get_union(), false);
 }
-
-/// Closed.
-Nef difference(const Nef& a, const Nef& b) { return settled(settled(a - b).closure()); }
 
 Nef set_of(const Parts& parts) {
   std::vector<Nef> sets;
   for (const auto& [mesh, cavity] : parts.shells) {
-    if (cavity) sets = {difference(united_nef(sets), Nef(mesh))};
+    if (cavity) sets = {nef::closed_difference(united_nef(sets), Nef(mesh))};
     else sets.emplace_back(mesh);
   }
   for (const auto& sheet : parts.sheets) sets.emplace_back(sheet.begin(), sheet.end());
@@ -99,7 +64,8 @@ Nef folded_nef(const Problem& problem, const std::vector<Nef>& operands) {
       continue;
     }
     const Nef& right = operands[i + 1];
-    value = problem.steps[i] == Operation::intersect ? settled(value * right) : difference(value, right);
+    value = problem.steps[i] == Operation::intersect ? nef::common(value, right)
+                                                     : nef::closed_difference(value, right);
     ++i;
   }
   return value;
@@ -168,6 +134,8 @@ auto guarded_nef(const char* stage, Work work) {
     return work();
   } catch (const CGAL::Failure_exception& error) {
     throw Refusal(stage, words_of(error));
+  } catch (const nef::BrokenSet& error) {
+    throw Refusal(stage, error.what());
   }
 }
 
@@ -188,6 +156,92 @@ Answer answer_of_nef(const Problem& problem) {
   answer.measures = measurement.stop();
   answer.model = guarded_nef("output", [&] { return NefModelMaker(result).run(); });
   return answer;
+}
+
+// --- values of nodes
+
+Nef marked_nef(const MarkedSet& set) {
+  Nef all(Nef::EMPTY);
+  for (std::size_t i = set.layers.size(); i-- > 0;)
+    all = nef::without(set_of(nef::parts_of_result(set.layers[i])), all);
+  return set.complement ? all.complement() : all;
+}
+
+using UnaryNef = Nef (*)(const Nef&);
+using BinaryNef = Nef (*)(const Nef&, const Nef&);
+
+const std::map<std::string, UnaryNef> kUnaryNef{
+    {"interior", [](const Nef& a) { return nef::settled(a.interior()); }},
+    {"closure", [](const Nef& a) { return nef::settled(a.closure()); }},
+    {"boundary", [](const Nef& a) { return nef::settled(a.boundary()); }},
+    {"regularization", [](const Nef& a) { return nef::settled(a.regularization()); }},
+    {"complement", [](const Nef& a) { return a.complement(); }}};
+
+const std::map<std::string, BinaryNef> kBinaryNef{{"union", nef::united},
+                                                  {"intersection", nef::common},
+                                                  {"difference", nef::closed_difference},
+                                                  {"without", nef::without}};
+
+/// An expression in postfix (SetProblem). Throws std::runtime_error for what is none.
+Nef value_of_words(const std::vector<std::string>& words, const std::vector<Nef>& operands) {
+  std::vector<Nef> stack;
+  const auto take = [&] {
+    if (stack.empty()) throw std::runtime_error("an operation lacks an operand");
+    Nef top = std::move(stack.back());
+    stack.pop_back();
+    return top;
+  };
+  for (const std::string& word : words) {
+    const auto unary = kUnaryNef.find(word);
+    const auto binary = kBinaryNef.find(word);
+    if (unary != kUnaryNef.end()) {
+      stack.push_back(unary->second(take()));
+    } else if (binary != kBinaryNef.end()) {
+      const Nef right = take(), left = take();
+      stack.push_back(binary->second(left, right));
+    } else {
+      stack.push_back(operands.at(std::stoul(word)));
+    }
+  }
+  Nef value = take();
+  if (!stack.empty()) throw std::runtime_error("an operand is left over");
+  return value;
+}
+
+/// What one has and the other has not, by its vertices.
+std::string excess_text(const Nef& of, const Nef& other, const char* what) {
+  const Nef excess = nef::without(of, other);
+  if (excess.is_empty()) return {};
+  std::string text = std::string(what) + ": " + std::to_string(excess.number_of_vertices()) + " vertices, " +
+                     std::to_string(excess.number_of_edges()) + " edges, " +
+                     std::to_string(excess.number_of_facets()) + " facets, " +
+                     std::to_string(excess.number_of_volumes() - 1) + " volumes";
+  if (excess.number_of_vertices() == 0) return text;
+  const RationalPoint p = point_of(excess.vertices_begin()->point());
+  return text + ", one of them at " + cnrg::to_string(p[0]) + ", " + cnrg::to_string(p[1]) + ", " +
+         cnrg::to_string(p[2]);
+}
+
+SetComparison compared_by_nef(const SetProblem& problem) {
+  Measurement measurement;
+  std::vector<Nef> operands;
+  guarded_nef("conversion", [&] {
+    for (const MarkedSet& operand : problem.operands) operands.push_back(marked_nef(operand));
+  });
+  measurement.lap("conversion");
+  const Nef theirs = guarded_nef("operators", [&] { return value_of_words(problem.words, operands); });
+  measurement.lap("operators");
+  SetComparison found;
+  guarded_nef("comparison", [&] {
+    const Nef ours = marked_nef(problem.value);
+    if (nef::are_equal(ours, theirs)) return;
+    const std::string more = excess_text(ours, theirs, "too much"), less = excess_text(theirs, ours, "missing");
+    found.difference = more + (more.empty() || less.empty() ? "" : "; ") + less;
+    if (found.difference.empty())
+      throw Refusal("comparison", "two sets are not equal, and neither lacks anything");
+  });
+  found.measures = measurement.stop();
+  return found;
 }
 
 bool agrees_with_nef(const Problem& problem, const Model& result) {
@@ -220,6 +274,7 @@ System nef_system() {
           .absent = "",
           .evaluate = answer_of_nef,
           .agrees = agrees_with_nef,
+          .compare_sets = compared_by_nef,
           .asserted = true};
 }
 

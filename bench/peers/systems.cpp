@@ -31,6 +31,7 @@ System rescaled(System system, int exponent, double rounding) {
   system.guarantee += "; operands are multiplied by a power of two, so that their largest coordinate is 2^" +
                       std::to_string(exponent) + " or more, and its results are divided by it";
   system.rounding = rounding;
+  system.arrange = {};  // of operands as they are
   system.evaluate = [exponent, plain = std::move(system.evaluate)](const Problem& problem) {
     const Rational scale = scale_to(problem.operands, exponent);
     Problem there = problem;

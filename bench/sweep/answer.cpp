@@ -17,6 +17,12 @@ nlohmann::json no_reply(const std::string& stage, const char* message, bool thro
   return head;
 }
 
+nlohmann::json measured(const Measures& measures) {
+  nlohmann::json stages = nlohmann::json::array();
+  for (const auto& [stage, part] : measures.stages) stages.push_back({stage, part});
+  return {{"answered", true}, {"stages", stages}, {"own_bytes", measures.own_bytes()}};
+}
+
 std::string evaluated_text(const Problem& problem, const System& system, int warm_runs, double seconds) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
@@ -35,17 +41,10 @@ std::string evaluated_text(const Problem& problem, const System& system, int war
     answer.note = "run " + std::to_string(i + 2) + " has another result than the first";
     break;
   }
-  nlohmann::json stages = nlohmann::json::array();
-  for (const auto& [stage, part] : answer.measures.stages) stages.push_back({stage, part});
   std::ostringstream out;
-  out << nlohmann::json{{"answered", true},
-                        {"stages", stages},
-                        {"warm", warm},
-                        {"own_bytes", answer.measures.own_bytes()},
-                        {"exact_share", answer.exact_share},
-                        {"note", answer.note}}
-             .dump()
-      << '\n';
+  nlohmann::json head = measured(answer.measures);
+  head.update({{"warm", warm}, {"exact_share", answer.exact_share}, {"note", answer.note}});
+  out << json_text(head) << '\n';
   write_model(out, answer.model);
   return out.str();
 }
@@ -76,6 +75,22 @@ std::string guarded_reply(const std::function<std::string()>& work) {
 
 std::string reply_text(const Problem& problem, const System& system, int warm_runs, double seconds) {
   return guarded_reply([&] { return evaluated_text(problem, system, warm_runs, seconds); });
+}
+
+std::string comparison_text(Verdict verdict, const std::string& stage, const std::string& message,
+                            const Measures& measures) {
+  nlohmann::json head = measured(measures);
+  head.update({{"verdict", to_string(verdict)}, {"stage", stage}, {"message", message}});
+  return json_text(head) + "\n";
+}
+
+std::string comparison_text(const SetProblem& problem, const System& system) {
+  return guarded_reply([&] {
+    const SetComparison found = system.compare_sets(problem);
+    const bool same = found.difference.empty();
+    return comparison_text(same ? Verdict::same : Verdict::wrong, same ? "" : "set", found.difference,
+                           found.measures);
+  });
 }
 
 void write_problem(std::ostream& out, const Problem& problem) {

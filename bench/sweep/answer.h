@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bench/peers/system.h"
+#include "bench/sweep/row.h"
 
 namespace cnrg::bench {
 
@@ -23,6 +24,11 @@ std::string guarded_reply(const std::function<std::string()>& work);
 
 /// Evaluates once, and again up to `warm_runs` times while that ends within `seconds`.
 std::string reply_text(const Problem& problem, const System& system, int warm_runs, double seconds);
+
+/// The reply of a system that compares a node: verdict, and what is wrong at which stage.
+std::string comparison_text(Verdict verdict, const std::string& stage, const std::string& message,
+                            const Measures& measures);
+std::string comparison_text(const SetProblem& problem, const System& system);
 
 /// Operands and steps; `read_problem` throws std::runtime_error for a text that is none.
 void write_problem(std::ostream& out, const Problem& problem);

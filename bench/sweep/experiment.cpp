@@ -8,6 +8,7 @@
 
 #include "bench/cases/tree_problem.h"
 #include "bench/peers/program.h"
+#include "csg/evaluate/evaluate.h"
 #include "csg/text/input_file.h"
 #include "csg/text/number.h"
 #include "csg/tree/read_selector.h"
@@ -172,21 +173,72 @@ std::vector<std::string> boolean_nodes(const Tree& tree) {
   return nodes;
 }
 
+std::vector<std::string> operator_nodes(const Tree& tree) {
+  std::vector<std::string> nodes;
+  for (const Node& node : tree.nodes)
+    if (node.op != Operator::leaf) nodes.push_back(node.name);
+  return nodes;
+}
+
 /// Of the tree of the file: those that it names, `all` of them, or its result.
 void choose_nodes(const Tree& tree, const Value* said, Experiment& experiment) {
+  const bool results = experiment.compared == Compared::results;
   if (said == nullptr) experiment.nodes = {tree.nodes[tree.result].name};
   if (experiment.nodes == std::vector<std::string>{"all"}) {
-    experiment.nodes = boolean_nodes(tree);
-    if (experiment.nodes.empty()) said->fail("no union, intersection or difference of this tree has a name");
+    experiment.nodes = results ? boolean_nodes(tree) : operator_nodes(tree);
+    if (experiment.nodes.empty())
+      said->fail(results ? "no union, intersection or difference of this tree has a name"
+                         : "this tree has no operator");
   }
   try {
-    for (const std::string& node : experiment.nodes) tree.find(node);
+    for (const std::string& node : experiment.nodes)
+      if (tree.nodes[tree.find(node)].op == Operator::leaf && !results)
+        throw InputError("`" + node + "` is a leaf, which systems are given: name a node with an operator");
   } catch (const InputError& error) {
+    if (said == nullptr) throw TreeError(tree.file, tree.nodes[tree.result].at, error.what());
     said->fail(error.what());
   }
 }
 
-Experiment read_experiment_file(const fs::path& path) {
+constexpr std::array<std::pair<std::string_view, Compared>, 3> kCompared{
+    {{"results", Compared::results}, {"sets", Compared::sets}, {"regions", Compared::regions}}};
+
+std::vector<Compared> read_compared(const Value& value, const std::string& what) {
+  std::vector<Compared> kinds;
+  for (const Value& v : one_or_more(value, what)) {
+    const std::string word = v.text(what);
+    const auto it =
+        std::find_if(kCompared.begin(), kCompared.end(), [&](const auto& known) { return known.first == word; });
+    if (it == kCompared.end()) v.fail_type(what, "results, sets, regions or several of them");
+    if (std::find(kinds.begin(), kinds.end(), it->second) != kinds.end()) v.fail(what + " has " + word + " twice");
+    kinds.push_back(it->second);
+  }
+  return kinds;
+}
+
+/// The same experiment on another kind of what is compared.
+Experiment of_kind(Experiment experiment, Compared kind) {
+  experiment.compared = kind;
+  if (kind == Compared::results) return experiment;
+  experiment.name += kind == Compared::sets ? ".sets" : ".regions";
+  experiment.title += kind == Compared::sets ? ": sets of marked cells" : ": regions";
+  experiment.claims.clear();
+  return experiment;
+}
+
+/// A tree alone: all its nodes, in each way in which they can be compared.
+std::vector<Experiment> experiments_of_tree(const Tree& tree, const Document& document, Experiment base) {
+  std::vector<Experiment> experiments;
+  for (const auto& [word, kind] : kCompared) {
+    Experiment experiment = of_kind(base, kind);
+    experiment.nodes = kind == Compared::results ? boolean_nodes(tree) : operator_nodes(tree);
+    if (!experiment.nodes.empty()) experiments.push_back(std::move(experiment));
+  }
+  if (experiments.empty()) document.fail({}, "this tree has no operator, which systems could be given");
+  return experiments;
+}
+
+std::vector<Experiment> read_experiment_file(const fs::path& path) {
   Experiment experiment;
   experiment.name = file_word(path.stem().string());
   if (experiment.name[0] == '.' || experiment.name[0] == '-')
@@ -209,17 +261,13 @@ Experiment read_experiment_file(const fs::path& path) {
     document.parameters = tree->parameters;
   }
   if (!own.IsDefined()) {
-    experiment.title = "each Boolean node of " + path.filename().string();
-    experiment.nodes = boolean_nodes(*tree);
-    if (experiment.nodes.empty())
-      document.fail(
-          {}, "this tree has no union, intersection or difference with a name, which systems could be given");
-    return experiment;
+    experiment.title = "each node of " + path.filename().string();
+    return experiments_of_tree(*tree, document, std::move(experiment));
   }
   const Value value(document, own, {});
   const Fields f(value, "x-experiment",
                  {"title", "values", "nodes", "family", "program", "truth", "systems", "seconds", "gigabytes",
-                  "runs", "growth"});
+                  "runs", "growth", "compare"});
   experiment.title = f.at("title", "what is tried").text(f.name("title"));
   if (const Value* family = f.find("family")) experiment.family = family->text(f.name("family"));
   if (const Value* program = f.find("program")) {
@@ -243,10 +291,13 @@ Experiment read_experiment_file(const fs::path& path) {
     if (!experiment.family.empty()) nodes->fail("a family has no nodes: leave `nodes` out");
     experiment.nodes = texts(*nodes, f.name("nodes"));
   }
-  if (tree) choose_nodes(*tree, f.find("nodes"), experiment);
-  else if (experiment.family.empty() && experiment.nodes.empty())
+  std::vector<Compared> kinds{Compared::results};
+  if (const Value* compare = f.find("compare")) {
+    kinds = read_compared(*compare, f.name("compare"));
+    if (!experiment.family.empty()) compare->fail("of a family results are compared: leave `compare` out");
+  }
+  if (!tree && experiment.family.empty() && experiment.nodes.empty())
     value.fail("say which `nodes` of the trees that the program prints are problems");
-  if (const Value* truth = f.find("truth")) read_claims(*truth, experiment);
   if (const Value* systems = f.find("systems"))
     for (const Value& v : one_or_more(*systems, f.name("systems"))) read_system(v, experiment);
   if (f.has("seconds")) experiment.seconds = limit_of(f, "seconds");
@@ -259,7 +310,16 @@ Experiment read_experiment_file(const fs::path& path) {
         (experiment.growth != "size" || experiment.parameter("size") == nullptr))
       growth->fail_type(f.name("growth"), "triangles, or size where there is a parameter `size`");
   }
-  return experiment;
+  std::vector<Experiment> experiments;
+  for (const Compared kind : kinds) {
+    Experiment& one = experiments.emplace_back(of_kind(experiment, kind));
+    if (tree) choose_nodes(*tree, f.find("nodes"), one);
+    const Value* const truth = f.find("truth");
+    if (truth != nullptr && kind == Compared::results) read_claims(*truth, one);
+  }
+  if (const Value* truth = f.find("truth"); truth != nullptr && experiments[0].claims.empty())
+    truth->fail("a truth is one of results: compare them, too, or leave `truth` out");
+  return experiments;
 }
 
 Experiment read_folder(const fs::path& path) {
@@ -306,7 +366,11 @@ std::string name_of(const Experiment& experiment, const Experiment::Named& probl
     id.family = experiment.name;
     return id.name();
   }
-  std::string name = experiment.name + "-" + file_word(problem.values.at(std::string(kNode)));
+  const std::string& node = problem.values.at(std::string(kNode));
+  std::string word = file_word(node);
+  for (std::size_t i = 0; i < node.size(); ++i)
+    if (node[i] == '/') word[i] = '+';  // of an inline node
+  std::string name = experiment.name + "-" + word;
   for (const Parameter& p : experiment.parameters) {
     const std::string& value = problem.values.at(p.name);
     name += "-" + (is_word(value) ? value : p.name + short_word(value));
@@ -391,6 +455,8 @@ Problem Experiment::make(const Named& named) const {
   return problem;
 }
 
+Tree Experiment::tree(const Named& named) const { return tree_of(*this, named.values); }
+
 void Experiment::check(const Named& named) const {
   const ProblemId id = roles(named);
   if (is_folder()) {
@@ -405,7 +471,9 @@ void Experiment::check(const Named& named) const {
     if (named.name.size() > kLongestName)
       throw std::runtime_error(path + ": the name of a problem has more than 200 letters: " + named.name);
     const Tree tree = tree_of(*this, named.values);
-    check_tree_problem(tree, tree.find(named.values.at(std::string(kNode))));
+    const NodeId node = tree.find(named.values.at(std::string(kNode)));
+    if (compared == Compared::results) check_tree_problem(tree, node);
+    else cnrg::check(tree);
     claimed_of(*this, tree, named.values);
   }
 }
@@ -454,28 +522,36 @@ std::vector<std::string> experiment_names() {
   return names;
 }
 
-Experiment read_experiment(const std::string& name, const std::vector<GivenValues>& given,
-                           std::set<std::string>& used) {
+namespace {
+
+std::vector<Experiment> found_experiments(const std::string& name) {
   const fs::path own = fs::path(CNRG_EXPERIMENTS) / (name + ".yaml");
-  Experiment experiment;
-  if (is_word(name) && fs::exists(own)) experiment = read_experiment_file(own);
-  else if (fs::is_directory(name)) experiment = read_folder(name);
-  else if (fs::exists(name)) experiment = read_experiment_file(name);
-  else {
-    const std::vector<std::string> names = experiment_names();
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string hint = did_you_mean(name, known);
-    throw std::runtime_error("'" + name + "' is no experiment, file or folder" +
-                             (hint.empty() ? "; `--list` lists experiments" : hint));
-  }
-  for (Parameter& parameter : experiment.parameters) parameter.usual = parameter.values;
-  for (const GivenValues& values : given)
-    for (Parameter& parameter : experiment.parameters)
-      if (parameter.name == values.name) {
+  if (is_word(name) && fs::exists(own)) return read_experiment_file(own);
+  if (fs::is_directory(name)) return {read_folder(name)};
+  if (fs::exists(name)) return read_experiment_file(name);
+  const std::vector<std::string> names = experiment_names();
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string hint = did_you_mean(name, known);
+  throw std::runtime_error("'" + name + "' is no experiment, file or folder" +
+                           (hint.empty() ? "; `--list` lists experiments" : hint));
+}
+
+}  // namespace
+
+std::vector<Experiment> read_experiments(const std::string& name, const std::vector<GivenValues>& given,
+                                         std::set<std::string>& used) {
+  std::vector<Experiment> experiments = found_experiments(name);
+  for (Experiment& experiment : experiments) {
+    for (Parameter& parameter : experiment.parameters) {
+      parameter.usual = parameter.values;
+      for (const GivenValues& values : given) {
+        if (parameter.name != values.name) continue;
         parameter.values = values.values;
         used.insert(values.name);
       }
-  return experiment;
+    }
+  }
+  return experiments;
 }
 
 }  // namespace cnrg::bench

@@ -47,6 +47,13 @@ struct Claimed {
   std::optional<Model> result;
 };
 
+/// What of a node is compared.
+enum class Compared : std::uint8_t {
+  results,  ///< the point set that a system makes of its operands: of a union, intersection or difference
+  sets,     ///< the value as a set of marked cells, by a system itself: of any operator
+  regions,  ///< the regions of the value, by a system that parts space
+};
+
 struct Experiment {
   std::string name;  ///< of the file without its ending; of letters, digits, `.`, `_` and `-`
   std::string title;
@@ -55,6 +62,7 @@ struct Experiment {
   std::string family{};
   std::vector<std::string> program{};  ///< may have expressions
   std::vector<std::string> nodes{};
+  Compared compared = Compared::results;
   std::vector<Parameter> parameters{};
   std::map<std::string, Claim> claims{};  ///< by node
   std::vector<std::string> systems{};     ///< names; empty: all
@@ -76,6 +84,8 @@ struct Experiment {
   std::vector<Named> problems() const;
   /// Throws std::runtime_error and what reading and evaluating trees throws.
   Problem make(const Named& problem) const;
+  /// Of one that compares sets or regions.
+  Tree tree(const Named& problem) const;
   /// Throws as `make` does for what costs little to tell.
   void check(const Named& problem) const;
   /// Throws as `make` does.
@@ -94,10 +104,11 @@ struct GivenValues {
 GivenValues given_values(const std::string& text);
 
 /// The name of an experiment of this source (bench/experiments), the path of a file, or a folder of meshes; `used`
-/// gets the names of those given that it has. Throws std::runtime_error with what there is, and TreeError for a
-/// fault of a file.
-Experiment read_experiment(const std::string& name, const std::vector<GivenValues>& given,
-                           std::set<std::string>& used);
+/// gets the names of those given that it has. One for each kind of what is compared: those of sets and regions are
+/// called `NAME.sets`, `NAME.regions`. Throws std::runtime_error with what there is, and TreeError for a fault of
+/// a file.
+std::vector<Experiment> read_experiments(const std::string& name, const std::vector<GivenValues>& given,
+                                         std::set<std::string>& used);
 /// A number that tells texts apart (FNV-1a of 64 bits).
 std::string digest(const std::string& text);
 

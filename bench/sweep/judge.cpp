@@ -20,7 +20,7 @@ namespace {
 
 using Leaves = std::vector<std::vector<LeafId>>;
 
-BooleanOp boolean_op(Operation operation) {
+BooleanOp table_op(Operation operation) {
   switch (operation) {
     case Operation::unite: return BooleanOp::unite;
     case Operation::intersect: return BooleanOp::intersect;
@@ -43,7 +43,7 @@ CellSet exact_set(const Complex& complex, const std::vector<Group>& groups, cons
                   const Leaves& operands) {
   Group value = united(complex, groups, operands[0]);
   for (std::size_t i = 0; i < problem.steps.size(); ++i)
-    value = boolean_operation(complex, boolean_op(problem.steps[i]), Dominance::equal, value,
+    value = boolean_operation(complex, table_op(problem.steps[i]), Dominance::equal, value,
                               united(complex, groups, operands[i + 1]))
                 .group;
   return set_of_group(complex, value);

@@ -65,7 +65,7 @@ struct SweepRow {
   std::string problem, family;                ///< `family`: the experiment's name
   std::map<std::string, std::string> values;  ///< of its parameters, and its `node`
   std::string operation;                      ///< of the problem; `fold` where it mixes them
-  long size = 1;                              ///< the parameter `size`, else the triangles
+  long size = 1;                              ///< the parameter `size`, else the triangles; 0 of sets and regions
   std::optional<int> distance;                ///< the parameter `k`, of 10^-k; none: `exact`, or there is none
   bool has_distance = false;
   unsigned seed = 1;

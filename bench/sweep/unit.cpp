@@ -1,21 +1,15 @@
 #include "bench/sweep/unit.h"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <functional>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
-#include "bench/peers/program.h"
-#include "bench/sweep/answer.h"
 #include "bench/sweep/confirm.h"
-#include "bench/sweep/json_fields.h"
-#include "bench/sweep/judge.h"
+#include "bench/sweep/judged.h"
+#include "bench/sweep/node_unit.h"
 #include "csg/text/number.h"
 #include "csg/tree/suggest.h"
 
@@ -25,39 +19,27 @@ namespace {
 using Json = nlohmann::json;
 using End = ChildResult::End;
 
-struct Run {
-  Limits limits;
-  ChildResult child;
-  Reply reply;
-  bool answered() const {
-    return child.end == End::done && reply.head.is_object() && reply.head.value("answered", false);
-  }
-};
-
-/// Of what is not timed.
-Limits judging_limits(const Limits& limits) { return {5 * limits.seconds, 3 * limits.bytes}; }
-
 /// What `work` says of a problem, in a process with limits. Throws ProblemError.
 Run run_by(const Setup& setup, const std::string& name, const Limits& limits,
            const std::function<std::string(const Problem&)>& work) {
-  Run result{limits, {}, {}};
-  result.child = run_child(
-      [&] {
-        Problem problem;
-        try {
-          problem = setup.make(name);
-        } catch (const std::bad_alloc&) {
-          throw;
-        } catch (const std::exception& error) {
-          return json_text(Json{{"answered", false}, {"problem", error.what()}}) + "\n";
-        }
-        return work(problem);
-      },
-      limits);
-  if (result.child.end == End::done) result.reply = reply_of(result.child.text);
-  if (result.reply.head.is_object() && result.reply.head.contains("problem"))
-    throw ProblemError(name + " could not be made: " + result.reply.head["problem"].get<std::string>());
-  return result;
+  return run_made<Problem>(
+      name, limits, [&] { return setup.make(name); }, work);
+}
+
+/// What a process says within the limits of judging.
+Told told_of(const Setup& setup, const std::string& problem, const std::function<Json(std::ostream&)>& work) {
+  return told(judging_limits(setup.limits(problem)), work);
+}
+
+Judged judged_of(const Setup& setup, const std::string& name, double rounding, const std::string& model) {
+  return judged([&] { return setup.make(name); }, judging_limits(setup.limits(name)), rounding, model);
+}
+
+std::string asserted_reply(const Setup& setup, const char* work, const std::string& system, const Problem& problem,
+                           const std::string& model = {}) {
+  std::ostringstream text;
+  write_problem(text, problem);
+  return asserted_text(setup.asserted, work, system, text.str() + model);
 }
 
 Run run_plainly(const Setup& setup, const std::string& problem, const System& system) {
@@ -66,26 +48,9 @@ Run run_plainly(const Setup& setup, const std::string& problem, const System& sy
   });
 }
 
-/// What the program says that has CGAL's assertions on (bench/asserted.cpp).
-std::string asserted_text(const Setup& setup, const char* work, const std::string& system, const Problem& problem,
-                          const std::string& model = {}) {
-  const TemporaryFolder folder;
-  std::ofstream out(folder.file("problem"));
-  write_problem(out, problem);
-  out << model;
-  out.close();
-  const std::string answer = folder.file("answer");
-  const ProgramRun run =
-      run_program({setup.asserted, work, system, folder.file("problem")}, folder, answer.c_str());
-  if (!out || !run.succeeded()) throw std::runtime_error(out ? run.reason() : "a file could not be written");
-  std::ostringstream text;
-  text << std::ifstream(answer).rdbuf();
-  return text.str();
-}
-
 Run run_asserted(const Setup& setup, const std::string& problem, const System& system) {
   return run_by(setup, problem, judging_limits(setup.limits(problem)), [&](const Problem& made) {
-    return guarded_reply([&] { return asserted_text(setup, "evaluate", system.name, made); });
+    return guarded_reply([&] { return asserted_reply(setup, "evaluate", system.name, made); });
   });
 }
 
@@ -129,90 +94,10 @@ Run run_and_time(const Setup& setup, const std::string& problem, const System& s
   return asserted;
 }
 
-/// A judgement from another process, or why there is none.
-struct Judged {
-  std::optional<Judgement> judgement;
-  std::string reason;
-};
-
-std::string why(const ChildResult& child, double limit) {
-  switch (child.end) {
-    case End::timeout: return "no result in " + std::to_string(static_cast<long>(limit)) + " s";
-    case End::out_of_memory: return "memory ran out";
-    case End::crash: return "crashed: " + std::string(strsignal(child.signal));
-    case End::done: break;
-  }
-  return "ended without a result";
-}
-
-/// What a process says within the limits of judging, or why it says nothing.
-struct Told {
-  Reply reply;
-  std::string reason;
-};
-
-/// `work` gives the head and writes what follows it.
-Told told(const Setup& setup, const std::string& problem, const std::function<Json(std::ostream&)>& work) {
-  const Limits limits = judging_limits(setup.limits(problem));
-  const ChildResult child = run_child(
-      [&] {
-        std::ostringstream rest;
-        try {
-          const Json head = work(rest);
-          return json_text(head) + "\n" + rest.str();
-        } catch (const std::bad_alloc&) {
-          throw;
-        } catch (const std::exception& error) {
-          return json_text(Json{{"error", error.what()}}) + "\n";
-        }
-      },
-      limits);
-  Told told;
-  if (child.end == End::done) told.reply = reply_of(child.text);
-  const Json& head = told.reply.head;
-  if (head.is_null()) told.reason = why(child, limits.seconds);
-  else if (head.contains("error")) told.reason = head["error"].get<std::string>();
-  return told;
-}
-
-using Judge = Judgement(const Problem&, const Model&, double);
-
-Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, double rounding,
-                 const std::string& model) {
-  const auto [reply, reason] = told(setup, name, [&](std::ostream&) {
-    std::istringstream in(model);
-    const Judgement j = judge(setup.make(name), read_model(in), rounding);
-    Json out{{"verdict", to_string(j.verdict)}, {"stage", j.stage},   {"message", j.message},
-             {"truth", to_json(j.truth)},       {"excess", j.excess}, {"missing", j.missing},
-             {"duplicates", j.duplicates}};
-    if (j.facts) out["facts"] = to_json(*j.facts);
-    return out;
-  });
-  if (!reason.empty()) return {{}, "judging: " + reason};
-  const Json& head = reply.head;
-  Judgement j;
-  j.verdict = parse_verdict(head.at("verdict").get<std::string>()).value();
-  head.at("stage").get_to(j.stage);
-  head.at("message").get_to(j.message);
-  const JsonFields in(head, "the judgement");
-  j.excess = in.number_or_nan("excess");
-  j.missing = in.number_or_nan("missing");
-  head.at("duplicates").get_to(j.duplicates);
-  j.truth = facts_of_json(head.at("truth").get<std::string>());
-  if (head.contains("facts")) j.facts = facts_of_json(head["facts"].get<std::string>());
-  return {j, {}};
-}
-
-Judged judged(const Setup& setup, const std::string& name, double rounding, const std::string& model) {
-  const Judged compared = judged_by(judge, setup, name, rounding, model);
-  if (compared.judgement) return compared;
-  const Judged by_volume = judged_by(judge_by_volume, setup, name, rounding, model);
-  return by_volume.judgement && by_volume.judgement->verdict == Verdict::wrong ? by_volume : compared;
-}
-
 /// Sizes of a problem, by a process of its own: this one stays small.
 Json described(const Setup& setup, const std::string& name) {
-  const auto [reply, reason] = told(setup, name, [&](std::ostream&) {
+  const auto [reply, reason] = told_of(setup, name, [&](std::ostream&) {
+    if (setup.experiment_of(name).compared != Compared::results) return described_node(setup, name);
     const Problem problem = setup.make(name);
     std::ostringstream operands;
     for (const Model& operand : problem.operands) write_model(operands, operand);
@@ -241,28 +126,11 @@ void describe(const Setup& setup, SweepRow& row) {
   row.family = experiment.name;
   row.values = planned.problem.values;
   row.operation = id.operation.empty() ? head.at("operation").get<std::string>() : id.operation;
-  row.size = id.size >= 0 ? id.size : static_cast<long>(row.triangles);
+  const bool grows = experiment.compared == Compared::results;  // else times have assertions, too
+  row.size = id.size >= 0 ? id.size : grows ? static_cast<long>(row.triangles) : 0;
   row.distance = id.distance;
   row.seed = id.seed;
   row.has_distance = planned.problem.values.contains("k");
-}
-
-void no_answer(const Run& run, SweepRow& row) {
-  row.seconds = run.child.seconds;
-  row.message = why(run.child, run.limits.seconds);
-  switch (run.child.end) {
-    case End::timeout: row.verdict = Verdict::timed_out, row.stage = "time"; return;
-    case End::out_of_memory: row.verdict = Verdict::out_of_memory, row.stage = "memory"; return;
-    case End::crash: row.verdict = Verdict::crashed, row.stage = "signal"; return;
-    case End::done: break;
-  }
-  if (run.reply.head.is_null()) {
-    row.verdict = Verdict::crashed;
-    return;
-  }
-  row.verdict = run.reply.head.value("thrown", false) ? Verdict::crashed : Verdict::refused;
-  run.reply.head.at("stage").get_to(row.stage);
-  run.reply.head.at("message").get_to(row.message);
 }
 
 }  // namespace
@@ -283,8 +151,7 @@ Problem Setup::make(const std::string& problem) const {
 
 Limits Setup::limits(const std::string& problem) const {
   const Experiment& experiment = experiment_of(problem);
-  const double given = gigabytes.value_or(experiment.gigabytes.value_or(4));
-  return {seconds.value_or(experiment.seconds.value_or(60)), static_cast<std::size_t>(given * (1 << 30))};
+  return run_limits(seconds ? seconds : experiment.seconds, gigabytes ? gigabytes : experiment.gigabytes);
 }
 
 const System& Setup::system(const std::string& name) const {
@@ -311,7 +178,7 @@ struct ClaimedTruth {
 };
 
 ClaimedTruth claimed_truth(const Setup& setup, const std::string& problem) {
-  const auto [reply, reason] = told(setup, problem, [&](std::ostream& out) {
+  const auto [reply, reason] = told_of(setup, problem, [&](std::ostream& out) {
     const Claimed claimed = setup.experiment_of(problem).claimed(setup.planned(problem).problem);
     if (claimed.result) write_model(out, *claimed.result);
     return Json{{"node", claimed.result.has_value()},
@@ -320,7 +187,7 @@ ClaimedTruth claimed_truth(const Setup& setup, const std::string& problem) {
   if (!reason.empty()) return {{}, {}, reason};
   ClaimedTruth claim{{}, reply.head["volume"], {}};
   if (!reply.head["node"].get<bool>()) return claim;
-  const Judged judgement = judged(setup, problem, 0, reply.rest);
+  const Judged judgement = judged_of(setup, problem, 0, reply.rest);
   claim.node = judgement.judgement;
   claim.reason = judgement.reason;
   return claim;
@@ -328,8 +195,8 @@ ClaimedTruth claimed_truth(const Setup& setup, const std::string& problem) {
 
 /// Of the exact result; of nothing, with an empty volume, if they cannot be had within the limits.
 Facts exact_facts_of(const Setup& setup, const std::string& problem) {
-  const auto [reply, reason] =
-      told(setup, problem, [&](std::ostream&) { return Json::parse(to_json(exact_facts(setup.make(problem)))); });
+  const auto [reply, reason] = told_of(
+      setup, problem, [&](std::ostream&) { return Json::parse(to_json(exact_facts(setup.make(problem)))); });
   if (reason.empty()) return facts_of_json(reply.head.dump());
   Facts none;
   none.volume.clear();
@@ -339,8 +206,8 @@ Facts exact_facts_of(const Setup& setup, const std::string& problem) {
 /// Whether Nef polyhedra have this result, compared by themselves. Nothing, with the reason, if they cannot say.
 std::optional<bool> agrees_with_nef(const Setup& setup, const std::string& problem, const std::string& model,
                                     std::string& why_not) {
-  const auto [reply, reason] = told(setup, problem, [&](std::ostream&) {
-    return Json::parse(asserted_text(setup, "agrees", "nef", setup.make(problem), model));
+  const auto [reply, reason] = told_of(setup, problem, [&](std::ostream&) {
+    return Json::parse(asserted_reply(setup, "agrees", "nef", setup.make(problem), model));
   });
   why_not = reason;
   return reason.empty() ? std::optional<bool>(reply.head["agrees"].get<bool>()) : std::nullopt;
@@ -373,7 +240,7 @@ Confirmation confirmed(const Setup& setup, const SweepRow& row, const System& sy
   const bool compared = (row.system == "ours" || row.system == "nef") && is_same(row.verdict);
   if (nef && (loose || compared)) return confirmed_by_nef(setup, row, model);
   const auto witnessed = [&](bool integrals) {
-    return told(setup, row.problem, [&](std::ostream&) {
+    return told_of(setup, row.problem, [&](std::ostream&) {
       std::istringstream in(model);
       const Confirmation c = confirm_by_witness(setup.make(row.problem), read_model(in), system.rounding,
                                                 row.verdict, row.stage, integrals);
@@ -394,6 +261,11 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
   Truth truth;
   truth.experiment = setup.experiment_of(problem).path;
   truth.digest = described(setup, problem).at("digest");
+  if (setup.experiment_of(problem).compared != Compared::results) {
+    truth.facts.volume.clear();
+    truth.reason = "the value of a node is what its rows compare";
+    return truth;
+  }
   const auto add_reason = [&](const std::string& who, const std::string& reason) {
     truth.reason += (truth.reason.empty() ? "" : "; ") + who + ": " + reason;
   };
@@ -411,7 +283,7 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
       add_reason(name, row.message);
       return {};
     }
-    const Judged j = judged(setup, problem, setup.system(name).rounding, r.reply.rest);
+    const Judged j = judged_of(setup, problem, setup.system(name).rounding, r.reply.rest);
     if (!j.judgement) add_reason(name, j.reason);
     else truth.facts = j.judgement->truth;
     return j.judgement;
@@ -492,6 +364,10 @@ SweepRow run_unit(const Setup& setup, const std::string& problem, const std::str
   if (getloadavg(&row.load, 1) != 1) row.load = 0;
   row.command = reproducing_command(setup, problem, system);
   describe(setup, row);
+  if (setup.experiment_of(problem).compared != Compared::results) {
+    compare_node(setup, system, row);
+    return row;
+  }
 
   const Run r = run_and_time(setup, problem, system, row.asserted_seconds);
   row.peak_bytes = r.child.peak_bytes;
@@ -512,7 +388,7 @@ SweepRow run_unit(const Setup& setup, const std::string& problem, const std::str
     std::istringstream in(r.reply.rest);
     *result = read_model(in);
   }
-  const Judged j = judged(setup, problem, system.rounding, r.reply.rest);
+  const Judged j = judged_of(setup, problem, system.rounding, r.reply.rest);
   if (!j.judgement) {
     row.verdict = Verdict::unjudged;
     row.message = j.reason;

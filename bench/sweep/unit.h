@@ -2,22 +2,15 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "bench/cases/child.h"
 #include "bench/peers/system.h"
 #include "bench/sweep/experiment.h"
+#include "bench/sweep/process.h"
 #include "bench/sweep/row.h"
 
 namespace cnrg::bench {
-
-/// The problem itself cannot be made, such as one of a mesh file that is broken.
-class ProblemError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// What all units of a sweep share.
 struct Setup {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/exact/delaunay.h"
 #include "kernel/exact/points.h"
 #include "kernel/exact/triangulate.h"
 
@@ -248,6 +249,23 @@ bool is_convex(const Area& area) {
   return true;
 }
 
+namespace {
+
+Point2 corner_at(const PointTable& points, VertexId v) {
+  const RationalPoint p = points.rational(v);
+  return {to_double(p[0]), to_double(p[1])};
+}
+
+/// Whether the first and the third corner of a quad are joined, as OpenSCAD's triangulation has it: that is
+/// CGAL's, where four corners lie on one circle, too.
+bool is_diagonal(const std::array<Point2, 4>& quad) {
+  const auto joins = [](const auto& t) { return t[0] == 0 && (t[1] == 2 || t[2] == 2); };
+  const Delaunay made = delaunay(quad);
+  return made.triangles.size() == 2 && std::all_of(made.triangles.begin(), made.triangles.end(), joins);
+}
+
+}  // namespace
+
 std::vector<std::array<std::uint32_t, 3>> triangles(const Area& area) {
   PointTable points;
   std::vector<std::vector<VertexId>> loops;
@@ -266,9 +284,12 @@ std::vector<std::array<std::uint32_t, 3>> triangles(const Area& area) {
       ++corner;
     }
   }
+  std::vector<std::array<VertexId, 3>> made = triangulate(points, Projection{0, 1}, loops);
+  flip_edges(made, loops, [&](VertexId p, VertexId a, VertexId q, VertexId b) {
+    return is_diagonal({corner_at(points, p), corner_at(points, a), corner_at(points, q), corner_at(points, b)});
+  });
   std::vector<std::array<std::uint32_t, 3>> out;
-  for (const auto& t : triangulate(points, Projection{0, 1}, loops))
-    out.push_back({number[t[0].index()], number[t[1].index()], number[t[2].index()]});
+  for (const auto& t : made) out.push_back({number[t[0].index()], number[t[1].index()], number[t[2].index()]});
   return out;
 }
 

@@ -138,8 +138,9 @@ std::optional<Polyset> revolved(const Area& area, double degrees, const Fineness
   for (std::uint32_t j = 0; j < steps; ++j) {
     const std::uint32_t here = j * n, there = whole ? (j + 1) % steps * n : here + n;
     for_each_edge(area, [&](const Loop&, std::uint32_t i, std::uint32_t k) {
-      add({here + i, there + k, here + k});
-      add({here + i, there + i, there + k});
+      if (!flip) std::swap(i, k);  // the outline is gone round the other way, and diagonals lie the other way, too
+      out.faces.push_back({here + k, there + k, here + i});
+      out.faces.push_back({there + k, there + i, here + i});
     });
   }
   if (!whole) {

@@ -81,13 +81,13 @@ Value make_polygon(const Statement& s, const Context& c) {
   Loop points;
   for (const auto& p : a.points("points", 2)) points.push_back({p[0], p[1]});
   const std::vector<Face> paths = a.indices("paths", points.size());
-  if (paths.empty()) return Area{{points}};
+  if (paths.empty()) return cleaned({{points}});  // before it is moved
   Area out;
   for (const Face& path : paths) {
     Loop& loop = out.loops.emplace_back();
     for (const std::uint32_t i : path) loop.push_back(points[i]);
   }
-  return out;
+  return cleaned(out);
 }
 
 }  // namespace

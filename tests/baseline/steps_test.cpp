@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "bench/baseline/scene.h"
@@ -267,6 +268,48 @@ TEST_CASE("the program shows the table of lesson 10, and refuses what it cannot 
     CHECK_THAT(o.err, Catch::StartsWith("bench/run mantyla: error: ") && Contains(message));
     CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
   }
+}
+
+TEST_CASE("bad meshes are refused, and operands that take too long are given up") {
+  const Workshop w;
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", sides = "3 0 2 1\n3 0 1 3\n3 1 2 3\n";
+  const auto tetrahedron = [&](const std::string& at, const std::string& faces, int count) {
+    return "OFF\n4 " + std::to_string(count) + " 0\n" + at + faces;
+  };
+  const auto scaled = [&](const std::string& unit) {
+    return tetrahedron(std::regex_replace(points, std::regex("1"), unit), sides + "3 2 0 3\n", 4);
+  };
+  w.write("good.off", scaled("1"));
+  w.write("open.off", tetrahedron(points, sides, 3));
+  w.write("turned.off", tetrahedron(points, sides + "3 0 2 3\n", 4));
+  w.write("thrice.off", tetrahedron(points, sides + sides + sides + "3 2 0 3\n", 10));
+  w.write("huge.off", scaled("1e300"));
+  w.write("tiny.off", scaled("1e-300"));
+  w.write("none.off", tetrahedron("nan 0 0\n1 0 0\n0 1 0\n0 0 1\n", sides, 3));
+  for (const std::string name : {"open", "turned", "thrice", "huge"})
+    for (const char* system : {"mantyla-published", "mantyla-double", "mantyla-exact"}) {
+      const Outcome o = w.run(name + ".off good.off --system " + system + " --tree steps.yaml");
+      INFO(name << ", " << system << ": " << o.out << o.err);
+      CHECK(o.status == 0);
+      CHECK_THAT(o.out, Contains("verdict         refused in input: "));
+    }
+  const Outcome tiny = w.run("tiny.off good.off --system mantyla-exact --tree steps.yaml");
+  CHECK_THAT(tiny.out, Contains("verdict         same\n"));
+  CHECK(w.run("none.off good.off").err.find("none.off:3: error: 'nan' is no finite number") != std::string::npos);
+
+  w.write("balls.yaml",
+          "cnrg: 1\nnodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 512}}\n"
+          "  b: {sphere: {center: [1/2, 1/3, 1/5], radius: 1, segments: 512}}\n  m: {union: [a, b]}\nresult: m\n");
+  const std::string more = ": --seconds and --gigabytes give it more, or take smaller operands\n";
+  const Outcome slow = w.run("balls.yaml --seconds 0.1 --tree balls-steps.yaml");
+  CHECK(slow.err == "bench/run mantyla: error: no result in 0.1 s" + more);
+  const Outcome large = w.run("balls.yaml --gigabytes 0.1 --tree balls-steps.yaml");
+  CHECK(large.err == "bench/run mantyla: error: memory ran out" + more);
+  for (const Outcome* o : {&slow, &large}) {
+    CHECK(o->status == 2);
+    CHECK(o->out.empty());
+  }
+  CHECK_FALSE(std::filesystem::exists(w.path("balls-steps.yaml")));
 }
 
 }  // namespace cnrg::bench::baseline_test

@@ -27,7 +27,7 @@ const std::vector<Family>& families() {
     std::vector<Family> made;
     std::set<std::string> used;
     for (const std::string& name : experiment_names()) {
-      const Experiment e = read_experiment(name, {}, used);
+      const Experiment e = read_experiments(name, {}, used).at(0);
       if (e.family != name) continue;  // trees, and other sweeps of a family
       CHECK_FALSE(e.title.empty());
       Family& family = made.emplace_back(Family{name, e.parameter("operation")->values, {}});

@@ -75,6 +75,31 @@ TEST_CASE("primitives have OpenSCAD's corners", "[openscad]") {
   }
 }
 
+TEST_CASE("a polygon lies on the grid of outlines before it is moved", "[openscad]") {
+  // 1.7 steps of 1/65536 are one, which is stretched to a length of 1.
+  const std::string stretch = "multmatrix([[65536, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) ";
+  const std::string small = "polygon(points = [[0, 0], [0.000026, 0], [0, 1]], paths = undef);";
+  CHECK(outcome_of("linear_extrude(height = 1) {" + stretch + "{" + small + "}}").volume == 0.5);
+  CHECK(outcome_of("linear_extrude(height = 1) {" + stretch + "{hull() {" + small + "}}}").volume == 0.5);
+}
+
+TEST_CASE("sides and ends of a turned area have OpenSCAD's diagonals", "[openscad]") {
+  // Counts of the Nef polyhedra of OpenSCAD 2021.01: on its grid four corners of a side are in no plane, and the
+  // ends are not planar, whose corners lie on one circle.
+  const auto counts = [](const std::string& op, const std::string& angle, const std::string& circle,
+                         const std::string& other) {
+    const Outcome o = outcome_of(op + "() { rotate_extrude(angle = " + angle + ", $fn = 9) { " +
+                                 moved(20, 0, 0, "circle(" + circle + ");") + " } " + other + " }");
+    return std::array{o.vertices, o.edges, o.faces};
+  };
+  using Counts = std::array<std::size_t, 3>;
+  CHECK(counts("difference", "260.23", "$fn = 6, r = 3.919",
+               "cylinder($fa = 30, $fs = 1, h = 2.1017, r1 = 2.08, r2 = 0, center = true);") ==
+        Counts{42, 94, 54});
+  CHECK(counts("group", "269.637", "$fa = 30, $fs = 1, r = 2.79", "sphere($fa = 30, $fs = 1, r = 2);") ==
+        Counts{135, 334, 203});
+}
+
 TEST_CASE("fineness is OpenSCAD's", "[openscad]") {
   const auto sides = [](const std::string& fineness) {
     return outcome_of("cylinder(h = 1, " + fineness + ");").faces - 2;

@@ -2,10 +2,6 @@
 // assertions, since Nef of CGAL 5.5.1 fails on some pairs of sheets and would crash without.
 #include "tests/oracles/nef_oracle.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Nef_S2/SM_const_decorator.h>
-#include <CGAL/Nef_S2/SM_point_locator.h>
-#include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 
@@ -13,11 +9,13 @@
 #include <map>
 #include <set>
 
+#include "bench/peers/nef_algebra.h"
+
 namespace cnrg::properties {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Nef = CGAL::Nef_polyhedron_3<Kernel>;
+using Nef = bench::nef::Set;
 using Surface = CGAL::Polyhedron_3<Kernel>;
 using Point = Kernel::Point_3;
 
@@ -95,6 +93,8 @@ auto guarded(Operation operation) {
     return operation();
   } catch (const CGAL::Failure_exception& error) {
     throw OracleFailure(error.what());
+  } catch (const bench::nef::BrokenSet& error) {
+    throw OracleFailure(error.what());
   }
 }
 
@@ -117,54 +117,6 @@ class Filler : public CGAL::Modifier_base<Nef::SNC_structure> {
  private:
   std::set<const void*> volumes_;
 };
-
-/// True if the first volume is the one around the lexicographically smallest vertex, on its side of smaller x.
-bool first_volume_is_unbounded(const Nef& nef) {
-  using Map = Nef::SNC_structure::Sphere_map;
-  if (nef.number_of_vertices() == 0) return true;
-  auto smallest = nef.vertices_begin();
-  for (auto v = nef.vertices_begin(); v != nef.vertices_end(); ++v)
-    if (CGAL::lexicographically_xyz_smaller(v->point(), smallest->point())) smallest = v;
-  const Map* map = &*smallest;
-  CGAL::SM_point_locator<CGAL::SM_const_decorator<Map>> locator(const_cast<Map*>(map));
-  Nef::SFace_const_handle face;
-  if (!CGAL::assign(face, locator.locate(Map::Sphere_point(-1, 0, 0)))) throw OracleFailure("no volume outside");
-  return face->volume() == nef.volumes_begin();
-}
-
-/// CGAL takes the first volume for the unbounded one. When simplification merges it with others, CGAL 5.5.1 may
-/// keep one of them in its place; facets and volumes are then made anew.
-Nef settled(Nef nef) {
-  if (first_volume_is_unbounded(nef)) return nef;
-  Filler nothing({});
-  nef.delegate(nothing, true, false);
-  if (!first_volume_is_unbounded(nef)) throw OracleFailure("the unbounded volume is not the first");
-  return nef;
-}
-
-bool unbounded_mark(const Nef& nef) { return nef.volumes_begin()->mark(); }
-
-/// A result of a binary operation, whose unbounded volume has this mark. CGAL reads the mark off a vertex, and
-/// there may be none.
-Nef with_unbounded(Nef result, bool mark) {
-  Nef nef = settled(std::move(result));
-  if (unbounded_mark(nef) == mark) return nef;
-  if (nef.number_of_vertices() > 0) throw OracleFailure("the mark of the unbounded volume is wrong");
-  return Nef(mark ? Nef::COMPLETE : Nef::EMPTY);
-}
-
-Nef united(const Nef& a, const Nef& b) { return with_unbounded(a + b, unbounded_mark(a) || unbounded_mark(b)); }
-
-Nef common(const Nef& a, const Nef& b) { return with_unbounded(a * b, unbounded_mark(a) && unbounded_mark(b)); }
-
-/// As an intersection: where an edge meets a facet, the difference of CGAL 5.5.1 takes the marks of edge and
-/// facet in this order, whichever is of `a` (create_edge_facet_overlay): that is wrong for open sets.
-Nef set_difference(const Nef& a, const Nef& b) { return common(a, b.complement()); }
-
-/// Of closed sets, where all marks are equal.
-Nef closed_difference(const Nef& a, const Nef& b) {
-  return with_unbounded(a - b, unbounded_mark(a) && !unbounded_mark(b));
-}
 
 }  // namespace
 
@@ -240,28 +192,25 @@ NefSet NefSet::leaf(const scenes::Leaf& leaf) {
 
 NefSet NefSet::unite(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(united(data_->nef, other.data_->nef)); });
+  set.data_ = guarded([&] { return shared<Data>(bench::nef::united(data_->nef, other.data_->nef)); });
   return set;
 }
 
 NefSet NefSet::intersect(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(common(data_->nef, other.data_->nef)); });
+  set.data_ = guarded([&] { return shared<Data>(bench::nef::common(data_->nef, other.data_->nef)); });
   return set;
 }
 
 NefSet NefSet::subtract(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] {
-    const Nef open = closed_difference(data_->nef, other.data_->nef);
-    return shared<Data>(settled(open.closure()));
-  });
+  set.data_ = guarded([&] { return shared<Data>(bench::nef::closed_difference(data_->nef, other.data_->nef)); });
   return set;
 }
 
 NefSet NefSet::without(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(set_difference(data_->nef, other.data_->nef)); });
+  set.data_ = guarded([&] { return shared<Data>(bench::nef::without(data_->nef, other.data_->nef)); });
   return set;
 }
 
@@ -273,35 +222,35 @@ NefSet NefSet::complement() const {
 
 NefSet NefSet::interior() const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(settled(data_->nef.interior())); });
+  set.data_ = guarded([&] { return shared<Data>(bench::nef::settled(data_->nef.interior())); });
   return set;
 }
 
 NefSet NefSet::closure() const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(settled(data_->nef.closure())); });
+  set.data_ = guarded([&] { return shared<Data>(bench::nef::settled(data_->nef.closure())); });
   return set;
 }
 
 NefSet NefSet::boundary() const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(settled(data_->nef.boundary())); });
+  set.data_ = guarded([&] { return shared<Data>(bench::nef::settled(data_->nef.boundary())); });
   return set;
 }
 
 NefSet NefSet::regularization() const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(settled(data_->nef.regularization())); });
+  set.data_ = guarded([&] { return shared<Data>(bench::nef::settled(data_->nef.regularization())); });
   return set;
 }
 
-bool NefSet::unbounded() const { return unbounded_mark(data_->nef); }
+bool NefSet::unbounded() const { return bench::nef::unbounded_mark(data_->nef); }
 
 NefSet NefSet::fill(const std::vector<RationalPoint>& inside) const {
   Nef nef = data_->nef;
   std::set<const void*> volumes;
   // `delegate` copies a shared representation; an empty modifier makes the copy before handles are taken.
-  Filler nothing({});
+  bench::nef::Nothing nothing;
   nef.delegate(nothing, false, false);
   for (const RationalPoint& p : inside) {
     Nef::Volume_const_handle c;
@@ -329,10 +278,7 @@ bool NefSet::contains(const RationalPoint& p) const {
 }
 
 bool NefSet::operator==(const NefSet& other) const {
-  // The symmetric difference of space and another set is empty to CGAL 5.5.1.
-  if (data_->nef.is_space() || other.data_->nef.is_space())
-    return data_->nef.is_space() == other.data_->nef.is_space();
-  return guarded([&] { return data_->nef == other.data_->nef; });
+  return guarded([&] { return bench::nef::are_equal(data_->nef, other.data_->nef); });
 }
 
 bool NefSet::valid() const { return Nef(data_->nef).is_valid(); }

@@ -1,6 +1,5 @@
 """The benchmark for scripts: systems on own models, verdicts on own meshes, Mäntylä's Boolean; volumes are counted by
 hand."""
-import importlib.util
 import os
 import unittest
 from fractions import Fraction
@@ -92,10 +91,27 @@ class Bench(unittest.TestCase):
             with self.assertRaisesRegex(cnrg.InputError, "has another experiment model"):
                 cnrg.bench.run(B | A, systems=["ours"], folder=Path(folder, "rows"))
 
-    @unittest.skipUnless(importlib.util.find_spec("pandas"), "there is no pandas")
     def test_rows_are_a_table_of_pandas(self):
-        frame = cnrg.bench.run(A | B, systems="ours").to_pandas()
-        self.assertEqual((len(frame), frame["verdict"][0]), (1, "same"))
+        rows = cnrg.bench.run("edge", systems=["ours", "mantyla-exact"], operations="union", values={"k": "exact,3", "seed": 1, "size": 4})
+        frame = rows.to_pandas()
+        self.assertEqual(list(frame.columns), list(rows.array.dtype.names))
+        self.assertEqual(len(frame), 4)
+        for name in frame.columns:
+            self.assertEqual(frame[name].dtype, rows.array.dtype[name])
+            self.assertEqual(frame[name].tolist(), rows[name].tolist())
+        counts = frame.groupby(["system", "verdict"]).size().to_dict()
+        self.assertEqual(counts, {("ours", "same"): 2, ("mantyla-exact", "same"): 1, ("mantyla-exact", "contact-duplicated"): 1})
+        self.assertEqual(frame[frame["value:k"] == "3"]["verdict"].tolist(), ["same", "same"])
+        empty = cnrg.bench.Rows([]).to_pandas()
+        self.assertEqual((len(empty), empty["seconds"].dtype), (0, numpy.dtype("f8")))
+        frame.loc[0, "seconds"] = -1.0  # a copy: rows stay as they are
+        self.assertGreater(rows["seconds"][0], 0)
+
+    def test_what_a_row_lacks_is_not_a_number(self):
+        row = dict(cnrg.bench.run(A | B, systems="ours")[0]) | {"excess": None}
+        frame = cnrg.bench.Rows([row]).to_pandas()
+        self.assertTrue(frame["excess"].isna()[0])
+        self.assertFalse(frame["missing"].isna()[0])
 
     def test_a_mesh_is_judged(self):
         right = box([1, 1, 1], [2, 2, 2])

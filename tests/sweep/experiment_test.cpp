@@ -2,6 +2,7 @@
 #include "bench/sweep/experiment.h"
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "bench/cases/tree_problem.h"
@@ -31,19 +32,24 @@ const std::string kTree =
     "[block, "
     "pegs]}, block]}, model]}\nresult: model\n";
 
-Experiment read(const Workshop& w, const std::string& text, const std::vector<std::string>& given = {}) {
+std::vector<Experiment> read_all(const Workshop& w, const std::string& text,
+                                 const std::vector<std::string>& given = {}) {
   w.write("mine.yaml", text);
   std::vector<GivenValues> values;
   for (const std::string& one : given) values.push_back(given_values(one));
   std::set<std::string> used;
-  return read_experiment(w.path("mine.yaml").string(), values, used);
+  return read_experiments(w.path("mine.yaml").string(), values, used);
+}
+
+Experiment read(const Workshop& w, const std::string& text, const std::vector<std::string>& given = {}) {
+  return read_all(w, text, given).at(0);
 }
 
 std::string fault(const std::string& text) {
   const Workshop w;
   try {
-    const Experiment e = read(w, text);
-    for (const Experiment::Named& problem : e.problems()) e.check(problem);
+    for (const Experiment& e : read_all(w, text))
+      for (const Experiment::Named& problem : e.problems()) e.check(problem);
   } catch (const std::runtime_error& error) {
     const std::string said = error.what(), folder = w.path("").string();
     return said.starts_with(folder) ? said.substr(folder.size()) : said;
@@ -73,6 +79,34 @@ TEST_CASE("problems are nodes by values of parameters", "[experiments]") {
   // A tree alone: each of its Booleans that other systems have.
   CHECK(names_of(read(w, kTree)) ==
         std::vector<std::string>{"mine-pegs", "mine-model", "mine-less", "mine-other"});
+}
+
+TEST_CASE("nodes of any operator are compared as sets and by regions", "[experiments]") {
+  const Workshop w;
+  const std::string tree =
+      "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  open: {interior: a}\n"
+      "  m: {union: [a, {closure: open}]}\nresult: m\n";
+  const auto names = [&](const std::string& more) {
+    std::vector<std::string> all;
+    for (const Experiment& e : read_all(w, tree + more))
+      for (const std::string& name : names_of(e)) all.push_back(name);
+    return all;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(names("") == Names{"mine-m", "mine.sets-open", "mine.sets-m", "mine.sets-m+2", "mine.regions-open",
+                           "mine.regions-m", "mine.regions-m+2"});
+  const std::string head = "x-experiment: {title: t, nodes: ";
+  CHECK(names(head + "all}\n") == Names{"mine-m"});
+  CHECK(names(head + "open, compare: sets}\n") == Names{"mine.sets-open"});
+  CHECK(names(head + "m, compare: [regions, results]}\n") == Names{"mine.regions-m", "mine-m"});
+  const auto faults = [&](const std::string& experiment) { return fault(tree + head + experiment); };
+  CHECK_THAT(faults("open}"), Contains("`open` is no union, intersection or difference alone"));
+  CHECK_THAT(faults("a, compare: sets}"), Contains("`a` is a leaf, which systems are given"));
+  CHECK_THAT(faults("m, compare: marks}"), Contains("results, sets, regions or several of them"));
+  CHECK_THAT(faults("m, compare: [sets, sets]}"), Contains("has sets twice"));
+  CHECK_THAT(faults("m, compare: sets, truth: {m: {volume: 1}}}"), Contains("a truth is one of results"));
+  CHECK_THAT(fault("cnrg: 1\nx-experiment: {title: t, family: face, compare: sets}\n"),
+             Contains("of a family results are compared"));
 }
 
 TEST_CASE("a node is a fold: inline operands are steps of it", "[experiments]") {
@@ -187,7 +221,8 @@ TEST_CASE("faults of experiments have a place and a remedy", "[experiments]") {
   CHECK_THAT(fault("x-experiment: {title: t, family: turnd}\n"),
              Contains("mine.yaml: no family of problems is called 'turnd'"));
   CHECK_THAT(fault("x-experiment: {title: t, family: turned, values: {n: 3}}\n"), Contains("and no `n`"));
-  CHECK_THAT(fault("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n"), Contains("no union, intersection"));
+  CHECK_THAT(fault("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n"),
+             Contains("this tree has no operator"));
   CHECK_THAT(fault("x-experiment: {title: t, program: /bin/false, nodes: a}\n"),
              Contains("/bin/false: ended with status 1"));
   CHECK_THAT(fault("weld: 1/10\n" + kTree), Contains("mine.yaml:1:7") && Contains("other systems do not weld"));
@@ -250,6 +285,36 @@ TEST_CASE("a sweep of a tree: claims, warm runs, programs of the file", "[sweep]
   CHECK(evaluation.rows.back().cells == std::array<std::size_t, 4>{});
   for (const NodeRow& r : evaluation.rows)
     if (r.name == "exact" || r.name == "given") CHECK(cnrg::to_string(r.volume().value()) == ours.facts->volume);
+}
+
+TEST_CASE("a sweep of all nodes of random trees: sets and regions as others have them", "[sweep]") {
+  const Workshop w;
+  std::map<std::pair<std::string, Verdict>, int> counts;
+  const auto [first, last] = scenes::seeds(2);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    const std::string name = "t" + std::to_string(seed);
+    w.write(name + ".yaml", properties::tree_file(properties::random_dag(seed, scenes::Position::degenerate)) +
+                                "\nx-experiment: {title: random, nodes: all, compare: [sets, regions]}\n");
+    const Outcome o = w.run(name + ".yaml --out out --quiet --jobs 2 --seconds 20");
+    INFO(o.err);
+    REQUIRE(o.status == 0);
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(w.path("out/rows"))) {
+    if (!entry.is_regular_file() || entry.path().parent_path().filename() == "rows") continue;
+    const SweepRow row = row_of_json(w.read(fs::relative(entry.path(), w.path("")).string()));
+    INFO(row.command << ": " << row.message);
+    CHECK(row.verdict != Verdict::wrong);
+    CHECK(row.size == 0);
+    ++counts[{row.family.substr(row.family.find('.')), row.verdict}];
+  }
+  for (const char* kind : {".sets", ".regions"}) {
+    const int same = counts[{kind, Verdict::same}], refused = counts[{kind, Verdict::refused}];
+    INFO(kind);
+    CHECK(same > 2 * refused);
+  }
+  // What nobody compares is no sweep.
+  CHECK_THAT(w.run("t" + std::to_string(first) + ".yaml --systems openscad --out none --quiet").err,
+             Contains("none of these systems compares what the experiment asks for"));
 }
 
 TEST_CASE("what is kept can be read: holes, many steps, nothing", "[sweep]") {
@@ -331,7 +396,7 @@ TEST_CASE("all experiments of this source can be made", "[experiments]") {
   std::set<std::string> used;
   std::size_t count = 0;
   for (const std::string& name : experiment_names()) {
-    const Experiment e = read_experiment(name, {}, used);
+    const Experiment e = read_experiments(name, {}, used).at(0);
     for (const Experiment::Named& problem : e.problems()) {
       INFO(problem.name);
       CHECK_NOTHROW(e.check(problem));
