@@ -169,22 +169,24 @@ PointKey Refiner::canonical(PointKey key) const {
 
 /// Contact points become vertices; what is known by symbol is noted.
 void Refiner::place_contacts() {
-  std::vector<PointKey> keys;
+  std::vector<PointKey> keys;  // of points that are no vertex yet
+  const auto take = [&](PointKey& key) {
+    key = canonical(key);
+    if (key.kind != PointKey::Kind::vertex) keys.push_back(key);
+  };
   for (ContactList::Trace& t : contacts_.traces) {
-    t.a = canonical(t.a);
-    t.b = canonical(t.b);
-    keys.push_back(t.a);
-    keys.push_back(t.b);
+    take(t.a);
+    take(t.b);
   }
-  for (ContactList::OnFace& p : contacts_.on_face) keys.push_back(p.point = canonical(p.point));
-  for (ContactList::OnWire& p : contacts_.on_wire) keys.push_back(p.point = canonical(p.point));
+  for (ContactList::OnFace& p : contacts_.on_face) take(p.point);
+  for (ContactList::OnWire& p : contacts_.on_wire) take(p.point);
   std::vector<std::pair<VertexId, SegmentId>> on_segment;
   InSheet in_sheet;
   identity_ = UnionFind(r_.input.points.size());
   contact_points_.add(r_.input.points, identity_, r_.input, keys);
 
   for (const PointKey& key : keys) {
-    if (key.kind == PointKey::Kind::vertex || key.kind == PointKey::Kind::planes) continue;
+    if (key.kind == PointKey::Kind::planes) continue;
     const VertexId v = contact_points_(key);
     on_segment.push_back({v, SegmentId(key.id[0])});
     if (key.kind == PointKey::Kind::segments) on_segment.push_back({v, SegmentId(key.id[1])});
@@ -203,6 +205,7 @@ void Refiner::place_contacts() {
   add_traces(in_sheet);
   known_.segments = lists_of(r_.input.points.size(), on_segment);
   known_.sheets = lists_of(r_.input.points.size(), in_sheet);
+  contacts_ = {};
 }
 
 /// The segments: those of the input, then the traces by their ends, each once however many pairs of faces found
@@ -215,11 +218,8 @@ void Refiner::add_traces(InSheet& in_sheet) {
   for (const ContactList::Trace& t : contacts_.traces) {
     VertexId a = contact_points_(t.a), b = contact_points_(t.b);
     const SheetId p = r_.sheet_of[t.f], q = r_.sheet_of[t.g];
-    for (const SheetId s : {p, q}) {
-      in_sheet.push_back({a, s});
-      in_sheet.push_back({b, s});
-    }
     if (a == b) {
+      in_sheet.insert(in_sheet.end(), {{a, p}, {a, q}});
       sheet_points_.insert(sheet_points_.end(), {{p, a}, {q, a}});
       continue;
     }
@@ -238,8 +238,10 @@ void Refiner::add_traces(InSheet& in_sheet) {
       r_.segments.trace_sheets.push_back({first.p, first.q});
     }
     for (; i < traces.size() && traces[i].a == first.a && traces[i].b == first.b; ++i) {
-      sheet_segments_.push_back({traces[i].p, s});
-      sheet_segments_.push_back({traces[i].q, s});
+      for (const SheetId sheet : {traces[i].p, traces[i].q}) {
+        in_sheet.insert(in_sheet.end(), {{first.a, sheet}, {first.b, sheet}});
+        sheet_segments_.push_back({sheet, s});
+      }
     }
   }
 }
