@@ -1,6 +1,7 @@
 #include "bench/sweep/experiment.h"
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -88,13 +89,25 @@ std::vector<std::string> texts(const Value& value, const std::string& what) {
   return all;
 }
 
+/// The form of a map of an experiment: its keys, each with what a message proposes for it if it is required.
+Form form_of(std::initializer_list<std::pair<std::string_view, std::string_view>> keys) {
+  static std::deque<Type> types;  // values are read without them
+  Form form;
+  for (const auto& [name, proposed] : keys) {
+    types.emplace_back().hint = proposed;
+    form.keys.push_back({name, &types.back(), proposed.empty() ? "" : "required", {}});
+  }
+  return form;
+}
+
 Parameter read_parameter(const Value::Entry& entry) {
   const std::string what = "`" + entry.key + "` of values";
   Parameter parameter{entry.key, {}};
   std::optional<Value> values(entry.value);
   if (entry.value.is_map()) {
-    const Fields f(entry.value, entry.key, {"values", "means"});
-    values.emplace(f.at("values", "0..16"));
+    static const Form form = form_of({{"values", "0..16"}, {"means", {}}});
+    const Fields f(entry.value, form, entry.key);
+    values.emplace(f.at("values"));
     if (const Value* means = f.find("means")) parameter.means = means->text(f.name("means"));
   }
   for (const Value& v : one_or_more(*values, what)) {
@@ -118,10 +131,12 @@ void read_system(const Value& value, Experiment& experiment) {
     experiment.systems.push_back(value.text("a system"));
     return;
   }
-  const Fields f(value, "a system", {"name", "program", "rounding", "rescale"});
+  static const Form form =
+      form_of({{"name", "mine"}, {"program", "./my-boolean"}, {"rounding", {}}, {"rescale", {}}});
+  const Fields f(value, form, "a system");
   ProgramSystem system;
-  system.name = f.at("name", "mine").text(f.name("name"));
-  system.words = texts(f.at("program", "./my-boolean"), f.name("program"));
+  system.name = f.at("name").text(f.name("name"));
+  system.words = texts(f.at("program"), f.name("program"));
   if (const Value* rounding = f.find("rounding")) {
     system.rounding = to_double(rounding->number(f.name("rounding")));
     if (!(system.rounding >= 0 && system.rounding < 1))
@@ -143,7 +158,8 @@ void read_claims(const Value& value, Experiment& experiment) {
     if (std::find(experiment.nodes.begin(), experiment.nodes.end(), entry.key) == experiment.nodes.end())
       value.document().fail(entry.key_at, "`" + entry.key + "` is no node of this experiment; there are " +
                                               list_of(experiment.nodes));
-    const Fields f(entry.value, "truth of `" + entry.key + "`", {"volume", "node"});
+    static const Form form = form_of({{"volume", {}}, {"node", {}}});
+    const Fields f(entry.value, form, "truth of `" + entry.key + "`");
     Claim& claim = experiment.claims[entry.key];
     if (const Value* volume = f.find("volume")) claim.volume = volume->text(f.name("volume"));
     if (const Value* node = f.find("node")) claim.node = node->text(f.name("node"));
@@ -265,10 +281,20 @@ std::vector<Experiment> read_experiment_file(const fs::path& path) {
     return experiments_of_tree(*tree, document, std::move(experiment));
   }
   const Value value(document, own, {});
-  const Fields f(value, "x-experiment",
-                 {"title", "values", "nodes", "family", "program", "truth", "systems", "seconds", "gigabytes",
-                  "runs", "growth", "compare"});
-  experiment.title = f.at("title", "what is tried").text(f.name("title"));
+  static const Form form = form_of({{"title", "what is tried"},
+                                    {"values", {}},
+                                    {"nodes", {}},
+                                    {"family", {}},
+                                    {"program", {}},
+                                    {"truth", {}},
+                                    {"systems", {}},
+                                    {"seconds", {}},
+                                    {"gigabytes", {}},
+                                    {"runs", {}},
+                                    {"growth", {}},
+                                    {"compare", {}}});
+  const Fields f(value, form, "x-experiment");
+  experiment.title = f.at("title").text(f.name("title"));
   if (const Value* family = f.find("family")) experiment.family = family->text(f.name("family"));
   if (const Value* program = f.find("program")) {
     experiment.program = texts(*program, f.name("program"));
