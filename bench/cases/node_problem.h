@@ -53,6 +53,7 @@ struct Arrangement {
   struct Face {
     std::array<std::size_t, 2> parts{};
     std::vector<char> of;  ///< for each operand whether the face is one of it
+    double area = 0;
   };
   std::vector<Part> parts;  ///< the first one is unbounded
   std::vector<Face> faces;

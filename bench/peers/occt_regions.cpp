@@ -82,7 +82,9 @@ class ArrangementMaker {
     if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) return;
     const int known = faces_.Extent(), number = faces_.Add(face);
     if (number > known) {
-      arrangement_.faces.push_back({{part, 0}, std::vector<char>(operands_.size())});
+      GProp_GProps properties;
+      BRepGProp::SurfaceProperties(face, properties);
+      arrangement_.faces.push_back({{part, 0}, std::vector<char>(operands_.size()), properties.Mass()});
       return;
     }
     auto& parts = arrangement_.faces[number - 1].parts;

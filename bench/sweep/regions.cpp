@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "kernel/base/union_find.h"
@@ -149,23 +149,25 @@ class RegionJudge {
       for (const auto& [place, exact] : region) most_ = std::max(most_, allowed(exact));
   }
 
-  RegionJudgement run(const std::vector<FoundRegion>& found) const {
-    std::vector<const FoundRegion*> left;
-    for (const FoundRegion& region : found) left.push_back(&region);
-    std::vector<const ExactRegion*> missing;
-    for (const ExactRegion& exact : problem_.regions) {
-      const auto it =
-          std::find_if(left.begin(), left.end(), [&](const FoundRegion* one) { return is_same(exact, *one); });
-      if (it == left.end()) missing.push_back(&exact);
+  RegionJudgement run(const FoundRegions& found) const {
+    std::vector<std::size_t> missing, left(found.regions.size());
+    std::iota(left.begin(), left.end(), 0);
+    for (std::size_t i = 0; i < problem_.regions.size(); ++i) {
+      const auto it = std::find_if(left.begin(), left.end(),
+                                   [&](std::size_t k) { return is_same(problem_.regions[i], found.regions[k]); });
+      if (it == left.end()) missing.push_back(i);
       else left.erase(it);
     }
     if (missing.empty() && left.empty()) return {};
-    const bool thin = std::all_of(missing.begin(), missing.end(), [&](const auto* r) { return is_thin(*r); }) &&
-                      std::all_of(left.begin(), left.end(), [&](const auto* r) { return is_thin(*r); });
-    return {thin ? Verdict::within_rounding : Verdict::wrong,
-            std::to_string(found.size()) + " regions, ours " + std::to_string(problem_.regions.size()) +
-                (missing.empty() ? "" : "; ours alone: " + words(*missing[0])) +
-                (left.empty() ? "" : "; theirs alone: " + words(*left[0]))};
+    const auto all_thin = [](const auto& places, const auto& regions, const auto& thin) {
+      return std::all_of(places.begin(), places.end(), [&](std::size_t i) { return thin(regions[i]); });
+    };
+    const bool thin = all_thin(missing, problem_.regions, [&](const auto& r) { return is_thin(r); }) &&
+                      all_thin(left, found.regions, [&](const auto& r) { return is_thin(r); });
+    return {thin || is_regrouped(missing, left, found) ? Verdict::within_rounding : Verdict::wrong,
+            std::to_string(found.regions.size()) + " regions, ours " + std::to_string(problem_.regions.size()) +
+                (missing.empty() ? "" : "; ours alone: " + words(problem_.regions[missing[0]])) +
+                (left.empty() ? "" : "; theirs alone: " + words(found.regions[left[0]]))};
   }
 
  private:
@@ -190,6 +192,29 @@ class RegionJudge {
     return std::all_of(region.begin(), region.end(), [&](const auto& one) { return one.second <= most_; });
   }
 
+  /// Together the same, and no two of either share a wall.
+  bool is_regrouped(const std::vector<std::size_t>& missing, const std::vector<std::size_t>& left,
+                    const FoundRegions& found) const {
+    ExactRegion exact;
+    FoundRegion theirs;
+    for (const std::size_t i : missing)
+      for (const auto& [place, volume] : problem_.regions[i]) {
+        exact[place].volume += volume.volume;
+        exact[place].area += volume.area;
+      }
+    for (const std::size_t k : left)
+      for (const auto& [place, volume] : found.regions[k]) theirs[place] += volume;
+    return is_same(exact, theirs) && share_nothing(missing, problem_.walls) && share_nothing(left, found.walls);
+  }
+
+  bool share_nothing(const std::vector<std::size_t>& regions, const Walls& walls) const {
+    const auto is_of = [&](std::size_t i) { return std::binary_search(regions.begin(), regions.end(), i); };
+    const double little = 16 * rounding_ * problem_.extent * problem_.extent;
+    return std::none_of(walls.begin(), walls.end(), [&](const auto& wall) {
+      return is_of(wall.first.first) && is_of(wall.first.second) && wall.second > little;
+    });
+  }
+
   static std::string words(const ExactRegion& region) {
     FoundRegion rounded;
     for (const auto& [place, exact] : region) rounded[place] = to_double(exact.volume);
@@ -208,18 +233,24 @@ class RegionJudge {
 
 }  // namespace
 
-std::vector<FoundRegion> regions_of(const RegionProblem& problem, const Arrangement& arrangement) {
+FoundRegions regions_of(const RegionProblem& problem, const Arrangement& arrangement) {
   const std::vector<std::uint32_t> numbers = region_numbers(problem, arrangement);
-  std::map<std::uint32_t, FoundRegion> regions;
-  for (std::size_t p = 0; p < numbers.size(); ++p)
-    if (numbers[p] != 0) regions[numbers[p]][arrangement.parts[p].regions] += arrangement.parts[p].volume;
-  std::vector<FoundRegion> found;
-  for (auto& [number, region] : regions) found.push_back(std::move(region));
+  std::map<std::uint32_t, std::size_t> places;
+  FoundRegions found;
+  for (std::size_t p = 0; p < numbers.size(); ++p) {
+    if (numbers[p] == 0) continue;
+    const auto [it, is_new] = places.emplace(numbers[p], found.regions.size());
+    if (is_new) found.regions.emplace_back();
+    found.regions[it->second][arrangement.parts[p].regions] += arrangement.parts[p].volume;
+  }
+  for (const Arrangement::Face& face : arrangement.faces) {
+    const std::uint32_t a = numbers[face.parts[0]], b = numbers[face.parts[1]];
+    if (a != 0 && b != 0 && a != b) found.walls[std::minmax(places.at(a), places.at(b))] += face.area;
+  }
   return found;
 }
 
-RegionJudgement judge_regions(const RegionProblem& problem, const std::vector<FoundRegion>& found,
-                              double rounding) {
+RegionJudgement judge_regions(const RegionProblem& problem, const FoundRegions& found, double rounding) {
   return RegionJudge(problem, rounding).run(found);
 }
 

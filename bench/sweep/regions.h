@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/cases/node_problem.h"
@@ -26,6 +27,13 @@ struct ExactVolume {
 };
 using ExactRegion = std::map<Place, ExactVolume>;
 using FoundRegion = std::map<Place, double>;
+/// Areas between two regions, the lesser place in the list first.
+using Walls = std::map<std::pair<std::size_t, std::size_t>, double>;
+
+struct FoundRegions {
+  std::vector<FoundRegion> regions;
+  Walls walls;
+};
 
 struct RegionProblem {
   Operator op = Operator::unite;
@@ -33,19 +41,19 @@ struct RegionProblem {
   std::vector<Dominance> dominances;  ///< of the steps of a Boolean
   std::vector<ParcelledOperand> operands;
   std::vector<ExactRegion> regions;  ///< of the value
-  double extent = 0;                 ///< the largest coordinate
+  Walls walls;
+  double extent = 0;  ///< the largest coordinate
 };
 
 /// The regions that the node makes of parts.
-std::vector<FoundRegion> regions_of(const RegionProblem& problem, const Arrangement& arrangement);
+FoundRegions regions_of(const RegionProblem& problem, const Arrangement& arrangement);
 
-/// `same`; `within_rounding` where only regions are too many or too few that are thinner than the rounding;
-/// `wrong`.
+/// `same`; `within_rounding` where only regions are too many or too few that are thinner than the rounding, or
+/// where regions grow together or fall apart that share no wall, as at a gap or a bridge; `wrong`.
 struct RegionJudgement {
   Verdict verdict = Verdict::same;
   std::string message;
 };
-RegionJudgement judge_regions(const RegionProblem& problem, const std::vector<FoundRegion>& found,
-                              double rounding);
+RegionJudgement judge_regions(const RegionProblem& problem, const FoundRegions& found, double rounding);
 
 }  // namespace cnrg::bench

@@ -150,9 +150,9 @@ ParcelledOperand parcelled_operand(const Complex& complex, const Parcelled& of) 
   return operand;
 }
 
-/// Regions of the value with exact volumes, by where they lie in the operands.
-std::vector<ExactRegion> exact_regions(const Complex& complex, const Numbered& cells,
-                                       const std::vector<IdVector<RegionId, std::uint32_t>>& operands) {
+/// Regions of the value with exact volumes, by where they lie in the operands, and the walls between them.
+void add_exact_regions(const Complex& complex, const Numbered& cells,
+                       const std::vector<IdVector<RegionId, std::uint32_t>>& operands, RegionProblem& problem) {
   std::map<std::pair<std::uint32_t, Place>, std::vector<RegionId>> pieces;
   for (const auto& [cell, number] : cells) {
     if (complex.unbounded(cell)) throw Refusal("value", "a region is unbounded and has no volume");
@@ -160,25 +160,31 @@ std::vector<ExactRegion> exact_regions(const Complex& complex, const Numbered& c
     for (const auto& numbers : operands) place.push_back(numbers[cell]);
     pieces[{number, place}].push_back(cell);
   }
-  std::map<std::uint32_t, ExactRegion> regions;
+  struct PieceOf {
+    std::size_t region;
+    ExactVolume* volume;
+  };
+  std::map<std::uint32_t, std::size_t> places;
+  for (const auto& [key, piece] : pieces) places.emplace(key.first, places.size());
+  problem.regions.resize(places.size());
   IdVector<RegionId, std::uint32_t> piece_of(complex.region_count, 0);
-  std::vector<ExactVolume*> volumes{nullptr};
+  std::vector<PieceOf> known{{0, nullptr}};
   for (const auto& [key, piece] : pieces) {
-    ExactVolume& exact = regions[key.first][key.second];
+    const std::size_t region = places.at(key.first);
+    ExactVolume& exact = problem.regions[region][key.second];
     exact.volume = volume(complex, piece).value();
-    for (const RegionId r : piece) piece_of[r] = static_cast<std::uint32_t>(volumes.size());
-    volumes.push_back(&exact);
+    for (const RegionId r : piece) piece_of[r] = static_cast<std::uint32_t>(known.size());
+    known.push_back({region, &exact});
   }
   for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
     const std::uint32_t front = piece_of[complex.face_regions[f][0]], back = piece_of[complex.face_regions[f][1]];
     if (front == back) continue;
     const double part = area(complex, {f});
-    if (front != 0) volumes[front]->area += part;
-    if (back != 0) volumes[back]->area += part;
+    if (front != 0) known[front].volume->area += part;
+    if (back != 0) known[back].volume->area += part;
+    const auto sides = std::minmax(known[front].region, known[back].region);
+    if (front != 0 && back != 0 && sides.first != sides.second) problem.walls[sides] += part;
   }
-  std::vector<ExactRegion> all;
-  for (auto& [number, region] : regions) all.push_back(std::move(region));
-  return all;
 }
 
 double largest_coordinate(const std::vector<ParcelledOperand>& operands) {
@@ -277,7 +283,7 @@ RegionProblem TreeNode::region_problem() const {
     numbers.push_back(numbers_of(complex, operand.cells));
   }
   problem.extent = largest_coordinate(problem.operands);
-  problem.regions = exact_regions(complex, selection_of(complex, *value_).regions, numbers);
+  add_exact_regions(complex, selection_of(complex, *value_).regions, numbers, problem);
   return problem;
 }
 

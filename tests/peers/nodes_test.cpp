@@ -224,14 +224,24 @@ TEST_CASE("what is thinner than the rounding is told apart from what is wrong", 
   problem.operands.resize(1);
   problem.extent = 1;
   problem.regions = {{{{1}, {1, 6}}}, {{{2}, {Rational(1) / 100'000'000, 2}}}};
-  const auto verdict = [&](const std::vector<FoundRegion>& found, double rounding) {
-    return judge_regions(problem, found, rounding).verdict;
+  const auto verdict = [&](const std::vector<FoundRegion>& found, double rounding, const Walls& walls = {}) {
+    return judge_regions(problem, {found, walls}, rounding).verdict;
   };
   CHECK(verdict({{{{1}, 1}}, {{{2}, 1e-8}}}, 1e-7) == Verdict::same);
   CHECK(verdict({{{{1}, 1}}}, 1e-7) == Verdict::within_rounding);
   CHECK(verdict({{{{1}, 1}}}, 1e-12) == Verdict::wrong);
   CHECK(verdict({{{{2}, 1e-8}}}, 1e-7) == Verdict::wrong);
   CHECK(verdict({{{{1}, 1}}, {{{2}, 1e-8}}, {{{3}, 1e-2}}}, 1e-7) == Verdict::wrong);
+  // Two that share a wall are not one; two that share none may be, at a gap; and the other way round at a bridge.
+  problem.regions = {{{{1}, {1, 6}}}, {{{1}, {2, 10}}}};
+  CHECK(verdict({{{{1}, 3}}}, 1e-7) == Verdict::within_rounding);
+  CHECK(verdict({{{{1}, 3.1}}}, 1e-7) == Verdict::wrong);
+  problem.walls = {{{0, 1}, 1}};
+  CHECK(verdict({{{{1}, 3}}}, 1e-7) == Verdict::wrong);
+  problem.regions = {{{{1}, {3, 14}}}};
+  problem.walls = {};
+  CHECK(verdict({{{{1}, 1}}, {{{1}, 2}}}, 1e-7) == Verdict::within_rounding);
+  CHECK(verdict({{{{1}, 1}}, {{{1}, 2}}}, 1e-7, {{{0, 1}, 1}}) == Verdict::wrong);
 }
 
 TEST_CASE("problems of sets are written and read", "[nodes]") {
