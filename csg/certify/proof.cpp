@@ -32,6 +32,7 @@ double size_of(const Interval3& x) {
   for (const Interval& c : x) size = std::max(size, c.sup() - c.inf());
   return size;
 }
+
 /// What is asked of some pieces.
 enum class Question : std::uint8_t {
   none,     ///< answered by what is asked of fewer, or of the leaf itself

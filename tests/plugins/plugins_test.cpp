@@ -35,7 +35,7 @@ TEST_CASE("the form of a CAD leaf is checked without OpenCASCADE, too", "[plugin
     return parse_tree("cnrg: 1\nnodes:\n  part: {" + leaf + "}\nresult: part\n", "model.yaml");
   };
   CHECK_THROWS_WITH(read("step: {file: a.step, chord: 1, segments: 8}"),
-                    Catch::StartsWith("model.yaml:3:41: error: this leaf has `chord` and `segments`"));
+                    Catch::Equals("model.yaml:3:41: error: step has `chord` and `segments`; remove one of them"));
   CHECK_THROWS_WITH(read("step: {file: a.step, chord: 0}"), Catch::Contains("must be a positive length"));
   CHECK_THROWS_WITH(read("step: {file: a.step, fill: parity}"),
                     Catch::Contains("model.yaml:3:37: error: ") &&
