@@ -20,6 +20,8 @@
 namespace cnrg {
 namespace {
 
+constexpr std::size_t kMostMerged = 100;  // maps under `<<` in each other
+
 Position position_of(const YAML::Mark& mark, Position otherwise) {
   return mark.is_null() ? otherwise : Position{mark.line + 1, mark.column + 1};
 }
@@ -208,10 +210,21 @@ std::vector<std::vector<RationalPoint>> Value::loops(const std::string& what) co
   return result;
 }
 
-std::vector<Value::Entry> Value::own_entries(const std::string& what, std::vector<Value>& merged) const {
+std::vector<Value::Entry> Value::entries(const std::string& what) const {
+  std::vector<YAML::Node> around;
+  return entries(what, around);
+}
+
+std::vector<Value::Entry> Value::entries(const std::string& what, std::vector<YAML::Node>& around) const {
   if (!is_map()) fail_type(what, "a map {key: value, ...}");
-  std::vector<Entry> result;
-  std::unordered_set<std::string> seen;
+  if (std::ranges::any_of(around, [&](const YAML::Node& node) { return node.is(node_); }))
+    fail("this map is merged into itself; remove the `<<` that names it");
+  if (around.size() == kMostMerged)
+    fail("more than " + std::to_string(kMostMerged) + " maps are merged into each other; merge fewer");
+  around.push_back(node_);
+  std::vector<Entry> entries;
+  std::unordered_set<std::string> own, merged;
+  std::optional<std::pair<std::size_t, std::vector<Value>>> maps;  // under `<<`, and before which entry
   for (const auto& item : node_) {
     const Position key_at = position_of(item.first.Mark(), at_);
     if (!item.first.IsScalar())
@@ -219,33 +232,27 @@ std::vector<Value::Entry> Value::own_entries(const std::string& what, std::vecto
     const std::string key = item.first.Scalar().find("${") == std::string::npos
                                 ? item.first.Scalar()
                                 : Value(*document_, item.first, at_).raw();
-    if (!seen.insert(key).second) {
+    const bool merges = key == "<<" && item.first.Tag() == "?";  // neither quoted nor tagged
+    if (merges ? maps.has_value() : !own.insert(key).second) {
       document_->fail(key_at, "the key " + quoted(key) + " is there twice in " + what + "; remove or rename one");
     }
     Value value(*document_, item.second, key_at);
-    if (key != "<<" || item.first.Tag() == "!") {
-      result.push_back({key, key_at, value});
-      continue;
-    }
-    const std::vector<Value> maps =
-        value.is_map() ? std::vector<Value>{value} : value.list("`<<`", "a map, or a list of maps");
-    for (std::size_t i = maps.size(); i-- > 0;) merged.push_back(maps[i]);
+    if (!merges) entries.push_back({key, key_at, value});
+    else if (value.is_map()) maps.emplace(entries.size(), std::vector{value});
+    else maps.emplace(entries.size(), value.list("`<<`", "a map, or a list of maps"));
   }
-  return result;
-}
-
-std::vector<Value::Entry> Value::entries(const std::string& what) const {
-  std::vector<Value> merged;
-  std::vector<Entry> result = own_entries(what, merged);
-  std::unordered_set<std::string> seen;
-  for (const Entry& e : result) seen.insert(e.key);
-  while (!merged.empty()) {  // ends for a map that merges itself, too: each value counts (Document::values_left)
-    const Value map(merged.back());
-    merged.pop_back();
-    for (Entry& e : map.own_entries("`<<`", merged)) {
-      if (seen.insert(e.key).second) result.push_back(std::move(e));
+  std::vector<Entry> result;
+  for (std::size_t i = 0; i <= entries.size(); ++i) {
+    if (maps && i == maps->first) {
+      for (const Value& map : maps->second) {
+        for (Entry& e : map.entries("`<<`", around)) {
+          if (!own.contains(e.key) && merged.insert(e.key).second) result.push_back(std::move(e));
+        }
+      }
     }
+    if (i < entries.size()) result.push_back(std::move(entries[i]));
   }
+  around.pop_back();
   return result;
 }
 

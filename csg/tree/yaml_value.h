@@ -72,13 +72,13 @@ class Value {
   std::vector<std::vector<RationalPoint>> loops(const std::string& what) const;
 
   struct Entry;
-  /// Keys and values of a map in the order of the file, then those of the maps under `<<` that it has not itself;
-  /// a repeated key or one that is no text fails.
+  /// Keys and values of a map in the order of the file; at the place of `<<` those of the maps there that it has
+  /// not itself. A repeated key, one that is no text and a map that is merged into itself fail.
   std::vector<Entry> entries(const std::string& what) const;
 
  private:
-  /// Those of this map alone; maps under `<<` go to the end of `merged`, the first of them last.
-  std::vector<Entry> own_entries(const std::string& what, std::vector<Value>& merged) const;
+  /// `around`: the maps that this one is merged into.
+  std::vector<Entry> entries(const std::string& what, std::vector<YAML::Node>& around) const;
   /// One list of exactly `n` numbers.
   std::vector<Rational> numbers(const std::string& what, std::size_t n, const std::string& wanted) const;
   Document* document_;

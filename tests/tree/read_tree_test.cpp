@@ -261,6 +261,15 @@ result: c
   CHECK(node(tree, "a").label == "first");
   CHECK(node(tree, "b").label == "second");
   CHECK(node(tree, "c").properties.contains("<<"));
+  // At its place: transforms act in order, and parameters name those before.
+  const Tree ordered = parse_tree(
+      "cnrg: 1\nparameters: {<<: {n: 3}, m: n}\nnodes:\n"
+      "  a: {<<: {translate: [1, 0, 0]}, scale: 2, points: [[0, 0, 0]]}\n"
+      "  b: {scale: \"${m - 1}\", <<: {translate: [1, 0, 0]}, points: [[0, 0, 0]]}\n"
+      "  c: {union: [a, b]}\nresult: c\n",
+      "t.yaml");
+  CHECK(node(ordered, "a").transform->offset == RationalPoint{2, 0, 0});
+  CHECK(node(ordered, "b").transform->offset == RationalPoint{1, 0, 0});
   const auto fault = [](const std::string& inside) {
     try {
       single(inside);
@@ -276,7 +285,8 @@ result: c
   CHECK(fault("points: [[0, 0, 0]], <<: {size: 1, size: 2}") ==
         "t.yaml:3:48: error: the key `size` is there twice in `<<`; remove or rename one");
   CHECK(fault("points: [[0, 0, 0]], <<: {sise: 1}").starts_with("t.yaml:3:39: error: unknown key `sise`"));
-  CHECK_THAT(fault("points: [[0, 0, 0]], attributes: &m {k: 1, <<: *m}"), Catch::Contains("repeat too much"));
+  CHECK_THAT(fault("points: [[0, 0, 0]], attributes: &m {k: 1, <<: *m}"),
+             Catch::Contains("error: this map is merged into itself; remove the `<<` that names it"));
 }
 
 TEST_CASE("a number is a dominance on every node, a side on Booleans only", "[tree]") {
