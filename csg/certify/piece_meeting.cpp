@@ -183,6 +183,11 @@ bool Pieces::on_one_side(const Facet& plane, const Facet& of) const {
 }
 
 bool Pieces::drawn_alike(std::uint32_t a, std::uint32_t b) const {
+  const bool on_one_side_each = std::ranges::all_of(facets_of(a), [&](const Facet& f) {
+    return std::ranges::all_of(facets_of(b),
+                               [&](const Facet& g) { return on_one_side(f, g) || on_one_side(g, f); });
+  });
+  if (on_one_side_each) return true;
   const auto facets = [&](std::uint32_t piece) {
     std::set<std::vector<RationalPoint>> all;
     for (const Facet& facet : facets_of(piece)) {
@@ -193,17 +198,13 @@ bool Pieces::drawn_alike(std::uint32_t a, std::uint32_t b) const {
     }
     return all;
   };
-  const auto equal = [&](std::uint32_t x, std::uint32_t y) { return facets(x) == facets(y); };
   // What is the same as a cell beside one is beside it as that is.
-  for (const auto& [x, y] : {std::pair(a, b), std::pair(b, a)}) {
-    if (equal(x, y) ||
-        std::ranges::any_of(pieces_[y].neighbours, [&, x = x](const auto& n) { return equal(x, n.first); }))
-      return true;
-  }
-  return std::ranges::all_of(facets_of(a), [&](const Facet& f) {
-    return std::ranges::all_of(facets_of(b),
-                               [&](const Facet& g) { return on_one_side(f, g) || on_one_side(g, f); });
-  });
+  const auto is_beside = [&](std::uint32_t x, std::uint32_t y) {
+    const auto own = facets(x);
+    return own == facets(y) ||
+           std::ranges::any_of(pieces_[y].neighbours, [&](const auto& n) { return own == facets(n.first); });
+  };
+  return is_beside(a, b) || is_beside(b, a);
 }
 
 const std::optional<Contact>& Pieces::contact_of(std::uint32_t sheet, std::uint32_t other) {
@@ -339,7 +340,9 @@ Pieces::Common Pieces::in_common(const std::vector<const RationalPoint*>& a,
 
 Pieces::Meeting Pieces::met(Common common, const Facet& a, const Facet& b, const Contact& contact) const {
   if (common == Common::nothing) return Meeting::apart;
-  return along_border(a, b, contact) || along_border(b, a, contact) ? Meeting::at_contact : Meeting::otherwise;
+  const bool both = pieces_[b.piece].kind == Piece::Kind::cell;
+  return along_border(a, b, contact) || (both && along_border(b, a, contact)) ? Meeting::at_contact
+                                                                              : Meeting::otherwise;
 }
 
 // A plane that has all of one on one side and all of the other on the other side: that of one of them, or where
@@ -356,12 +359,8 @@ Pieces::Meeting Pieces::facets_meet(const Facet& a, const Facet& b, const Contac
     if (pieces_[plane.piece].kind == Piece::Kind::cell &&
         !on_true_side(normal_of(plane), corner(plane, 0), plane.piece, of, contact))
       continue;
-    const bool met = !on.empty() && (pieces_[plane.piece].kind == Piece::Kind::flat || holds(plane, on));
-    if (!met) return Meeting::apart;
-    return along_border(of, plane, contact) ||
-                   (pieces_[plane.piece].kind == Piece::Kind::cell && along_border(plane, of, contact))
-               ? Meeting::at_contact
-               : Meeting::otherwise;
+    const bool flat = pieces_[plane.piece].kind == Piece::Kind::flat;
+    return met(on.empty() || !(flat || holds(plane, on)) ? Common::nothing : Common::contact, of, plane, contact);
   }
   if (pieces_[a.piece].kind == Piece::Kind::flat || pieces_[b.piece].kind == Piece::Kind::flat)
     return Meeting::otherwise;

@@ -161,6 +161,7 @@ class Pieces {
   /// Of convex polygons that have no more than an edge each in a plane between them: of these.
   static Common in_common(const std::vector<const RationalPoint*>& a, const std::vector<const RationalPoint*>& b,
                           const Contact& contact);
+  /// Of a cell, and another one or a flat piece.
   Meeting met(Common common, const Facet& a, const Facet& b, const Contact& contact) const;
   /// True if a facet has no corners on both sides of the plane of another one.
   bool on_one_side(const Facet& plane, const Facet& of) const;
