@@ -122,10 +122,6 @@ class ArrangementMaker {
   Arrangement arrangement_;
 };
 
-}  // namespace
-
-namespace {
-
 /// A fuse takes two arguments or more; fewer are parted already.
 TopoDS_Shape parted_space(BOPAlgo_Builder& fuse, const std::vector<Origin>& origins) {
   BRep_Builder builder;
