@@ -370,38 +370,39 @@ bool independent(const Interval3& a, const Interval3& b, const Interval3& c) {
   return !holds_zero(dot(m[0], cross(m[1], m[2])));
 }
 
-Interval extent(const PiecePart& part, const Vector3<double>& d, Between between) {
+Extents extents(const PiecePart& part, const Vector3<double>& d, Between between) {
   const Piece& piece = *part.piece;
   const Interval3 along = thin(d);
-  const auto all_of = [&](std::span<const Interval3> points) {
-    Interval all = dot(along, points[0]);
-    for (const Interval3& p : points.subspan(1)) all = hull(all, dot(along, p));
-    return all;
-  };
   const Interval of_box = dot(along, part.box);
-  const auto narrowed = [](const Interval& a, const Interval& b) {
-    const double low = std::max(a.inf(), b.inf()), high = std::min(a.sup(), b.sup());
-    return low <= high ? Interval(low, high) : a;
+  const auto narrowed = [&](const Interval& x) {
+    const double low = std::max(of_box.inf(), x.inf()), high = std::min(of_box.sup(), x.sup());
+    return low <= high ? Interval(low, high) : of_box;
   };
+  const auto both = [&](const Interval& x) { return Extents{narrowed(x), narrowed(x)}; };
   if (piece.kind == Piece::Kind::flat) {
     // Along the normal, where it has one value, and the rest.
     const Interval share = dot(along, piece.normal) / dot(piece.normal, piece.normal);
     const Interval3 rest = difference(along, scaled(share, piece.normal));
-    return narrowed(of_box, share * dot(piece.normal, piece.point) + dot(rest, part.box));
+    return both(share * dot(piece.normal, piece.point) + dot(rest, part.box));
   }
+  const auto at = [&](const Interval3& corner) { return dot(along, corner); };
+  if (piece.exact()) return both(at(piece.corners[0]) + part.range[0] * at(piece.along_u));
   // Of the surface by the mean value theorem, from the middle of its part.
-  const Interval middle_u(middle_of(part.range[0])), middle_v(middle_of(part.range[1]));
-  const Interval away_u = part.range[0] - middle_u, away_v = part.range[1] - middle_v;
-  if (piece.kind == Piece::Kind::curve) {
-    const Interval chord = dot(along, piece.corners[0]) + part.range[0] * dot(along, piece.along_u);
-    if (piece.exact()) return narrowed(of_box, chord);
-    const Interval curve = dot(along, part.middle()) + away_u * dot(along, part.along_u);
-    return narrowed(of_box, between == Between::surfaces ? curve : hull(chord, curve));
-  }
-  const Interval surface =
-      dot(along, part.middle()) + away_u * dot(along, part.along_u) + away_v * dot(along, part.along_v);
-  if (part.facet.count == 0) return narrowed(of_box, surface);
-  return narrowed(of_box, hull(surface, all_of(std::span(part.facet.all).first(part.facet.count))));
+  const auto away = [&](std::size_t k) { return part.range[k] - Interval(middle_of(part.range[k])); };
+  Interval surface = at(part.middle()) + away(0) * at(part.along_u);
+  if (piece.kind == Piece::Kind::cell) surface += away(1) * at(part.along_v);
+  if (between == Between::surfaces || (piece.kind == Piece::Kind::cell && part.facet.count == 0))
+    return both(surface);
+  if (piece.kind == Piece::Kind::curve)
+    return {narrowed(at(piece.corners[0]) + part.range[0] * at(piece.along_u)), narrowed(surface)};
+  Interval facets = at(part.facet.all[0]);
+  for (std::size_t k = 1; k < part.facet.count; ++k) facets = hull(facets, at(part.facet.all[k]));
+  return {narrowed(facets), narrowed(surface)};
+}
+
+bool parted(const Extents& a, const Extents& b) {
+  return (a.facets.sup() < b.facets.inf() && a.surface.sup() < b.surface.inf()) ||
+         (b.facets.sup() < a.facets.inf() && b.surface.sup() < a.surface.inf());
 }
 
 }  // namespace cnrg

@@ -357,7 +357,7 @@ class PieceMaker {
       const Interval3 along{Interval(out[0]), Interval(out[1]), Interval(out[2])};
       Interval wide = dot(along, from);
       for (const std::uint32_t p : outer) wide = hull(wide, dot(along, place.points[p]));
-      for (const PiecePart& rim : rims) wide = hull(wide, extent(rim, out, Between::facets_and_surfaces));
+      for (const PiecePart& rim : rims) wide = hull(wide, extents(rim, out, Between::facets_and_surfaces).all());
       piece.limits.emplace_back(out, wide);
     }
   }

@@ -209,8 +209,14 @@ std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d);
 /// Two halves by u (0) or v (1).
 std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, std::size_t k,
                                 Between between);
-/// What holds d . x for all x of a part.
-Interval extent(const PiecePart& part, const Vector3<double>& d, Between between);
+/// What holds d . x for all x of a part: of its facets, and of its surface.
+struct Extents {
+  Interval facets{0}, surface{0};
+  Interval all() const { return hull(facets, surface); }
+};
+Extents extents(const PiecePart& part, const Vector3<double>& d, Between between);
+/// True if parts with these extents have no point in common at any t: facets and surfaces are on the same sides.
+bool parted(const Extents& a, const Extents& b);
 
 Interval3 thin(const Vector3<double>& x);
 /// To about length 1.

@@ -352,9 +352,9 @@ class Prover {
       for (const Vector3<double>& y : sides_of(b)) {
         const auto d = direction(cross(x, y));
         if (!d) continue;
-        const Interval one = extent(a, *d, Between::facets_and_surfaces),
-                       other = extent(b, *d, Between::facets_and_surfaces);
-        if (one.sup() < other.inf() || other.sup() < one.inf()) return true;
+        if (cnrg::parted(extents(a, *d, Between::facets_and_surfaces),
+                         extents(b, *d, Between::facets_and_surfaces)))
+          return true;
       }
     }
     return false;
@@ -458,7 +458,8 @@ class Prover {
       }
       const auto d = c.blind || c.piece->kind == Piece::Kind::curve ? std::nullopt : direction(middle_of(c.cone));
       if (!d || !std::isfinite(place.inf()) || !std::isfinite(place.sup())) continue;
-      const Interval own = extent(c, *d, between), other = dot(thin(*d), point) + place * dot(thin(*d), way);
+      const Interval own = extents(c, *d, between).all(),
+                     other = dot(thin(*d), point) + place * dot(thin(*d), way);
       if (own.sup() < other.inf() || other.sup() < own.inf()) return true;
     }
     return false;
@@ -500,7 +501,7 @@ class Prover {
   static double thickness_of(const PiecePart& part) {
     const auto d = part.blind ? std::nullopt : direction(middle_of(part.cone));
     if (!d) return 0;
-    const Interval wide = extent(part, *d, Between::facets_and_surfaces);
+    const Interval wide = extents(part, *d, Between::facets_and_surfaces).all();
     return wide.sup() - wide.inf();
   }
 
@@ -531,11 +532,9 @@ class Prover {
       if (parts[i].blind || parts[i].piece->kind == Piece::Kind::curve) continue;
       const auto d = direction(middle_of(parts[i].cone));
       if (!d) continue;
-      const Interval own = extent(parts[i], *d, between);
+      const Extents own = extents(parts[i], *d, between);
       for (std::size_t j = 0; j < parts.size(); ++j) {
-        if (j == i) continue;
-        const Interval other = extent(parts[j], *d, between);
-        if (own.sup() < other.inf() || other.sup() < own.inf()) return true;
+        if (j != i && cnrg::parted(own, extents(parts[j], *d, between))) return true;
       }
     }
     return false;
