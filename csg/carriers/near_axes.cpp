@@ -13,10 +13,15 @@ namespace {
 
 using Index = std::uint32_t;
 
+/// Balls that differ by this part of their size, place and radius together, are drawn about their common axis:
+/// they cross at so small an angle that only facets of one kind tell where.
+constexpr double kNearBalls = 0.03;
+
 /// The axis of a leaf in doubles.
 struct RoughAxis {
   std::array<double, 3> point, along;  ///< along has length 1
   double size = 0;                     ///< of the leaf, at least
+  double radius = 0;                   ///< of a sphere
   bool sphere = false;
 
   RoughAxis(const ExtrudedArc& arc, const Transform& transform)
@@ -34,6 +39,10 @@ struct RoughAxis {
     const double length = std::hypot(along[0], along[1], along[2]);
     for (double& x : along) x /= length;
     size = length;
+    if (sphere) {
+      const std::array<double, 3> own = to_doubles(form.axis);
+      radius = to_double(form.lines[0][0].radius) * length / std::hypot(own[0], own[1], own[2]);
+    }
     for (const auto& line : form.lines) {
       for (const MeridianPiece& piece : line)
         size = std::max({size, to_double(piece.from.r), to_double(piece.to.r), to_double(piece.radius)});
@@ -52,8 +61,9 @@ struct RoughAxis {
     constexpr double kNear = 1e-6;
     const double limit = kNear * (size + b.size);
     if (sphere && b.sphere) {
-      return std::abs(point[0] - b.point[0]) + std::abs(point[1] - b.point[1]) + std::abs(point[2] - b.point[2]) <=
-             limit;
+      return std::hypot(point[0] - b.point[0], point[1] - b.point[1], point[2] - b.point[2]) +
+                 std::abs(radius - b.radius) <=
+             limit + kNearBalls * (radius + b.radius);
     }
     if (sphere) return !(b.distance(point) > limit);
     if (b.sphere) return !(distance(b.point) > limit);

@@ -57,6 +57,7 @@ class Space {
     touch_leaves();
     touch_balls();
     touch_nested();
+    touch_near_balls();
     touch_inside();
     touch_circles();
     build();
@@ -116,6 +117,24 @@ class Space {
       edges_.push_back({first, second});
       on_axes_.insert({a, b});
       shared_.nest(a.radius < b.radius ? a : b, a.radius < b.radius ? b : a);
+    }
+  }
+
+  /// Balls nearly in one place, with equally many steps.
+  void touch_near_balls() {
+    for (const auto& [i, j] : of_.near) {
+      if (of_leaf_.contains(i) || of_leaf_.contains(j) || !forms_.contains(i) || !forms_.contains(j)) continue;
+      const Ball a = ball_of(i), b = ball_of(j);
+      if (a == b) continue;
+      const RationalPoint between = b.center - a.center;
+      const AxisLine axis =
+          axis_line(a.center, is_zero(between) ? relative_.at(i).apply_to_vector(form_of(i).axis) : between);
+      const std::array<Index, 2> nodes{ball_node(a, axis, ball_on(a, axis)), ball_node(b, axis, ball_on(b, axis))};
+      edges_.push_back(nodes);
+      on_axes_.insert({a, b});
+      int& steps = nodes_[nodes[0]].placed.lines[0][0].steps;
+      int& others = nodes_[nodes[1]].placed.lines[0][0].steps;
+      steps = others = std::max(steps, others);
     }
   }
 

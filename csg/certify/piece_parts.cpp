@@ -23,6 +23,7 @@ PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Inter
   }
   const std::size_t first = piece.at[0][0] != piece.at[1][0] ? 0 : 1, second = 1 - first;
   const auto place = [](double x, double from, double to) {
+    if (x == from || x == to) return Interval(x == from ? 0 : 1);
     return (Interval(x) - Interval(from)) / (Interval(to) - Interval(from));
   };
   const auto mix = [](const Interval3& a, const Interval3& b, const Interval& x) {
@@ -59,12 +60,15 @@ PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Inter
     return result;
   }
   // F is bilinear: its hull is that of its corners.
+  const auto share = [&](const Interval& way, std::size_t k) {
+    return piece.column && piece.column->around == k ? piece.column->share(way) : way;
+  };
   for (const double x : {range[first].inf(), range[first].sup()}) {
-    const Interval s = place(x, piece.at[0][first], piece.at[1][first]);
+    const Interval s = share(place(x, piece.at[0][first], piece.at[1][first]), first);
     const Interval3 low = mix(piece.corners[0], piece.corners[1], s),
                     high = mix(piece.corners[3], piece.corners[2], s);
     for (const double y : {range[second].inf(), range[second].sup()})
-      result.add(mix(low, high, place(y, piece.at[0][second], piece.at[3][second])));
+      result.add(mix(low, high, share(place(y, piece.at[0][second], piece.at[3][second]), second)));
   }
   return result;
 }
@@ -116,6 +120,9 @@ bool on_side(const Piece& piece, std::size_t i, const std::array<Interval, 2>& r
   return off.inf() <= 0 && off.sup() >= 0;
 }
 
+/// How far F of a curve is from its first to its last corner.
+Interval share_of(const Piece& curve, const Interval& s) { return curve.column ? curve.column->share(s) : s; }
+
 /// The hull with what F adds.
 Interval3 with(const Interval3& facets, const Interval3& surface, Between between) {
   return between == Between::surfaces ? surface : hull(facets, surface);
@@ -125,7 +132,7 @@ PiecePart curve_part(const std::vector<Piece>& all, const Piece& piece, const st
                      Between between) {
   PiecePart part{&piece, range};
   const Interval& s = range[0];
-  const Interval3 chord = sum(piece.corners[0], scaled(s, piece.along_u));
+  const Interval3 chord = sum(piece.corners[0], scaled(share_of(piece, s), piece.along_u));
   part.box = chord;
   part.cone = piece.along_u;
   if (piece.surface != nullptr || piece.curve) {
@@ -394,7 +401,8 @@ Extents extents(const PiecePart& part, const Vector3<double>& d, Between between
   if (between == Between::surfaces || (piece.kind == Piece::Kind::cell && part.facet.count == 0))
     return both(surface);
   if (piece.kind == Piece::Kind::curve)
-    return {narrowed(at(piece.corners[0]) + part.range[0] * at(piece.along_u)), narrowed(surface)};
+    return {narrowed(at(piece.corners[0]) + share_of(piece, part.range[0]) * at(piece.along_u)),
+            narrowed(surface)};
   Interval facets = at(part.facet.all[0]);
   for (std::size_t k = 1; k < part.facet.count; ++k) facets = hull(facets, at(part.facet.all[k]));
   return {narrowed(facets), narrowed(surface)};

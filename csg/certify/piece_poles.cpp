@@ -131,8 +131,11 @@ std::optional<Interval3> normals_about(const std::vector<Piece>& all, const std:
       const SurfaceJet<Interval> jet = piece.surface->over(range[0], range[1]);
       const std::optional<SurfaceBend> bend = piece.surface->bend_over(range[0], range[1]);
       if (!bend) return std::nullopt;
-      found.add(scaled(length, away == 0 ? jet.along_u : jet.along_v), scaled(Interval(length * wide), bend->uv),
-                {c[0] + f * step[0], c[1] + f * step[1]}, step);
+      const Interval share = piece.column ? piece.column->share(f) : f,
+                     growth = piece.column ? piece.column->growth(f) : Interval(1);
+      found.add(scaled(length, away == 0 ? jet.along_u : jet.along_v),
+                scaled(Interval(length * wide / growth), bend->uv),
+                {c[0] + share * step[0], c[1] + share * step[1]}, step);
     }
   }
   return cross((*found.hulls)[0], (*found.hulls)[1]);

@@ -55,7 +55,6 @@ class PieceMaker {
   }
 
  private:
-  using Edge = std::pair<std::uint32_t, std::uint32_t>;
   struct Place {
     LeafId leaf;
     const Transform& transform;
@@ -64,7 +63,7 @@ class PieceMaker {
     std::vector<Box> boxes{};    // of the cells, facets and surfaces
     std::vector<char> chosen{};  // of the cells: those that become pieces
     /// Pieces, and side of the piece; kNone for cells that are none.
-    std::map<Edge, std::vector<std::pair<std::uint32_t, std::uint8_t>>> sides{};
+    PieceSides sides{};
   };
 
   /// Leaves by where their points are: what is asked first must not depend on their order in the tree.
@@ -203,6 +202,7 @@ class PieceMaker {
     }
     for (const Mould::Flat& flat : place.mould.flats) add_flat(place, flat);
     find_neighbours(first);
+    find_columns(out_.pieces_, first, place.sides);
     find_poles(out_.pieces_, first);
     add_curves(place);
     for (const Mould::Wire& wire : place.mould.wires) add_wire(place, wire);
@@ -420,6 +420,8 @@ class PieceMaker {
           curve.side[1][k] = piece.at[ahead ? b : a][k];
         }
         curve.patch = piece.patch;
+        if (piece.column && piece.at[a][piece.column->around] != piece.at[b][piece.column->around])
+          curve.column = piece.column;
         break;
       }
       // One number along a line of parameters of the patch, or for a straight edge.

@@ -80,6 +80,16 @@ struct Piece {
     Interval3 normals;
   };
   std::optional<Pole> pole{};
+  /// Of cells between two half-planes through the axis of their surface of revolution, and of curves from one to
+  /// the other: F is at the angle of S (piece_columns.cpp).
+  struct Column {
+    std::size_t around;      ///< the parameter that is the angle
+    Interval half, tangent;  ///< turns from the middle to a side, and their tangent
+    /// How far a point of a straight edge is from one end to the other, by how far its angle is.
+    Interval share(const Interval& way) const;
+    Interval growth(const Interval& way) const;  ///< its derivative
+  };
+  std::optional<Column> column{};
   std::array<double, 2> turn{0, 0};        ///< about how far its normal turns along u and v, in radians
   const PlacedSurface* surface = nullptr;  ///< of a cell, or of a curve that is a side of one
   std::shared_ptr<const Curve> curve{};    ///< of a curved wire
@@ -176,7 +186,12 @@ class Pieces {
   friend class PieceMaker;
 };
 
-/// Sets what cells from `first` on, of one leaf, have at poles; `neighbours` are known.
+/// The pieces at an edge of a leaf, and which side of each it is; kNone for cells that are no pieces.
+using PieceSides =
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::uint32_t, std::uint8_t>>>;
+/// Sets which cells from `first` on, of one leaf, are in columns.
+void find_columns(std::vector<Piece>& all, std::size_t first, const PieceSides& sides);
+/// Sets what cells from `first` on, of one leaf, have at poles; `neighbours` and columns are known.
 void find_poles(std::vector<Piece>& all, std::size_t first);
 
 /// What a part is of: facets and surfaces and all between, or surfaces alone.

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "csg/certify/coaxial.h"
 #include "kernel/base/limits.h"
 #include "kernel/refine/box_pairs.h"
 
@@ -243,14 +244,20 @@ class Prover {
         return true;
       }
     }
+    const Coaxial coaxial = ask_coaxial(tuple, Between::facets_and_surfaces);
+    if (coaxial == Coaxial::apart || coaxial == Coaxial::crossing) {
+      some = coaxial == Coaxial::crossing;
+      return answered(key, some);
+    }
     const std::size_t steps = tuple.size() == 2 || (contacts == 0 && !hopeless) ? kMostSteps
                               : contacts == 1 && !hopeless                      ? kMostInContact
                                                                                 : kMostIfHopeless;
     if (answer(tuple, question, Between::facets_and_surfaces, steps, some, left)) return answered(key, some);
     some = true;
     OpenPlace place{tuple, middle_of(left), size_of(left), contacts > 1 ? Why::budget : Why::facets};
+    place.coaxial = coaxial == Coaxial::open && ask_coaxial(tuple, Between::surfaces) != Coaxial::open;
     ++open;
-    if (contacts < 2 && !hopeless) {
+    if (contacts < 2 && !hopeless && !place.coaxial) {
       bool any = false;
       const bool by_facets =
           answer(tuple, question, Between::surfaces, open <= kMostTold ? kMostOfSurfaces : kMostSteps / 2, any,
@@ -265,6 +272,10 @@ class Prover {
     }
     add_open(key, std::move(place));
     return false;
+  }
+
+  Coaxial ask_coaxial(const std::vector<Index>& tuple, Between between) const {
+    return tuple.size() == 2 ? cnrg::ask_coaxial(all_, all_[tuple[0]], all_[tuple[1]], between) : Coaxial::other;
   }
 
   static PieceTuple key_of(std::vector<Index> tuple) {

@@ -56,6 +56,7 @@ struct OpenPlace {
   /// `facets`: the surfaces alone are in general position there, so finer facets would do. `budget`: of a set of
   /// leaves the first one.
   UncertainPlace::Why why = UncertainPlace::Why::near;
+  bool coaxial = false;  ///< of two cells that finer meridians would tell (coaxial.h)
 };
 
 struct Proof {

@@ -50,6 +50,14 @@ struct CurveJet {
   Vector3<Number> point, along;
 };
 
+/// Of a surface of revolution, nearly: a point of its axis, the axis' direction of length 1, and the parameter
+/// that is its angle, of so many turns from 0 to 1.
+struct Revolution {
+  Vector3<double> center, axis;
+  std::size_t around = 0;
+  double turns = 1;
+};
+
 /// One curved patch, before the leaf's transform.
 class Surface {
  public:
@@ -61,6 +69,8 @@ class Surface {
   virtual std::optional<SurfaceBend> bend_over(const Interval& /*u*/, const Interval& /*v*/) const {
     return std::nullopt;
   }
+  /// Nothing if it is none of revolution.
+  virtual std::optional<Revolution> revolution() const { return std::nullopt; }
 };
 
 class Curve {

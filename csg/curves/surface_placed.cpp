@@ -1,6 +1,8 @@
 // Transforms of jets, Newton's method; see the header.
 #include "csg/curves/surface_placed.h"
 
+#include <cmath>
+
 namespace cnrg {
 
 using namespace surface_math;
@@ -51,6 +53,30 @@ std::optional<SurfaceBend> PlacedSurface::bend_over(const Interval& u, const Int
   for (Vector3<Interval>* const x : {&bend->uu, &bend->uv, &bend->vv})
     *x = {dot(as<Interval>(linear_[0]), *x), dot(as<Interval>(linear_[1]), *x), dot(as<Interval>(linear_[2]), *x)};
   return bend;
+}
+
+std::optional<Revolution> PlacedSurface::revolution() const {
+  std::optional<Revolution> revolution = surface_->revolution();
+  if (!revolution) return revolution;
+  constexpr double kRounded = 1e-13;
+  std::array<Vector3<double>, 3> columns;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) columns[k][i] = linear_[i][k].value;
+  }
+  const double square = dot(columns[0], columns[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (!(std::abs(dot(columns[i], columns[j]) - (i == j ? square : 0)) <= kRounded * square))
+        return std::nullopt;
+    }
+  }
+  const auto by = [&](const Vector3<double>& x) {
+    return Vector3<double>{dot(as<double>(linear_[0]), x), dot(as<double>(linear_[1]), x),
+                           dot(as<double>(linear_[2]), x)};
+  };
+  revolution->center = sum(by(revolution->center), as<double>(offset_));
+  revolution->axis = scaled(1 / std::sqrt(square), by(revolution->axis));
+  return revolution;
 }
 
 namespace {

@@ -20,6 +20,7 @@ class PlacedSurface final : public Surface {
   SurfaceJet<double> at(double u, double v) const override;
   SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override;
   std::optional<SurfaceBend> bend_over(const Interval& u, const Interval& v) const override;
+  std::optional<Revolution> revolution() const override;
 
  private:
   template <class N>

@@ -55,6 +55,10 @@ class RoundSurface final : public Surface {
     if (angle_first_) return SurfaceBend{by_angle, by_both, by_meridian};
     return SurfaceBend{by_meridian, by_both, by_angle};
   }
+  std::optional<Revolution> revolution() const override {
+    using namespace surface_math;
+    return Revolution{as<double>(center_), as<double>(axis_), angle_first_ ? 0u : 1u, turns_.value};
+  }
 
  private:
   /// Unit vectors at an angle: away from the axis, and where it grows.

@@ -38,11 +38,12 @@ std::array<bool, 2> bends(const Piece& piece) {
 }
 
 /// By u and by v, a line of parameters with which a cell, or a side of one, is nearer to its surface.
-std::array<std::optional<double>, 2> further_lines(const Piece& piece) {
+std::array<std::optional<double>, 2> further_lines(const Piece& piece, bool coaxial) {
   std::array<std::optional<double>, 2> lines;
   if (piece.kind == Piece::Kind::flat || piece.surface == nullptr) return lines;
   const bool side = piece.kind == Piece::Kind::curve;
-  const std::array<bool, 2> asked = side ? std::array{true, true} : bends(piece);
+  std::array<bool, 2> asked = side ? std::array{true, true} : bends(piece);
+  if (coaxial) asked[piece.column->around] = false, asked[1 - piece.column->around] = true;
   for (std::size_t k = 0; k < 2; ++k) {
     const Interval of = side ? hull(piece.side[0][k], piece.side[1][k]) : piece.range[k];
     if (asked[k] && of.inf() < of.sup()) lines[k] = middle_of(of);
@@ -111,7 +112,7 @@ bool ProvenLines::add_lines() {
       const Piece& piece = pieces[i];
       const auto leaf = static_cast<std::uint32_t>(piece.leaf.index());
       if (lines_.contains(leaf) && cells[piece.leaf] > kMostCells) continue;
-      const std::array<std::optional<double>, 2> further = further_lines(piece);
+      const std::array<std::optional<double>, 2> further = further_lines(piece, open.coaxial);
       for (std::size_t k = 0; k < 2; ++k) {
         if (!further[k]) continue;
         auto& of = lines_[leaf].of[piece.patch][k];

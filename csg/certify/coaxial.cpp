@@ -1,0 +1,290 @@
+// Meridians of two cells in a common half-plane; see the header.
+#include "csg/certify/coaxial.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cnrg {
+
+using namespace surface_math;
+
+namespace {
+
+// Of the size of coordinates: what is rounded, and the margins.
+constexpr double kRounded = 1e-13, kLengthMargin = 1e-12;
+constexpr double kAngleMargin = 1e-8;
+constexpr double kLeastLength = 1e-6;  // of a chord, so that its direction is not rounded by more than a margin
+constexpr int kMostSteps = 20000;
+
+/// Away from the axis and along it.
+using Point2 = std::array<Interval, 2>;
+Interval cross2(const Point2& a, const Point2& b) { return a[0] * b[1] - a[1] * b[0]; }
+double length_of(const Point2& a) { return std::hypot(middle_of(a[0]), middle_of(a[1])); }
+
+/// A half-plane, in doubles.
+struct HalfPlane {
+  Vector3<double> center, away, axis;
+  Point2 way(const Interval3& v) const { return {dot(thin(away), v), dot(thin(axis), v)}; }
+  Point2 at(const Interval3& p) const { return way(difference(p, thin(center))); }
+};
+
+/// A cell in one of its two half-planes.
+struct Meridian {
+  const Piece* piece = nullptr;
+  HalfPlane plane{};
+  std::size_t along = 0;
+  double angle = 0;                               ///< the parameter that is the angle, here
+  std::array<double, 2> range{};                  ///< of the other one
+  std::array<Point2, 2> corners{};                ///< at its ends
+  Point2 chord{};                                 ///< the derivative of F
+  std::array<std::optional<Point2>, 2> beyond{};  ///< that of the next cells, at these ends
+
+  Point2 on_chord(double m) const {
+    if (m == range[0]) return corners[0];
+    if (m == range[1]) return corners[1];
+    const Interval off = Interval(m) - Interval(range[0]);
+    return {corners[0][0] + off * chord[0], corners[0][1] + off * chord[1]};
+  }
+  SurfaceJet<Interval> jet(const Interval& m) const {
+    return along == 1 ? piece->surface->over(Interval(angle), m) : piece->surface->over(m, Interval(angle));
+  }
+};
+
+/// A part of a meridian: F and S.
+struct Part {
+  const Meridian* of;
+  std::array<double, 2> range;
+  std::array<Point2, 2> chord;     // its ends
+  std::array<Point2, 3> tangents;  // of F, with the next cells at an end
+  std::size_t count = 0;
+  Point2 middle{}, tangent{};  // of S
+  Interval off = 0;            // parameters from its middle
+
+  Part(const Meridian& meridian, const std::array<double, 2>& of_range, Between between)
+      : of(&meridian), range(of_range) {
+    const Interval whole(range[0], range[1]), at(middle_of(whole));
+    off = whole - at;
+    middle = of->plane.at(of->jet(at).point);
+    const SurfaceJet<Interval> jet = of->jet(whole);
+    tangent = of->plane.way(of->along == 1 ? jet.along_v : jet.along_u);
+    if (between == Between::surfaces) {
+      chord = {point(), point()};
+      tangents[count++] = tangent;
+      return;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      chord[k] = of->on_chord(range[k]);
+      if (range[k] == of->range[k] && of->beyond[k]) tangents[++count] = *of->beyond[k];
+    }
+    tangents[0] = of->chord;
+    ++count;
+  }
+  Point2 point() const { return {middle[0] + off * tangent[0], middle[1] + off * tangent[1]}; }
+  double length() const { return length_of(tangent) * (range[1] - range[0]); }
+  bool beside_axis() const { return point()[0].inf() > 0 && chord[0][0].inf() > 0 && chord[1][0].inf() > 0; }
+};
+
+class Question {
+ public:
+  Question(Meridian a, Meridian b, const Interval& factor, Between between, double size)
+      : a_(std::move(a)), b_(std::move(b)), factor_(factor), between_(between), size_(size) {}
+  Coaxial run() {
+    if (!answer(Part(a_, a_.range, between_), Part(b_, b_.range, between_))) return Coaxial::open;
+    return some_ ? Coaxial::crossing : Coaxial::apart;
+  }
+
+ private:
+  bool answer(const Part& a, const Part& b) {
+    for (const Point2& way : {a.tangent, b.tangent}) {
+      if (parted(a, b, way) || parted(a, b, {way[1], -way[0]})) return true;
+    }
+    if (a.beside_axis() && b.beside_axis() && cross(a, b)) {
+      some_ = true;
+      return true;
+    }
+    if (steps_++ == kMostSteps) return false;
+    const bool first = a.length() >= b.length();
+    const Part& longer = first ? a : b;
+    const double middle = longer.range[0] / 2 + longer.range[1] / 2;
+    if (!(longer.range[0] < middle && middle < longer.range[1]) || !(longer.length() > kLengthMargin * size_))
+      return false;
+    for (const std::array<double, 2>& half : {std::array{longer.range[0], middle}, {middle, longer.range[1]}}) {
+      const Part part(*longer.of, half, between_);
+      if (!answer(first ? part : a, first ? b : part)) return false;
+    }
+    return true;
+  }
+
+  /// By a line along a tangent.
+  bool parted(const Part& a, const Part& b, const Point2& along) const {
+    const double length = length_of(along);
+    if (!(length > 0)) return false;
+    const Interval x(-middle_of(along[1]) / length), y(middle_of(along[0]) / length),
+        margin(kLengthMargin * size_);
+    const auto surface = [&](const Part& part) {
+      return x * part.middle[0] + y * part.middle[1] + part.off * (x * part.tangent[0] + y * part.tangent[1]);
+    };
+    const auto facets = [&](const Part& part, double factor) {
+      const Interval by = Interval(factor) * x;
+      return cnrg::hull(by * part.chord[0][0] + y * part.chord[0][1],
+                        by * part.chord[1][0] + y * part.chord[1][1]);
+    };
+    bool before = true, behind = true;
+    const auto compare = [&](const Interval& of_a, const Interval& of_b) {
+      before = before && (of_a + margin).sup() < of_b.inf();
+      behind = behind && (of_b + margin).sup() < of_a.inf();
+    };
+    compare(surface(a), surface(b));
+    if (between_ == Between::surfaces) return before || behind;
+    for (const double factor : {factor_.inf(), factor_.sup()}) compare(facets(a, factor), facets(b, factor));
+    return before || behind;
+  }
+
+  /// True if tangents are at an angle, of one sign.
+  bool cross(const Part& a, const Part& b) const {
+    bool left = true, right = true;
+    const auto compare = [&](const Interval& x, double of) {
+      left = left && x.inf() > kAngleMargin * of;
+      right = right && x.sup() < -kAngleMargin * of;
+    };
+    compare(cross2(a.tangent, b.tangent), length_of(a.tangent) * length_of(b.tangent));
+    if (between_ == Between::surfaces) return left || right;
+    for (std::size_t i = 0; i < a.count; ++i) {
+      for (std::size_t j = 0; j < b.count; ++j) {
+        const Point2 &f = a.tangents[i], &g = b.tangents[j];
+        compare(cross2(f, g), length_of(f) * length_of(g));
+        for (const double factor : {factor_.inf(), factor_.sup()}) {
+          const Point2 p{Interval(factor) * f[0], f[1]}, q{Interval(factor) * g[0], g[1]};
+          compare(cross2(p, b.tangent) + cross2(a.tangent, q),
+                  length_of(f) * length_of(b.tangent) + length_of(a.tangent) * length_of(g));
+        }
+      }
+    }
+    return left || right;
+  }
+
+  const Meridian a_, b_;
+  const Interval factor_;
+  const Between between_;
+  const double size_;  ///< of coordinates
+  int steps_ = 0;
+  bool some_ = false;
+};
+
+/// Of a cell in a column: corners at its two half-planes, at the ends of the other parameter.
+struct Sides {
+  std::size_t around;
+  std::array<std::array<std::size_t, 2>, 2> corners{};
+  explicit Sides(const Piece& piece) : around(piece.column->around) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto last = [&](std::size_t k) {
+        return std::ranges::any_of(piece.at, [&](const auto& at) { return at[k] < piece.at[i][k]; });
+      };
+      corners[last(around) ? 1 : 0][last(1 - around) ? 1 : 0] = i;
+    }
+  }
+};
+
+/// The size of coordinates.
+double size_of(const Piece& piece) {
+  double size = 0;
+  for (const Interval3& p : piece.corners) {
+    for (const Interval& x : p) size = std::max({size, std::abs(x.inf()), std::abs(x.sup())});
+  }
+  return size;
+}
+double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
+
+/// Of its two half-planes the ways from the axis to the corner that is farther off.
+std::array<Vector3<double>, 2> ways_off(const Revolution& turn, const Piece& piece, const Sides& sides) {
+  const auto off = [&](std::size_t i) {
+    const Vector3<double> way = difference(middle_of(piece.corners[i]), turn.center);
+    return difference(way, scaled(dot(way, turn.axis), turn.axis));
+  };
+  const auto farther = [&](const std::array<std::size_t, 2>& ends) {
+    const Vector3<double> a = off(ends[0]), b = off(ends[1]);
+    return length(a) >= length(b) ? a : b;
+  };
+  return {farther(sides.corners[0]), farther(sides.corners[1])};
+}
+
+bool one_axis(const Revolution& a, const Revolution& b, double size) {
+  return length(cross(a.axis, b.axis)) <= kRounded &&
+         length(cross(difference(b.center, a.center), a.axis)) <= kRounded * size;
+}
+
+Point2 slope(const Point2& p, const Point2& q, double from, double to) {
+  const Interval step = Interval(to) - Interval(from);
+  return {(q[0] - p[0]) / step, (q[1] - p[1]) / step};
+}
+
+/// The slopes of the chords of the next cells of the patch in the column.
+void find_beyond(const std::vector<Piece>& all, const Sides& sides, std::size_t side, Meridian& result) {
+  const Piece& piece = *result.piece;
+  for (const auto& [number, bits] : piece.neighbours) {
+    const Piece& next = all[number];
+    for (std::size_t k = 0; k < 2; ++k) {
+      const bool whole = (bits >> sides.corners[0][k] & 1u) != 0 && (bits >> sides.corners[1][k] & 1u) != 0;
+      if (!whole || !next.column) continue;
+      const std::uint32_t corner = piece.points[sides.corners[side][k]];
+      const Sides of(next);
+      for (const auto& ends : of.corners) {
+        const std::size_t near = ends[1 - k], far = ends[k];
+        if (next.points[near] != corner) continue;
+        result.beyond[k] = slope(result.corners[k], result.plane.at(next.corners[far]),
+                                 next.at[near][result.along], next.at[far][result.along]);
+      }
+    }
+  }
+}
+
+/// Nothing if the cell is not in the half-plane, or so short that its directions are rounded.
+std::optional<Meridian> meridian(const std::vector<Piece>& all, const Piece& piece, const Sides& sides,
+                                 std::size_t side, const HalfPlane& plane, double size) {
+  Meridian result{&piece, plane, 1 - sides.around};
+  const auto& ends = sides.corners[side];
+  const Interval3 across = thin(cross(plane.axis, plane.away));
+  const auto beside = [&](const Interval3& p) {
+    const Interval off = dot(across, difference(p, thin(plane.center)));
+    return std::max(off.sup(), -off.inf()) > kRounded * size;
+  };
+  result.angle = piece.at[ends[0]][sides.around];
+  for (std::size_t k = 0; k < 2; ++k) {
+    result.range[k] = piece.at[ends[k]][result.along];
+    result.corners[k] = plane.at(piece.corners[ends[k]]);
+    if (beside(piece.corners[ends[k]]) || beside(result.jet(Interval(result.range[k])).point)) return std::nullopt;
+  }
+  result.chord = slope(result.corners[0], result.corners[1], result.range[0], result.range[1]);
+  if (!(length_of(result.chord) * (result.range[1] - result.range[0]) > kLeastLength * size)) return std::nullopt;
+  find_beyond(all, sides, side, result);
+  return result;
+}
+
+}  // namespace
+
+Coaxial ask_coaxial(const std::vector<Piece>& all, const Piece& a, const Piece& b, Between between) {
+  if (!a.column || !b.column || !a.foreign.empty() || !b.foreign.empty()) return Coaxial::other;
+  const Revolution turn = *a.surface->revolution();
+  const double size = std::max(size_of(a), size_of(b));
+  if (!one_axis(turn, *b.surface->revolution(), size)) return Coaxial::other;
+  const Sides of_a(a), of_b(b);
+  const auto ways = ways_off(turn, a, of_a), others = ways_off(turn, b, of_b);
+  const auto same = [&](const Vector3<double>& x, const Vector3<double>& y) {
+    return dot(x, y) > 0 && length(cross(x, y)) <= kRounded * size * std::max(length(x), length(y));
+  };
+  std::size_t count = 0, i = 0, j = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (same(ways[k / 2], others[k % 2]) && count++ == 0) i = k / 2, j = k % 2;
+  }
+  const auto ahead = [&](const Vector3<double>& x) { return dot(cross(ways[i], x), turn.axis) > 0; };
+  if (count == 0 || (count == 1 && ahead(ways[1 - i]) == ahead(others[1 - j]))) return Coaxial::other;
+  const auto away = direction(ways[i]);
+  if (!away || !(length(difference(ways[1], ways[0])) > kLeastLength * size)) return Coaxial::other;
+  const HalfPlane plane{turn.center, *away, turn.axis};
+  const auto one = meridian(all, a, of_a, i, plane, size), other = meridian(all, b, of_b, j, plane, size);
+  if (!one || !other) return Coaxial::other;
+  const Interval factor(cosine(a.column->half).inf() - kRounded, 1 + kRounded);
+  return Question(*one, *other, factor, between, size).run();
+}
+
+}  // namespace cnrg
