@@ -86,8 +86,8 @@ struct Part {
 
 class Question {
  public:
-  Question(Meridian a, Meridian b, const Interval& factor, Between between, double size)
-      : a_(std::move(a)), b_(std::move(b)), factor_(factor), between_(between), size_(size) {}
+  Question(Meridian a, Meridian b, Between between, double size)
+      : a_(std::move(a)), b_(std::move(b)), between_(between), size_(size) {}
   Coaxial run() {
     if (!answer(Part(a_, a_.range, between_), Part(b_, b_.range, between_))) return Coaxial::open;
     return some_ ? Coaxial::crossing : Coaxial::apart;
@@ -124,10 +124,9 @@ class Question {
     const auto surface = [&](const Part& part) {
       return x * part.middle[0] + y * part.middle[1] + part.off * (x * part.tangent[0] + y * part.tangent[1]);
     };
-    const auto facets = [&](const Part& part, double factor) {
-      const Interval by = Interval(factor) * x;
-      return cnrg::hull(by * part.chord[0][0] + y * part.chord[0][1],
-                        by * part.chord[1][0] + y * part.chord[1][1]);
+    const auto facets = [&](const Part& part) {
+      const auto at = [&](const Point2& p) { return x * p[0] + y * p[1]; };
+      return hull(at(part.chord[0]), at(part.chord[1]));
     };
     bool before = true, behind = true;
     const auto compare = [&](const Interval& of_a, const Interval& of_b) {
@@ -135,8 +134,7 @@ class Question {
       behind = behind && (of_b + margin).sup() < of_a.inf();
     };
     compare(surface(a), surface(b));
-    if (between_ == Between::surfaces) return before || behind;
-    for (const double factor : {factor_.inf(), factor_.sup()}) compare(facets(a, factor), facets(b, factor));
+    if (between_ == Between::facets_and_surfaces) compare(facets(a), facets(b));
     return before || behind;
   }
 
@@ -153,18 +151,14 @@ class Question {
       for (std::size_t j = 0; j < b.count; ++j) {
         const Point2 &f = a.tangents[i], &g = b.tangents[j];
         compare(cross2(f, g), length_of(f) * length_of(g));
-        for (const double factor : {factor_.inf(), factor_.sup()}) {
-          const Point2 p{Interval(factor) * f[0], f[1]}, q{Interval(factor) * g[0], g[1]};
-          compare(cross2(p, b.tangent) + cross2(a.tangent, q),
-                  length_of(f) * length_of(b.tangent) + length_of(a.tangent) * length_of(g));
-        }
+        compare(cross2(f, b.tangent) + cross2(a.tangent, g),
+                length_of(f) * length_of(b.tangent) + length_of(a.tangent) * length_of(g));
       }
     }
     return left || right;
   }
 
   const Meridian a_, b_;
-  const Interval factor_;
   const Between between_;
   const double size_;  ///< of coordinates
   int steps_ = 0;
@@ -206,6 +200,36 @@ std::array<Vector3<double>, 2> ways_off(const Revolution& turn, const Piece& pie
     return length(a) >= length(b) ? a : b;
   };
   return {farther(sides.corners[0]), farther(sides.corners[1])};
+}
+
+/// True if the other way of two is counter-clockwise from way i.
+bool ahead(const Revolution& turn, const std::array<Vector3<double>, 2>& ways, std::size_t i) {
+  return dot(cross(ways[i], ways[1 - i]), turn.axis) > 0;
+}
+/// True if a half-plane of one is between those of the other.
+bool overlap(const Revolution& turn, const std::array<Vector3<double>, 2>& a,
+             const std::array<Vector3<double>, 2>& b) {
+  const auto between = [&](const std::array<Vector3<double>, 2>& ways, const Vector3<double>& x) {
+    const std::size_t first = ahead(turn, ways, 0) ? 0 : 1;
+    return dot(cross(ways[first], x), turn.axis) > 0 && dot(cross(x, ways[1 - first]), turn.axis) > 0;
+  };
+  const auto any = [&](const auto& ways, const auto& others) {
+    return between(ways, others[0]) || between(ways, others[1]) || between(ways, sum(others[0], others[1]));
+  };
+  return any(a, b) || any(b, a);
+}
+
+/// Of cells in columns that have at most the axis in common: where this goes through each, if it does.
+Coaxial ask_on_axis(const Revolution& turn, const Piece& a, const Piece& b, double size) {
+  const auto pole = [](const Piece& piece) -> std::optional<Vector3<double>> {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (piece.points[i] == piece.points[(i + 1) % 4]) return middle_of(piece.corners[i]);
+    }
+    return std::nullopt;
+  };
+  const auto p = pole(a), q = pole(b);
+  if (p && q && std::abs(dot(difference(*p, *q), turn.axis)) <= kLengthMargin * size) return Coaxial::other;
+  return Coaxial::apart;
 }
 
 bool one_axis(const Revolution& a, const Revolution& b, double size) {
@@ -269,22 +293,26 @@ Coaxial ask_coaxial(const std::vector<Piece>& all, const Piece& a, const Piece& 
   if (!one_axis(turn, *b.surface->revolution(), size)) return Coaxial::other;
   const Sides of_a(a), of_b(b);
   const auto ways = ways_off(turn, a, of_a), others = ways_off(turn, b, of_b);
+  if (!(length(difference(ways[1], ways[0])) > kLeastLength * size) ||
+      !(length(difference(others[1], others[0])) > kLeastLength * size))
+    return Coaxial::other;
+  const double most = kRounded * size;
   const auto same = [&](const Vector3<double>& x, const Vector3<double>& y) {
-    return dot(x, y) > 0 && length(cross(x, y)) <= kRounded * size * std::max(length(x), length(y));
+    return dot(x, y) > 0 && length(cross(x, y)) <= most * std::max(length(x), length(y));
   };
   std::size_t count = 0, i = 0, j = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     if (same(ways[k / 2], others[k % 2]) && count++ == 0) i = k / 2, j = k % 2;
   }
-  const auto ahead = [&](const Vector3<double>& x) { return dot(cross(ways[i], x), turn.axis) > 0; };
-  if (count == 0 || (count == 1 && ahead(ways[1 - i]) == ahead(others[1 - j]))) return Coaxial::other;
+  if (count < 2 && (count == 0 ? overlap(turn, ways, others) : ahead(turn, ways, i) == ahead(turn, others, j)))
+    return Coaxial::other;
+  if (count == 0) return ask_on_axis(turn, a, b, size);
   const auto away = direction(ways[i]);
-  if (!away || !(length(difference(ways[1], ways[0])) > kLeastLength * size)) return Coaxial::other;
+  if (!away) return Coaxial::other;
   const HalfPlane plane{turn.center, *away, turn.axis};
   const auto one = meridian(all, a, of_a, i, plane, size), other = meridian(all, b, of_b, j, plane, size);
   if (!one || !other) return Coaxial::other;
-  const Interval factor(cosine(a.column->half).inf() - kRounded, 1 + kRounded);
-  return Question(*one, *other, factor, between, size).run();
+  return Question(*one, *other, between, size).run();
 }
 
 }  // namespace cnrg

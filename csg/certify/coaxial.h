@@ -2,9 +2,9 @@
 //
 // Two balls nearly in one place cross at an angle of a thousandth, along a circle all around. To tell by normals
 // that they do, cells would have to be a thousandth wide in both directions. But for all t a point of H is in the
-// half-plane of its angle (piece_columns.cpp). There a cell is one curve, and in all half-planes of a column both
-// are the same two curves, up to a common factor of F's distance from the axis, from the cosine of half the column
-// to 1. Where two such curves cross at an angle, or are apart, for all t and all factors, so are the cells.
+// half-plane of its angle (piece_columns.cpp). There a cell is one curve, the same in all half-planes of a column
+// but for a common factor of the distance from the axis. Where two such curves cross at an angle, or are apart,
+// for all t, so are the cells.
 //
 // H is a Bernstein polynomial in t, and so are differences of points and products of tangents. They keep their
 // sign if all their coefficients have it: two polygons are compared with each other, and two surfaces, which is

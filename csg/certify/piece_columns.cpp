@@ -1,8 +1,13 @@
 // Cells between half-planes through an axis: F is at the angle of S there; see pieces.h.
 //
 // Along a straight edge from one half-plane to the other, at right angles to the one in their middle, a point at
-// the angle w from that middle is (1 + tan w / tan h) / 2 of the way, if the ends are at -h and h. So H of such a
-// cell stays in the half-plane of its angle for all t, and all leaves about one axis do so alike (coaxial.h).
+// the angle w from that middle is (1 + tan w / tan h) / 2 of the way, if the ends are at -h and h, and its
+// distance from the axis is l = cos h / cos w times that of the ends. So F is at (l p, q), S at (r, z) in the
+// half-plane at w. H is at (((1 - t) p + t r) ((1 - t) l + t), (1 - t) q + t z): in every half-plane of the column
+// the same but for a common factor of all surfaces about the axis (coaxial.h). From (1 - t) F + t S it is t (1 -
+// t) (p - r) (1 - l) away.
+#include <cmath>
+
 #include "csg/certify/pieces.h"
 
 namespace cnrg {
@@ -14,14 +19,69 @@ namespace {
 Interval tangent_of(const Interval& turns) { return sine(turns) / cosine(turns); }
 Interval from_middle(const Interval& way) { return Interval(2) * way - Interval(1); }
 
+/// How far a corner is from the plane of three others, at most, and the length of the shortest side.
+std::array<double, 2> flatness(const Piece& piece) {
+  const auto way = [&](std::size_t a, std::size_t b) { return difference(piece.corners[b], piece.corners[a]); };
+  const auto length = [](const Interval3& v) {
+    const Vector3<double> m = middle_of(v);
+    return std::sqrt(dot(m, m));
+  };
+  const Interval3 normal = cross(way(0, 1), way(0, 3));
+  const Interval off = dot(normal, way(0, 2));
+  double shortest = HUGE_VAL;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (piece.points[i] != piece.points[(i + 1) % 4]) shortest = std::min(shortest, length(way(i, (i + 1) % 4)));
+  }
+  return {2 * std::max(off.sup(), -off.inf()) / length(normal), shortest};
+}
+
+double most(const Interval& x) { return std::max(x.sup(), -x.inf()); }
+double longest(const Interval3& v) {
+  return std::sqrt(most(v[0]) * most(v[0]) + most(v[1]) * most(v[1]) + most(v[2]) * most(v[2])) * (1 + 1e-14);
+}
+
+/// The derivative of F in a half-plane of a side, and by how much that of S differs from it, at most.
+struct MeridianSlope {
+  double chord, off;
+};
+MeridianSlope slope_of(const Piece& piece, std::size_t along) {
+  constexpr int kParts = 4;
+  std::size_t from = 0;  // a side along the meridian begins here
+  while (piece.at[from][along] == piece.at[(from + 1) % 4][along]) ++from;
+  const std::size_t to = (from + 1) % 4;
+  const Interval start(piece.at[from][along]), step = Interval(piece.at[to][along]) - start;
+  const Interval3 chord = scaled(Interval(1) / step, difference(piece.corners[to], piece.corners[from]));
+  std::array<Interval, 2> at{Interval(piece.at[from][0]), Interval(piece.at[from][1])};
+  MeridianSlope slope{std::sqrt(dot(middle_of(chord), middle_of(chord))), 0};
+  for (int k = 0; k < kParts; ++k) {
+    at[along] = start + step * Interval(double(k) / kParts, double(k + 1) / kParts);
+    const SurfaceJet<Interval> jet = piece.surface->over(at[0], at[1]);
+    slope.off = std::max(slope.off, longest(difference(along == 0 ? jet.along_u : jet.along_v, chord)));
+  }
+  return slope;
+}
+
 std::optional<Piece::Column> column_of(const Piece& piece) {
   constexpr double kMostTurns = 0.2;
-  const auto turn = piece.grid && !piece.bent && !piece.blind ? piece.surface->revolution() : std::nullopt;
+  constexpr double kMostOff = 1e-10;  // of the shortest side
+  const auto turn = piece.grid && !piece.blind ? piece.surface->revolution() : std::nullopt;
   if (!turn) return std::nullopt;
+  const auto [off, shortest] = piece.bent ? flatness(piece) : std::array{0.0, 1.0};
+  if (!(off <= kMostOff * shortest)) return std::nullopt;
   const Interval& range = piece.range[turn->around];
   const Interval half = Interval(turn->turns / 2) * (Interval(range.sup()) - Interval(range.inf()));
   if (!(half.inf() > 0) || !(half.sup() < kMostTurns / 2)) return std::nullopt;
-  return Piece::Column{turn->around, half, tangent_of(half)};
+  const std::size_t along = 1 - turn->around;
+  const MeridianSlope slope = slope_of(piece, along);
+  if (!(slope.off < slope.chord)) return std::nullopt;
+  const double wide = (Interval(piece.range[along].sup()) - Interval(piece.range[along].inf())).sup();
+  return Piece::Column{.around = turn->around,
+                       .half = half,
+                       .tangent = tangent_of(half),
+                       .flat = (Interval(1) - cosine(half)).sup(),
+                       .off = off,
+                       .chord = (Interval(slope.off) * wide).sup() / 2,
+                       .tilt = slope.off / (slope.chord - slope.off) / 4 * (1 + 1e-12)};
 }
 
 bool goes_around(const Piece& cell, std::size_t side) {
@@ -62,6 +122,18 @@ void find_columns(std::vector<Piece>& all, std::size_t first, const PieceSides& 
         any = true;
       }
     }
+  }
+  for (std::size_t i = first; i < all.size() && all[i].kind == Piece::Kind::cell; ++i) {
+    if (!all[i].column) continue;
+    const Piece::Column& column = *all[i].column;
+    // The directions of two triangles are no farther from those of their sides.
+    const double rounded = column.off > 0 ? 1e-9 : 0;
+    const auto widen = [](Interval3& along, double by) {
+      along = normalized(along);
+      for (Interval& x : along) x += Interval(-by, by);
+    };
+    widen(column.around == 0 ? all[i].along_u : all[i].along_v, rounded);
+    widen(column.around == 0 ? all[i].along_v : all[i].along_u, rounded + column.tilt * column.flat);
   }
 }
 

@@ -29,7 +29,7 @@ PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Inter
   const auto mix = [](const Interval3& a, const Interval3& b, const Interval& x) {
     return sum(a, scaled(x, difference(b, a)));
   };
-  if (piece.bent) {
+  if (piece.bent && !piece.column) {
     // F is linear on two triangles: its hull is that of its corners and of the ends of the diagonal.
     const auto at = [&](const Interval& s, const Interval& t) {
       const auto by = [&](std::size_t corner, const Interval& x, const Interval& y) {
@@ -59,7 +59,9 @@ PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Inter
     }
     return result;
   }
-  // F is bilinear: its hull is that of its corners.
+  // F is bilinear: its hull is that of its corners. In a column also of two triangles that are nearly so.
+  const double off = piece.column ? piece.column->off : 0;
+  const Interval3 around{Interval(-off, off), Interval(-off, off), Interval(-off, off)};
   const auto share = [&](const Interval& way, std::size_t k) {
     return piece.column && piece.column->around == k ? piece.column->share(way) : way;
   };
@@ -68,7 +70,7 @@ PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Inter
     const Interval3 low = mix(piece.corners[0], piece.corners[1], s),
                     high = mix(piece.corners[3], piece.corners[2], s);
     for (const double y : {range[second].inf(), range[second].sup()})
-      result.add(mix(low, high, share(place(y, piece.at[0][second], piece.at[3][second]), second)));
+      result.add(sum(around, mix(low, high, share(place(y, piece.at[0][second], piece.at[3][second]), second))));
   }
   return result;
 }
@@ -242,6 +244,9 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
   }
   part.facet = facet_corners(piece, range);
   part.box = hull(facet_box(piece, range, part.facet), jet.point);
+  if (piece.column) {
+    for (Interval& x : part.box) x += Interval(-piece.column->bulge(), piece.column->bulge());
+  }
   part.blind = piece.blind || holds_zero(jet.normal);
   if (part.blind) return part;
   const std::optional<Interval3> normals = normals_of(all, piece, range, jet);
@@ -405,12 +410,17 @@ Extents extents(const PiecePart& part, const Vector3<double>& d, Between between
             narrowed(surface)};
   Interval facets = at(part.facet.all[0]);
   for (std::size_t k = 1; k < part.facet.count; ++k) facets = hull(facets, at(part.facet.all[k]));
-  return {narrowed(facets), narrowed(surface)};
+  return {narrowed(facets), narrowed(surface), piece.column ? piece.column->bulge() : 0};
 }
 
 bool parted(const Extents& a, const Extents& b) {
-  return (a.facets.sup() < b.facets.inf() && a.surface.sup() < b.surface.inf()) ||
-         (b.facets.sup() < a.facets.inf() && b.surface.sup() < a.surface.inf());
+  const auto before = [](const Extents& x, const Extents& y) {
+    const Interval facets = Interval(y.facets.inf()) - x.facets.sup(),
+                   surfaces = Interval(y.surface.inf()) - x.surface.sup(),
+                   middle = facets + surfaces - Interval(4) * (Interval(x.bulge) + y.bulge);
+    return facets.inf() > 0 && surfaces.inf() > 0 && middle.inf() > 0;
+  };
+  return before(a, b) || before(b, a);
 }
 
 }  // namespace cnrg

@@ -102,6 +102,12 @@ struct Directions {
   }
 };
 
+Interval3 widened(Interval3 x, double by) {
+  by *= 1 + 1e-12;
+  for (Interval& c : x) c += Interval(-by, by);
+  return x;
+}
+
 Interval near_pole(const Piece& piece, const Wedge& wedge) {
   return hull(Interval(piece.at[wedge.at_pole][wedge.away]), Interval(middle_of(piece.range[wedge.away])));
 }
@@ -131,10 +137,18 @@ std::optional<Interval3> normals_about(const std::vector<Piece>& all, const std:
       const SurfaceJet<Interval> jet = piece.surface->over(range[0], range[1]);
       const std::optional<SurfaceBend> bend = piece.surface->bend_over(range[0], range[1]);
       if (!bend) return std::nullopt;
-      const Interval share = piece.column ? piece.column->share(f) : f,
-                     growth = piece.column ? piece.column->growth(f) : Interval(1);
-      found.add(scaled(length, away == 0 ? jet.along_u : jet.along_v),
-                scaled(Interval(length * wide / growth), bend->uv),
+      const Interval3 by_r = scaled(length, away == 0 ? jet.along_u : jet.along_v),
+                      by_f = scaled(Interval(length * wide), bend->uv);
+      if (!piece.column) {
+        found.add(by_r, by_f, {c[0] + f * step[0], c[1] + f * step[1]}, step);
+        continue;
+      }
+      // What H has besides, as a function of r and f, is at most chord flat r / 2 long.
+      const Piece::Column& column = *piece.column;
+      const Interval share = column.share(f), radians = Interval(2) * turn<Interval>() * column.half;
+      const double more_by_r = column.chord * column.flat / 2,
+                   more_by_f = (radians * (column.tangent + Interval(column.flat))).sup() * column.chord / 2;
+      found.add(widened(by_r, more_by_r), scaled(Interval(1) / column.growth(f), widened(by_f, more_by_f)),
                 {c[0] + share * step[0], c[1] + share * step[1]}, step);
     }
   }

@@ -81,10 +81,16 @@ struct Piece {
   };
   std::optional<Pole> pole{};
   /// Of cells between two half-planes through the axis of their surface of revolution, and of curves from one to
-  /// the other: F is at the angle of S (piece_columns.cpp).
+  /// the other: F is at the angle of S, and H turns as the column does (piece_columns.cpp).
   struct Column {
     std::size_t around;      ///< the parameter that is the angle
     Interval half, tangent;  ///< turns from the middle to a side, and their tangent
+    double flat;             ///< 1 less the cosine of `half`
+    double off;              ///< of two triangles: how far they are from one plane, by rounded corners
+    double chord;            ///< how far F and S are apart in the half-plane of a side, at most
+    double tilt;             ///< by how much directions along the meridian may differ from F's and S's, by `flat`
+    /// How far H is from (1 - t) F + t S, at most.
+    double bulge() const { return chord * flat / 4; }
     /// How far a point of a straight edge is from one end to the other, by how far its angle is.
     Interval share(const Interval& way) const;
     Interval growth(const Interval& way) const;  ///< its derivative
@@ -227,7 +233,8 @@ std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& 
 /// What holds d . x for all x of a part: of its facets, and of its surface.
 struct Extents {
   Interval facets{0}, surface{0};
-  Interval all() const { return hull(facets, surface); }
+  double bulge = 0;
+  Interval all() const { return hull(facets, surface) + Interval(-bulge, bulge); }
 };
 Extents extents(const PiecePart& part, const Vector3<double>& d, Between between);
 /// True if parts with these extents have no point in common at any t: facets and surfaces are on the same sides.
