@@ -39,10 +39,8 @@ struct Meridian {
   Point2 chord{};                                 ///< the derivative of F
   std::array<std::optional<Point2>, 2> beyond{};  ///< that of the next cells, at these ends
 
-  Point2 on_chord(double m) const {
-    if (m == range[0]) return corners[0];
-    if (m == range[1]) return corners[1];
-    const Interval off = Interval(m) - Interval(range[0]);
+  Point2 on_chord(const Interval& m) const {
+    const Interval off = m - Interval(range[0]);
     return {corners[0][0] + off * chord[0], corners[0][1] + off * chord[1]};
   }
   SurfaceJet<Interval> jet(const Interval& m) const {
@@ -54,7 +52,7 @@ struct Meridian {
 struct Part {
   const Meridian* of;
   std::array<double, 2> range;
-  std::array<Point2, 2> chord;     // its ends
+  Point2 chord{};                  // F in the middle
   std::array<Point2, 3> tangents;  // of F, with the next cells at an end
   std::size_t count = 0;
   Point2 middle{}, tangent{};  // of S
@@ -67,21 +65,16 @@ struct Part {
     middle = of->plane.at(of->jet(at).point);
     const SurfaceJet<Interval> jet = of->jet(whole);
     tangent = of->plane.way(of->along == 1 ? jet.along_v : jet.along_u);
-    if (between == Between::surfaces) {
-      chord = {point(), point()};
-      tangents[count++] = tangent;
-      return;
+    tangents[count++] = between == Between::surfaces ? tangent : of->chord;
+    chord = between == Between::surfaces ? middle : of->on_chord(at);
+    for (std::size_t k = 0; between != Between::surfaces && k < 2; ++k) {
+      if (range[k] == of->range[k] && of->beyond[k]) tangents[count++] = *of->beyond[k];
     }
-    for (std::size_t k = 0; k < 2; ++k) {
-      chord[k] = of->on_chord(range[k]);
-      if (range[k] == of->range[k] && of->beyond[k]) tangents[++count] = *of->beyond[k];
-    }
-    tangents[0] = of->chord;
-    ++count;
   }
-  Point2 point() const { return {middle[0] + off * tangent[0], middle[1] + off * tangent[1]}; }
   double length() const { return length_of(tangent) * (range[1] - range[0]); }
-  bool beside_axis() const { return point()[0].inf() > 0 && chord[0][0].inf() > 0 && chord[1][0].inf() > 0; }
+  bool beside_axis() const {
+    return (middle[0] + off * tangent[0]).inf() > 0 && (chord[0] + off * tangents[0][0]).inf() > 0;
+  }
 };
 
 class Question {
@@ -95,8 +88,9 @@ class Question {
 
  private:
   bool answer(const Part& a, const Part& b) {
-    for (const Point2& way : {a.tangent, b.tangent}) {
-      if (parted(a, b, way) || parted(a, b, {way[1], -way[0]})) return true;
+    for (const Part* const one : {&a, &b}) {
+      const Point2 &f = one->tangents[0], &s = one->tangent;
+      if (parted(a, b, f, s) || parted(a, b, {f[1], -f[0]}, {s[1], -s[0]})) return true;
     }
     if (a.beside_axis() && b.beside_axis() && cross(a, b)) {
       some_ = true;
@@ -115,26 +109,30 @@ class Question {
     return true;
   }
 
-  /// By a line along a tangent.
-  bool parted(const Part& a, const Part& b, const Point2& along) const {
-    const double length = length_of(along);
-    if (!(length > 0)) return false;
-    const Interval x(-middle_of(along[1]) / length), y(middle_of(along[0]) / length),
-        margin(kLengthMargin * size_);
-    const auto surface = [&](const Part& part) {
-      return x * part.middle[0] + y * part.middle[1] + part.off * (x * part.tangent[0] + y * part.tangent[1]);
+  /// By a line that turns from one direction to another while t goes from 0 to 1.
+  bool parted(const Part& a, const Part& b, const Point2& first, const Point2& last) const {
+    const auto across = [](const Point2& way) {
+      const double length = length_of(way);
+      return std::array{-middle_of(way[1]) / length, middle_of(way[0]) / length};
     };
-    const auto facets = [&](const Part& part) {
-      const auto at = [&](const Point2& p) { return x * p[0] + y * p[1]; };
-      return hull(at(part.chord[0]), at(part.chord[1]));
+    const std::array<double, 2> d = across(first), e = across(last);
+    const auto dot2 = [](const std::array<double, 2>& x, const Point2& p) {
+      return Interval(x[0]) * p[0] + Interval(x[1]) * p[1];
     };
     bool before = true, behind = true;
-    const auto compare = [&](const Interval& of_a, const Interval& of_b) {
+    const Interval margin(kLengthMargin * size_);
+    const auto compare = [&](const auto& extent) {
+      const Interval of_a = extent(a), of_b = extent(b);
       before = before && (of_a + margin).sup() < of_b.inf();
       behind = behind && (of_b + margin).sup() < of_a.inf();
     };
-    compare(surface(a), surface(b));
-    if (between_ == Between::facets_and_surfaces) compare(facets(a), facets(b));
+    compare([&](const Part& part) { return dot2(e, part.middle) + part.off * dot2(e, part.tangent); });
+    if (between_ == Between::surfaces) return before || behind;
+    compare([&](const Part& part) { return dot2(d, part.chord) + part.off * dot2(d, part.tangents[0]); });
+    compare([&](const Part& part) {
+      return dot2(d, part.middle) + dot2(e, part.chord) +
+             part.off * (dot2(d, part.tangent) + dot2(e, part.tangents[0]));
+    });
     return before || behind;
   }
 
