@@ -29,10 +29,10 @@ struct Gap {
   double apart, radius;
 };
 
-std::optional<Gap> between_lines(const MeridianPiece& p, const MeridianPiece& q, double axes) {
-  const auto far = [](const Rational& x, const Rational& y) {
+std::optional<Gap> between_lines(const MeridianPiece& p, const MeridianPiece& q, double axes, double near) {
+  const auto far = [near](const Rational& x, const Rational& y) {
     const double a = to_double(x), b = to_double(y);
-    return std::abs(a - b) > 2 * kNear * (a + b);
+    return std::abs(a - b) > 2 * near * (a + b);
   };
   if (p.from.r == p.to.r && q.from.r == q.to.r && far(p.from.r, q.from.r)) return std::nullopt;
   const Rational low = std::max(std::min(p.from.t, p.to.t), std::min(q.from.t, q.to.t));
@@ -74,7 +74,23 @@ double axes_apart(const PlacedForm& a, const PlacedForm& b) {
   return far + rounded_length(cross(a.axis.direction, b.axis.direction)) / first / second * far;
 }
 
+bool slanted(const MeridianPiece& piece) { return piece.kind == MeridianPiece::Kind::line && !piece.flat(); }
+
 }  // namespace
+
+bool sides_near(const PlacedForm& a, const PlacedForm& b, double near) {
+  for (const auto& line : a.lines) {
+    for (const MeridianPiece& p : line) {
+      for (const auto& other : b.lines) {
+        for (const MeridianPiece& q : other) {
+          const auto gap = slanted(p) && slanted(q) ? between_lines(p, q, 0, near) : std::nullopt;
+          if (gap && gap->apart <= near * gap->radius) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
 
 std::vector<NearSurfaces> near_surfaces(const std::vector<LeafInstance>& instances,
                                         const std::vector<std::array<std::uint32_t, 2>>& pairs) {
@@ -101,8 +117,7 @@ std::vector<NearSurfaces> near_surfaces(const std::vector<LeafInstance>& instanc
           for (const MeridianPiece& q : other) {
             std::optional<Gap> gap;
             using Kind = MeridianPiece::Kind;
-            if (p.kind == Kind::line && q.kind == Kind::line && !p.flat() && !q.flat() && parallel)
-              gap = between_lines(p, q, axes);
+            if (slanted(p) && slanted(q) && parallel) gap = between_lines(p, q, axes, kNear);
             if (p.kind == Kind::arc && q.kind == Kind::arc) gap = between_balls(*a, p, *b, q);
             if (!gap || gap->apart == 0 || gap->apart > kNear * gap->radius || gap->apart < found.apart) continue;
             found.what = gap->what;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/carriers/axes.h"
 #include "csg/leaves/leaf.h"
 
 namespace cnrg {
@@ -14,6 +15,10 @@ struct NearSurfaces {
   std::string what;                     ///< `cylinders`, `cones`, `spheres`
   double apart = 0;                     ///< the largest distance, in the model's unit, greater than 0
 };
+
+/// True if a side of a cylinder or cone is beside one of the other, about the same axis, nearer than a part of its
+/// radius.
+bool sides_near(const PlacedForm& a, const PlacedForm& b, double near);
 
 /// For pairs of instances, in the order of `pairs`: the farthest of their surfaces that are nearer to each other
 /// than a millionth of their radius, and not one. Surfaces of leaves that are stretched otherwise than by one

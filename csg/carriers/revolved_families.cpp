@@ -19,6 +19,7 @@
 #include "csg/carriers/common_circles.h"
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/family.h"
+#include "csg/carriers/near_surfaces.h"
 #include "csg/carriers/nested_turns.h"
 #include "csg/carriers/round_spaces.h"
 #include "csg/carriers/sectors.h"
@@ -35,6 +36,8 @@ namespace cnrg {
 namespace {
 
 using Index = std::uint32_t;
+
+constexpr double kNearSides = 0.01;  // of the radius
 
 /// Families of one space.
 class Space {
@@ -220,6 +223,8 @@ class Space {
       if ((same && !banded) || p.placed.axis != q.placed.axis) return;
       if (touch(p.placed, q.placed)) {
         if (banded && !join_bands(p, q)) return;
+      } else if (!banded && sides_near(p.placed, q.placed, kNearSides)) {
+        // Only facets of one kind tell that they are apart.
       } else if (!beside_each_other(p, q)) {
         return;
       }
