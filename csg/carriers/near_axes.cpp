@@ -13,15 +13,11 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Balls that differ by this part of their size, place and radius together, are drawn about their common axis:
-/// they cross at so small an angle that only facets of one kind tell where.
-constexpr double kNearBalls = 0.03;
-
 /// The axis of a leaf in doubles.
 struct RoughAxis {
   std::array<double, 3> point, along;  ///< along has length 1
   double size = 0;                     ///< of the leaf, at least
-  double radius = 0;                   ///< of a sphere
+  double radius = 0;                   ///< of a sphere, along its axis
   bool sphere = false;
 
   RoughAxis(const ExtrudedArc& arc, const Transform& transform)
@@ -61,9 +57,8 @@ struct RoughAxis {
     constexpr double kNear = 1e-6;
     const double limit = kNear * (size + b.size);
     if (sphere && b.sphere) {
-      return std::hypot(point[0] - b.point[0], point[1] - b.point[1], point[2] - b.point[2]) +
-                 std::abs(radius - b.radius) <=
-             limit + kNearBalls * (radius + b.radius);
+      const double apart = std::hypot(point[0] - b.point[0], point[1] - b.point[1], point[2] - b.point[2]);
+      return apart <= limit + kNearBalls * (radius + b.radius);
     }
     if (sphere) return !(b.distance(point) > limit);
     if (b.sphere) return !(distance(b.point) > limit);

@@ -130,6 +130,8 @@ class Space {
       const Ball a = ball_of(i), b = ball_of(j);
       if (a == b) continue;
       const RationalPoint between = b.center - a.center;
+      const double apart = std::sqrt(to_double(dot(between, between))) + std::abs(to_double(a.radius - b.radius));
+      if (!(apart <= kNearBalls * to_double(a.radius + b.radius))) continue;
       const AxisLine axis =
           axis_line(a.center, is_zero(between) ? relative_.at(i).apply_to_vector(form_of(i).axis) : between);
       const std::array<Index, 2> nodes{ball_node(a, axis, ball_on(a, axis)), ball_node(b, axis, ball_on(b, axis))};

@@ -11,6 +11,10 @@
 
 namespace cnrg {
 
+/// Balls that differ by this part of their size, place and radius together, are drawn about their common axis:
+/// they cross at so small an angle that only facets of one kind tell where.
+inline constexpr double kNearBalls = 0.03;
+
 /// Of pairs of instances those that may have an axis in common, by doubles.
 std::vector<std::array<std::uint32_t, 2>> near_axes(const std::vector<LeafInstance>& instances,
                                                     const std::vector<std::array<std::uint32_t, 2>>& pairs);
