@@ -62,6 +62,7 @@ class PieceMaker {
     std::vector<Interval3> points{};
     std::vector<Box> boxes{};    // of the cells, facets and surfaces
     std::vector<char> chosen{};  // of the cells: those that become pieces
+    std::vector<char> asked{};   // of the flat faces likewise
     /// Pieces, and side of the piece; kNone for cells that are none.
     PieceSides sides{};
   };
@@ -126,28 +127,31 @@ class PieceMaker {
   }
 
   /// Of large leaves most cells are near nothing of another leaf. Those that are become pieces, and those about
-  /// them.
+  /// them. Of leaves without curved faces all is exact: of these, faces near what is not.
   void choose_cells() {
     constexpr std::uint32_t kAll = kNone;
     struct Item {
-      std::uint32_t leaf, cell;
+      std::uint32_t leaf, cell, flat;
+      bool exact;
     };
     std::vector<Item> items;
     std::vector<Box> boxes;
-    const auto add = [&](std::uint32_t leaf, std::uint32_t cell, const Box& box) {
-      items.push_back({leaf, cell});
+    const auto add = [&](const Item& item, const Box& box) {
+      items.push_back(item);
       boxes.push_back(box);
     };
     for (std::uint32_t i = 0; i < places_.size(); ++i) {
       Place& one = places_[i];
       one.chosen.assign(one.boxes.size(), 0);
-      for (std::uint32_t c = 0; c < one.boxes.size(); ++c) add(i, c, one.boxes[c]);
+      for (std::uint32_t c = 0; c < one.boxes.size(); ++c) add({i, c, kAll, false}, one.boxes[c]);
+      one.asked.assign(one.mould.flats.size(), one.mould.cells.empty() ? 0 : 1);
       const auto box_around = [&](const auto& numbers) {
         Interval3 all = one.points[numbers[0]];
         for (const std::uint32_t p : numbers) all = hull(all, one.points[p]);
         return box_of(all);
       };
-      for (const Mould::Flat& flat : one.mould.flats) add(i, kAll, box_around(flat.loops[0]));
+      for (std::uint32_t f = 0; f < one.mould.flats.size(); ++f)
+        add({i, kAll, f, true}, box_around(one.mould.flats[f].loops[0]));
       for (const Mould::Wire& wire : one.mould.wires) {
         Box box = box_around(wire.points);
         if (const Curve* const curve = curve_of(one, wire.number)) {
@@ -157,21 +161,22 @@ class PieceMaker {
             box.hi[k] = std::max(box.hi[k], of_curve.hi[k]);
           }
         }
-        add(i, kAll, box);
+        add({i, kAll, kAll, curve_of(one, wire.number) == nullptr}, box);
       }
-      for (const std::uint32_t p : one.mould.isolated) add(i, kAll, box_of(one.points[p]));
+      for (const std::uint32_t p : one.mould.isolated) add({i, kAll, kAll, true}, box_of(one.points[p]));
     }
-    for (const Piece& piece : out_.pieces_) add(kAll, kAll, piece.box);
+    for (const Piece& piece : out_.pieces_) add({kAll, kAll, kAll, true}, piece.box);
     const BoxPairs finder(boxes);
-    const auto choose = [&](const Item& item) {
+    const auto choose = [&](const Item& item, const Item& other) {
       if (item.cell != kAll) places_[item.leaf].chosen[item.cell] = 1;
+      if (item.flat != kAll && !other.exact) places_[item.leaf].asked[item.flat] = 1;
     };
     for (std::size_t part = 0; part < finder.part_count(); ++part) {
       finder.find(part, [&](std::uint32_t x, std::uint32_t y) {
         const std::uint32_t a = finder.item(x), b = finder.item(y);
         if (items[a].leaf == items[b].leaf || !boxes[a].meets(boxes[b])) return;
-        choose(items[a]);
-        choose(items[b]);
+        choose(items[a], items[b]);
+        choose(items[b], items[a]);
       });
     }
     for (Place& one : places_) {
@@ -200,7 +205,10 @@ class PieceMaker {
         if (used[a] && used[b]) add_side(place, a, b, kNone, 0);
       }
     }
-    for (const Mould::Flat& flat : place.mould.flats) add_flat(place, flat);
+    for (std::size_t i = 0; i < place.asked.size(); ++i) {
+      if (place.asked[i] != 0) add_flat(place, place.mould.flats[i]);
+      else add_sides(place, place.mould.flats[i], kNone);
+    }
     find_neighbours(first);
     find_columns(out_.pieces_, first, place.sides);
     find_poles(out_.pieces_, first);
@@ -322,12 +330,14 @@ class PieceMaker {
     std::sort(piece.corner_numbers.begin(), piece.corner_numbers.end());
     piece.box = box_of(all);
     add_limits(place, piece, outer);
-    const auto number = static_cast<std::uint32_t>(out_.pieces_.size());
+    add_sides(place, flat, static_cast<std::uint32_t>(out_.pieces_.size()));
+    out_.pieces_.push_back(std::move(piece));
+  }
+  static void add_sides(Place& place, const Mould::Flat& flat, std::uint32_t piece) {
     for (const auto& loop : flat.loops) {
       for (std::size_t i = 0; i < loop.size(); ++i)
-        add_side(place, loop[i], loop[(i + 1) % loop.size()], number, i);
+        add_side(place, loop[i], loop[(i + 1) % loop.size()], piece, i);
     }
-    out_.pieces_.push_back(std::move(piece));
   }
   /// Half-planes that hold the face, also where it ends in a curve of a patch.
   void add_limits(const Place& place, Piece& piece, const std::vector<std::uint32_t>& outer) {
