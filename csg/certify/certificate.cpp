@@ -24,6 +24,7 @@ std::string UncertainPlace::text() const {
     text += (k == 0 ? " near [" : ", ") + decimals(std::abs(at[k]) < 1e-9 ? 0.0 : at[k]);
   switch (why) {
     case Why::near:
+      if (names.size() == 1) return text + "]: it meets itself, or is nearer to that than " + decimals(size);
       return text + "]: they touch, or are nearer to it than " + decimals(size) + ": apart there, or with " +
              (common > 0    ? "a curve"
               : common == 0 ? "two points"

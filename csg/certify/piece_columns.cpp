@@ -7,6 +7,7 @@
 // the same but for a common factor of all surfaces about the axis (coaxial.h). From (1 - t) F + t S it is t (1 -
 // t) (p - r) (1 - l) away.
 #include <cmath>
+#include <unordered_map>
 
 #include "csg/certify/pieces.h"
 
@@ -98,6 +99,22 @@ Interval Piece::Column::share(const Interval& way) const {
 Interval Piece::Column::growth(const Interval& way) const {
   const Interval c = cosine(Interval(from_middle(way) * half));
   return surface_math::turn<Interval>() * half / (tangent * c * c);
+}
+
+void find_neighbours(std::vector<Piece>& all, std::size_t first) {
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> at_point;
+  for (std::size_t i = first; i < all.size() && all[i].kind == Piece::Kind::cell; ++i) {
+    for (std::size_t k = 0; k < all[i].corner_count; ++k) at_point[all[i].points[k]].push_back(std::uint32_t(i));
+  }
+  for (std::size_t i = first; i < all.size() && all[i].kind == Piece::Kind::cell; ++i) {
+    std::map<std::uint32_t, std::uint8_t> found;
+    for (std::size_t k = 0; k < all[i].corner_count; ++k) {
+      for (const std::uint32_t j : at_point[all[i].points[k]]) {
+        if (j != i && all[j].patch == all[i].patch) found[j] |= std::uint8_t(1u << k);
+      }
+    }
+    all[i].neighbours.assign(found.begin(), found.end());
+  }
 }
 
 void find_columns(std::vector<Piece>& all, std::size_t first, const PieceSides& sides) {

@@ -423,4 +423,17 @@ bool parted(const Extents& a, const Extents& b) {
   return before(a, b) || before(b, a);
 }
 
+bool parted(std::span<const PiecePart> parts, Between between) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].blind || parts[i].piece->kind == Piece::Kind::curve) continue;
+    const auto d = direction(middle_of(parts[i].cone));
+    if (!d) continue;
+    const Extents own = extents(parts[i], *d, between);
+    for (std::size_t j = 0; j < parts.size(); ++j) {
+      if (j != i && parted(own, extents(parts[j], *d, between))) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace cnrg

@@ -35,8 +35,9 @@ PlaneKey plane_key(const RationalPoint& normal, const RationalPoint& on) {
 
 class PieceMaker {
  public:
-  PieceMaker(Pieces& out, const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds)
-      : out_(out), leaves_(leaves) {
+  PieceMaker(Pieces& out, const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds,
+             bool of_themselves)
+      : out_(out), leaves_(leaves), of_themselves_(of_themselves) {
     const std::vector<LeafInstance>& instances = leaves.instances;
     for (std::size_t i = 0; i < instances.size(); ++i) {
       if (!instances[i].leaf->unbounded()) place(LeafId(i), moulds.of(instances[i].leaf), instances[i].transform);
@@ -84,6 +85,11 @@ class PieceMaker {
     const std::uint32_t number = known != nullptr && patch < known->size() ? (*known)[patch] : 0;
     if (number != 0) return sheet_number({0, number, 0});
     return sheet_number({1, static_cast<std::uint32_t>(leaf.index()), patch});
+  }
+  bool has_equation(LeafId leaf, std::uint32_t patch) const {
+    if (leaves_.surfaces.empty() || patch >= leaves_.surfaces[leaf.index()].size()) return false;
+    const std::uint32_t number = leaves_.surfaces[leaf.index()][patch];
+    return leaves_.equations.quadrics.contains(number) || leaves_.equations.tori.contains(number);
   }
   std::uint32_t sheet_number(const std::array<std::uint32_t, 3>& key) {
     return sheets_.try_emplace(key, next_).second ? next_++ : sheets_[key];
@@ -143,6 +149,8 @@ class PieceMaker {
     for (std::uint32_t i = 0; i < places_.size(); ++i) {
       Place& one = places_[i];
       one.chosen.assign(one.boxes.size(), 0);
+      for (std::uint32_t c = 0; of_themselves_ && c < one.boxes.size(); ++c)
+        one.chosen[c] = has_equation(one.leaf, one.mould.cells[c].patch) ? 0 : 1;
       for (std::uint32_t c = 0; c < one.boxes.size(); ++c) add({i, c, kAll, false}, one.boxes[c]);
       one.asked.assign(one.mould.flats.size(), one.mould.cells.empty() ? 0 : 1);
       const auto box_around = [&](const auto& numbers) {
@@ -209,7 +217,7 @@ class PieceMaker {
       if (place.asked[i] != 0) add_flat(place, place.mould.flats[i]);
       else add_sides(place, place.mould.flats[i], kNone);
     }
-    find_neighbours(first);
+    find_neighbours(out_.pieces_, first);
     find_columns(out_.pieces_, first, place.sides);
     find_poles(out_.pieces_, first);
     add_curves(place);
@@ -376,24 +384,6 @@ class PieceMaker {
     const std::size_t next = (side + 1) % cell.corner_count;
     for (std::size_t k = 0; k < 2; ++k) range[k] = hull(Interval(cell.at[side][k]), Interval(cell.at[next][k]));
     return range;
-  }
-
-  /// Cells of one patch that share corners.
-  void find_neighbours(std::size_t first) {
-    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> at_point;
-    std::vector<Piece>& all = out_.pieces_;
-    for (std::size_t i = first; i < all.size() && all[i].kind == Piece::Kind::cell; ++i) {
-      for (std::size_t k = 0; k < all[i].corner_count; ++k) at_point[all[i].points[k]].push_back(std::uint32_t(i));
-    }
-    for (std::size_t i = first; i < all.size() && all[i].kind == Piece::Kind::cell; ++i) {
-      std::map<std::uint32_t, std::uint8_t> found;
-      for (std::size_t k = 0; k < all[i].corner_count; ++k) {
-        for (const std::uint32_t j : at_point[all[i].points[k]]) {
-          if (j != i && all[j].patch == all[i].patch) found[j] |= std::uint8_t(1u << k);
-        }
-      }
-      all[i].neighbours.assign(found.begin(), found.end());
-    }
   }
 
   /// Edges of cells that are not between two cells of one patch, nor where a cell and one other piece cross at an
@@ -569,6 +559,7 @@ class PieceMaker {
 
   Pieces& out_;
   const PlacedLeaves& leaves_;
+  const bool of_themselves_;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> sheets_;
   std::map<PlaneKey, std::uint32_t> planes_;
   std::map<std::array<double, 4>, std::uint32_t> curves_;
@@ -578,14 +569,16 @@ class PieceMaker {
   std::uint32_t next_ = 1;
 };
 
-Pieces::Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds) {
+Pieces::Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds,
+               bool of_themselves)
+    : of_themselves_(of_themselves) {
   // Leaves are drawn once more, for that with numbers rounded to nearest.
   for (const LeafInstance& one : leaves.instances) {
     if (!one.leaf->unbounded()) moulds.of(one.leaf);
   }
   {
     const enclosure::RoundOutward outward;
-    PieceMaker(*this, leaves, reach, moulds);
+    PieceMaker(*this, leaves, reach, moulds, of_themselves);
   }
   for_each_index(
       pieces_.size(),

@@ -118,7 +118,8 @@ struct Piece {
 /// All pieces of leaves as they are drawn.
 class Pieces {
  public:
-  Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds);
+  /// `of_themselves`: patches of which no equation is known are asked whether they meet themselves.
+  Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds, bool of_themselves);
   const std::vector<Piece>& all() const { return pieces_; }
   /// True if the pieces, of one leaf, have a corner in common.
   bool adjacent(std::uint32_t a, std::uint32_t b) const;
@@ -133,6 +134,11 @@ class Pieces {
   bool drawn_alike(std::uint32_t a, std::uint32_t b) const;
   /// What two sheets have in common, if one is on one side of the other, exactly.
   const std::optional<Contact>& contact_of(std::uint32_t sheet, std::uint32_t other);
+  /// Whether it is asked if the patch of a cell meets itself. A quadric or torus does not.
+  bool asked_of_itself(const Piece& cell) const {
+    return of_themselves_ && cell.kind == Piece::Kind::cell && !equations_.quadrics.contains(cell.sheet) &&
+           !equations_.tori.contains(cell.sheet);
+  }
   /// Of a flat sheet.
   const PlaneEquation& plane_of(std::uint32_t sheet) const { return planes_.at(sheet); }
   /// How the facets of two cells, or of a cell and a flat piece, meet.
@@ -189,16 +195,26 @@ class Pieces {
   SurfaceEquations equations_;                           // by sheet
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<Contact>> contacts_;
   std::set<LeafId> unknown_;
+  bool of_themselves_;
   friend class PieceMaker;
 };
 
 /// The pieces at an edge of a leaf, and which side of each it is; kNone for cells that are no pieces.
 using PieceSides =
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::uint32_t, std::uint8_t>>>;
-/// Sets which cells from `first` on, of one leaf, are in columns.
+/// Sets which cells from `first` on, of one leaf, share corners with others of their patch.
+void find_neighbours(std::vector<Piece>& all, std::size_t first);
+/// Sets which of them are in columns.
 void find_columns(std::vector<Piece>& all, std::size_t first, const PieceSides& sides);
 /// Sets what cells from `first` on, of one leaf, have at poles; `neighbours` and columns are known.
 void find_poles(std::vector<Piece>& all, std::size_t first);
+
+/// The cells of a patch; none of one that has a pole.
+std::vector<std::uint32_t> cells_without_pole(const std::vector<Piece>& all, LeafId leaf, std::uint32_t patch);
+/// True if H is one to one on two cells of a patch that have corners in common, or on one. Not asked where corners
+/// in common are at different parameters (a closed patch). `patch`: all its cells.
+bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,
+                std::uint32_t b);
 
 /// What a part is of: facets and surfaces and all between, or surfaces alone.
 enum class Between : std::uint8_t { facets_and_surfaces, surfaces };
@@ -239,6 +255,8 @@ struct Extents {
 Extents extents(const PiecePart& part, const Vector3<double>& d, Between between);
 /// True if parts with these extents have no point in common at any t: facets and surfaces are on the same sides.
 bool parted(const Extents& a, const Extents& b);
+/// True if two of the parts are on different sides of a plane across one of them.
+bool parted(std::span<const PiecePart> parts, Between between);
 
 Interval3 thin(const Vector3<double>& x);
 /// To about length 1.

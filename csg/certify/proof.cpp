@@ -59,6 +59,7 @@ class Prover {
       before_ = pieces_.same_in(earlier_->pieces);
       proof_.spent = earlier_->proof.spent;
     }
+    for (Index i = 0; i < all_.size(); ++i) ask_of_itself(i, i);
     for (const auto& [a, b] : pairs_) ask_pair(a, b);
     for (std::vector<Index>& near : together_) std::sort(near.begin(), near.end());
     for (Index i = 0; i < all_.size(); ++i) {
@@ -96,7 +97,7 @@ class Prover {
       const bool one_sheet = all_[a].sheet == all_[b].sheet;
       if (all_[a].leaf != all_[b].leaf) {
         if (!one_sheet) continue;
-        if (parted({part_of(all_, all_[a], all_[a].range), part_of(all_, all_[b], all_[b].range)},
+        if (parted(std::array{part_of(all_, all_[a], all_[a].range), part_of(all_, all_[b], all_[b].range)},
                    Between::facets_and_surfaces))
           continue;
         if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, middle_of(all_[a].corners[0]), 0});
@@ -118,6 +119,7 @@ class Prover {
 
   void ask_pair(Index a, Index b) {
     const bool one_leaf = all_[a].leaf == all_[b].leaf;
+    if (one_leaf && is_cell(a) && of_one_surface(a, b) && is_cell(b)) return ask_of_itself(a, b);
     if (one_leaf ? of_one_surface(a, b) : answered_by_fewer(a, b)) return;
     if (one_leaf && pieces_.adjacent(a, b)) return meet(a, b);
     const Question question = one_leaf ? Question::angle : question_of({a, b});
@@ -128,6 +130,25 @@ class Prover {
     if (contacts_.contains({a, b})) ++proof_.contacts;
     else ++(some ? proof_.crossing : proof_.apart);
     if (some) meet(a, b);
+  }
+  /// Two cells of one surface, or one.
+  void ask_of_itself(Index a, Index b) {
+    if (!pieces_.asked_of_itself(all_[a]) || all_[a].patch != all_[b].patch || of_patch(all_[a]).empty()) return;
+    bool some = false;
+    if (a != b && !pieces_.adjacent(a, b)) {
+      ++proof_.asked;
+      if (ask({a, b}, Question::apart, some)) ++proof_.apart;
+      return;
+    }
+    if (one_to_one(all_, of_patch(all_[a]), a, b)) return;
+    const PieceTuple key = key_of({a, b});
+    if (!proof_.answers.contains(key))
+      add_open(key, {{a, b}, middle_of(root(a).box), size_of(root(a).box), Why::facets});
+  }
+  const std::vector<Index>& of_patch(const Piece& piece) {
+    const auto [it, fresh] = of_patch_.try_emplace({piece.leaf, piece.patch});
+    if (fresh) it->second = cells_without_pole(all_, piece.leaf, piece.patch);
+    return it->second;
   }
   /// What is asked of more pieces is asked of those that meet two at a time.
   void meet(Index a, Index b) {
@@ -358,13 +379,12 @@ class Prover {
   }
   /// True if a plane along a side of one and a side of the other is between them.
   static bool parted_along_sides(const PiecePart& a, const PiecePart& b) {
-    if (parted({a, b}, Between::facets_and_surfaces)) return true;
+    if (parted(std::array{a, b}, Between::facets_and_surfaces)) return true;
     for (const Vector3<double>& x : sides_of(a)) {
       for (const Vector3<double>& y : sides_of(b)) {
         const auto d = direction(cross(x, y));
         if (!d) continue;
-        if (cnrg::parted(extents(a, *d, Between::facets_and_surfaces),
-                         extents(b, *d, Between::facets_and_surfaces)))
+        if (parted(extents(a, *d, Between::facets_and_surfaces), extents(b, *d, Between::facets_and_surfaces)))
           return true;
       }
     }
@@ -537,20 +557,6 @@ class Prover {
     return false;
   }
 
-  /// True if two of the parts are on different sides of a plane.
-  static bool parted(const PieceParts& parts, Between between) {
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (parts[i].blind || parts[i].piece->kind == Piece::Kind::curve) continue;
-      const auto d = direction(middle_of(parts[i].cone));
-      if (!d) continue;
-      const Extents own = extents(parts[i], *d, between);
-      for (std::size_t j = 0; j < parts.size(); ++j) {
-        if (j != i && cnrg::parted(own, extents(parts[j], *d, between))) return true;
-      }
-    }
-    return false;
-  }
-
   Pieces& pieces_;
   const std::vector<Piece>& all_;
   const std::function<bool(LeafId, LeafId)>& asked_for_;
@@ -561,6 +567,7 @@ class Prover {
   std::vector<std::pair<Index, Index>> pairs_;
   std::vector<std::vector<Index>> together_;
   std::set<std::pair<Index, Index>> smooth_, contacts_;
+  std::map<std::pair<LeafId, std::uint32_t>, std::vector<Index>> of_patch_;  // cells
   std::vector<double> thickness_;             // of pieces; below 0 where it is not known yet
   std::set<PiecePatches> hopeless_;           // that touch somewhere
   std::map<PiecePatches, std::size_t> open_;  // how many places

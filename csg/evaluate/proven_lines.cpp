@@ -73,16 +73,16 @@ ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOpt
     return;
   }
   options.watch.begin("crossings");
+  const bool to_the_end = options.proof == AskedProof::to_the_end;
   for (int round = 0;; ++round) {
     options.watch.check();
-    auto pieces = motion_.identity() ? std::make_unique<Pieces>(*placed, options.reach, moulds)
+    auto pieces = motion_.identity() ? std::make_unique<Pieces>(*placed, options.reach, moulds, to_the_end)
                                      : std::make_unique<Pieces>(PlacedLeaves{before(motion_, placed->instances),
                                                                              placed->surfaces, placed->equations},
-                                                                options.reach, moulds);
+                                                                options.reach, moulds, to_the_end);
     std::optional<EarlierProof> earlier;
     if (proof_) earlier.emplace(EarlierProof{*pieces_, *proof_});
-    proof_ = prove(*pieces, asked, options.proof == AskedProof::to_the_end ? kMostSteps : kStepsByDefault,
-                   earlier ? &*earlier : nullptr);
+    proof_ = prove(*pieces, asked, to_the_end ? kMostSteps : kStepsByDefault, earlier ? &*earlier : nullptr);
     pieces_ = std::move(pieces);
     for (const OpenPlace& open : proof_->open) {
       std::vector<LeafId> leaves;

@@ -1,0 +1,101 @@
+// A patch against itself: neighbours among its cells; see pieces.h.
+//
+// Where all derivatives of H by u are in a convex cone, and those by v in another one, and no vector of the one is
+// parallel to one of the other, H(x) and H(y) differ for all x and y that are joined by a line of parameters
+// there: their difference is a mean of the first times a step of u and a mean of the second times a step of v.
+#include "csg/certify/pieces.h"
+
+namespace cnrg {
+
+using namespace surface_math;
+
+namespace {
+
+using Range = std::array<Interval, 2>;
+
+bool meet(const Range& a, const Range& b) {
+  return a[0].inf() < b[0].sup() && b[0].inf() < a[0].sup() && a[1].inf() < b[1].sup() && b[1].inf() < a[1].sup();
+}
+
+/// Corners that two cells have in common are at the same parameters of both.
+bool side_by_side(const Piece& a, const Piece& b) {
+  for (std::size_t i = 0; i < a.corner_count; ++i) {
+    for (std::size_t j = 0; j < b.corner_count; ++j) {
+      if (a.points[i] == b.points[j] && a.at[i] != b.at[j]) return false;
+    }
+  }
+  return true;
+}
+
+class Neighbours {
+ public:
+  Neighbours(const std::vector<Piece>& all, std::span<const std::uint32_t> patch) : all_(all), patch_(patch) {}
+
+  bool alone(const PiecePart& part) {
+    if (independent_between(part.range, part.range)) return true;
+    if (steps_-- <= 0) return false;
+    const std::array<PiecePart, 2> both =
+        halves(all_, part, length(part, 0) >= length(part, 1) ? 0 : 1, Between::facets_and_surfaces);
+    return alone(both[0]) && alone(both[1]) && ask(both[0], both[1]);
+  }
+  bool ask(const PiecePart& a, const PiecePart& b) {
+    if (independent_between(a.range, b.range) || parted(std::array{a, b}, Between::facets_and_surfaces))
+      return true;
+    if (steps_-- <= 0) return false;
+    const bool first = length(a, 0) + length(a, 1) >= length(b, 0) + length(b, 1);
+    const PiecePart& part = first ? a : b;
+    const std::size_t way = length(part, 0) >= length(part, 1) ? 0 : 1;
+    for (const PiecePart& half : halves(all_, part, way, Between::facets_and_surfaces)) {
+      if (!ask(first ? half : a, first ? b : half)) return false;
+    }
+    return true;
+  }
+
+ private:
+  /// Of its cell's.
+  static double length(const PiecePart& part, std::size_t k) {
+    const Interval &of = part.range[k], &whole = part.piece->range[k];
+    return (of.sup() - of.inf()) / (whole.sup() - whole.inf());
+  }
+  bool independent_between(const Range& a, const Range& b) const {
+    const Range both{hull(a[0], b[0]), hull(a[1], b[1])};
+    const SurfaceJet<Interval> jet = all_[patch_[0]].surface->over(both[0], both[1]);
+    Interval3 u = normalized(jet.way_u), v = normalized(jet.way_v);
+    for (const std::uint32_t i : patch_) {
+      const Piece& piece = all_[i];
+      if (!meet(piece.range, both)) continue;
+      if (piece.blind) return false;
+      u = hull(u, normalized(piece.along_u));
+      v = hull(v, normalized(piece.along_v));
+    }
+    return independent(u, v);
+  }
+
+  const std::vector<Piece>& all_;
+  const std::span<const std::uint32_t> patch_;
+  int steps_ = 200;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> cells_without_pole(const std::vector<Piece>& all, LeafId leaf, std::uint32_t patch) {
+  std::vector<std::uint32_t> cells;
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    const Piece& one = all[i];
+    if (one.kind != Piece::Kind::cell || one.leaf != leaf || one.patch != patch) continue;
+    cells.push_back(i);
+    for (std::size_t k = 0; k < one.corner_count; ++k) {
+      if (one.blind || one.points[k] == one.points[(k + 1) % one.corner_count]) return {};
+    }
+  }
+  return cells;
+}
+
+bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,
+                std::uint32_t b) {
+  const PiecePart one = part_of(all, all[a], all[a].range);
+  if (a == b) return Neighbours(all, patch).alone(one);
+  return !side_by_side(all[a], all[b]) || Neighbours(all, patch).ask(one, part_of(all, all[b], all[b].range));
+}
+
+}  // namespace cnrg
