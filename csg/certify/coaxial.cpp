@@ -13,7 +13,7 @@ namespace {
 // Of the size of coordinates: what is rounded, and the margins.
 constexpr double kRounded = 1e-13, kLengthMargin = 1e-12;
 constexpr double kAngleMargin = 1e-8;
-constexpr double kLeastLength = 1e-6;  // of a chord, so that its direction is not rounded by more than a margin
+constexpr double kLeastLength = 1e-7;  // of a chord, so that its direction is not rounded by more than a margin
 constexpr int kMostSteps = 20000;
 
 /// Away from the axis and along it.

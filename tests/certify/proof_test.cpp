@@ -15,8 +15,10 @@ struct Asked {
   Evaluation evaluation;
   /// `leaves`: lines of a map of nodes; `result`: an operation with them.
   Asked(const std::string& leaves, const std::string& result, AskedProof proof = AskedProof::to_the_end,
-        int finer = 1)
-      : tree(parse_tree("cnrg: 1\nnodes:\n" + leaves + "  r: " + result + "\nresult: r\n", "t.yaml")) {
+        int finer = 1, const std::string& parameters = "{}")
+      : tree(parse_tree(
+            "cnrg: 1\nparameters: " + parameters + "\nnodes:\n" + leaves + "  r: " + result + "\nresult: r\n",
+            "t.yaml")) {
     make_finer(tree, finer);
     EvaluateOptions options;
     options.proof = proof;
@@ -99,6 +101,58 @@ TEST_CASE("near contacts are certified with the counts of the true surfaces, at 
         CHECK(asked.cells() == known.cells);
       }
     }
+  }
+}
+
+TEST_CASE("surfaces about one axis are told apart however near they are", "[certify]") {
+  const std::string body = "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 10}}\n";
+  for (const char* const near : {"1/10", "1/1000", "1/100000"}) {
+    const std::vector<Known> all{
+        {"a longer cylinder inside",
+         body + "  b: {cylinder: {from: [0, 0, -1], to: [0, 0, 3], radius: '${1 - n}', segments: 14}}\n",
+         "{difference: [a, b]}",
+         {0, 4, 4, 1}},
+        {"a ball that is a little wider",
+         body + "  b: {sphere: {center: [0, 0, 1], radius: '${1 + n}', segments: 8, rings: 6}}\n",
+         "{difference: [b, a]}",
+         {0, 4, 6, 3}},
+        {"a cone and the same one, moved",
+         "  a: {cone: {from: [0, 0, 0], to: [0, 0, 2], radius: 1}}\n"
+         "  b: {cone: {from: [0, 0, '${-n}'], to: [0, 0, '${2 - n}'], radius: 1, segments: 12}}\n",
+         "{difference: [a, b]}",
+         {0, 2, 3, 1}},
+        {"a ball and the same one, moved",
+         "  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 8, rings: 8}}\n"
+         "  b: {sphere: {center: ['${2 * n / 3}', '${n / 3}', '${2 * n / 3}'], radius: 1, segments: 8, rings: "
+         "8}}\n",
+         "{difference: [a, b]}",
+         {0, 1, 2, 1}},
+    };
+    for (const Known& known : all) {
+      for (const char* turned : {"", "rotate: {axis: [3, -1, 2], degrees: 23}, "}) {
+        INFO(known.what << ", " << near << ", " << turned);
+        std::string result = known.result;
+        result.insert(1, turned);
+        const Asked asked(known.leaves, result, AskedProof::to_the_end, 1, std::string("{n: ") + near + "}");
+        CHECK(asked.certified());
+        CHECK(asked.cells() == known.cells);
+      }
+    }
+  }
+}
+
+TEST_CASE("a patch that meets itself is not certified, at any fineness", "[certify]") {
+  const auto asked = [](const char* x1, const char* x2, int segments) {
+    std::string patch;
+    for (const auto& [x, y] : {std::pair("0", "0"), {x1, "1"}, {x2, "1"}, {"1", "0"}})
+      patch += std::string("[[") + x + ", " + y + ", 0], [" + x + ", " + y + ", 1]], ";
+    return Asked("  p: {bezier: {patch: [" + patch + "], segments: " + std::to_string(segments) + "}}\n",
+                 "{simplify: p, translate: [0, 0, 1]}");
+  };
+  for (const int segments : {3, 4, 7, 16}) {
+    INFO(segments << " segments");
+    CHECK(asked("0.95", "0.05", segments).certified());
+    CHECK_FALSE(asked("1.1", "-0.1", segments).certified());  // a loop
   }
 }
 

@@ -410,6 +410,20 @@ def pole_planes(rng, gap):
     return Case("walls at a pole", leaves, ("difference", "a", "b"), truth, "ball" if round_one else "cone")
 
 
+def clearance(rng, gap):
+    """A cylinder less a longer one about its axis, or a cone less the same one moved along it, nearly in one place."""
+    radius, height = fraction(rng, F(1, 2), F(3, 2), 8), fraction(rng, F(1), F(2), 8)
+    wall = near(rng, gap, F(0), -radius / 2, radius / 2)
+    where = "same" if wall == 0 else "inside" if wall > 0 else "outside"
+    if rng.random() < 0.5:
+        leaves = {"a": rod([0, 0, 0], [0, 0, height], radius), "b": rod([0, 0, -1], [0, 0, 3], radius - wall)}
+        truth = (0, 4, 4, 1) if wall > 0 else NOTHING
+    else:
+        leaves = {"a": cone([0, 0, 0], [0, 0, height], radius), "b": cone([0, 0, -wall], [0, 0, height - wall], radius)}
+        truth = NOTHING if wall == 0 else (0, 2, 3, 1)
+    return Case("clearance", leaves, ("difference", "a", "b"), truth, where)
+
+
 KINDS = [two_balls, three_balls, lens_plane, ball_plane, ball_two_planes, ball_corner, bore_wall, rod_oblique,
          rods_parallel, rods_skew, ball_rod, rod_on_floor, pin_bore, cone_plane, cone_ball,
-         pole_planes]
+         pole_planes, clearance]
