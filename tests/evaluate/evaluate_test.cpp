@@ -251,21 +251,5 @@ TEST_CASE("raw keeps the cells of the refinement", "[evaluate]") {
   CHECK(active_counts(*e.kept[0].simplified) == row.raw_cells);
 }
 
-TEST_CASE("the number of a region depends on no leaf that its node has not", "[evaluate]") {
-  const std::string split = R"(  ground: {box: {min: [0, 0, 0], max: [4, 1, 1]}}
-  fault: {polygon: [[1, -1, -1], [1, 2, -1], [1, 2, 2], [1, -1, 2]]}
-  split: {union: [fault, ground], dominance: left}
-  pick: {select: {of: split, region: 1, dimension: 3}}
-)";
-  for (const std::string& shed :
-       {std::string("min: [-1, 0, 0], max: [0, 1, 1]"), std::string("min: [4, 0, 0], max: [5, 1, 1]"),
-        std::string("min: [1/2, 1/2, -1], max: [5, 2, 1/2]")}) {
-    const Run r =
-        run("  shed: {box: {" + shed + "}}\n" + split + "  model: {sum: [shed, pick]}\n", "model", {"pick"});
-    CHECK(*r.row("pick").volume() == 1);
-  }
-  CHECK(*run(split, "pick").row("pick").volume() == 1);
-}
-
 }  // namespace
 }  // namespace cnrg

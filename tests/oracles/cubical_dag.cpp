@@ -58,12 +58,6 @@ cnrg::Component component_at(const cnrg::Selection& s, const cnrg::Location& at)
   }
 }
 
-RandomDag placed(const CubicalDag& dag) {
-  RandomDag out = dag.dag;
-  for (cnrg::scenes::Leaf& leaf : out.leaves) place(dag.place, leaf);
-  return out;
-}
-
 std::string name(const Grid& grid, Cell c) {
   const auto p = grid.position(c);
   return "(" + std::to_string(p[0]) + "," + std::to_string(p[1]) + "," + std::to_string(p[2]) + ")/2";
@@ -90,17 +84,6 @@ std::string compare_components(const Grid& grid, const std::vector<Cell>& cells,
 
 Motion random_place(std::uint64_t seed) {
   cnrg::scenes::Random random(seed * 17 + 3);
-  const auto after = [](const Motion& first, const Motion& second) {
-    Motion both;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        both.matrix[i][j] = 0;
-        for (int k = 0; k < 3; ++k) both.matrix[i][j] += second.matrix[i][k] * first.matrix[k][j];
-      }
-    }
-    both.offset = second(first.offset);
-    return both;
-  };
   Motion motion;
   if (random.one_in(2)) {
     motion = Motion::rotation(random.between(1, 4), random.between(-3, 3), random.between(-3, 3),
@@ -145,6 +128,12 @@ CubicalDag random_cubical_dag(const Grid& grid, std::uint64_t seed, bool moved) 
   out.dag = cnrg::properties::random_dag(seed, std::move(leaves));
   drop_dominance_without_features(out.dag);
   if (moved) out.place = random_place(seed);
+  return out;
+}
+
+RandomDag placed(const CubicalDag& dag) {
+  RandomDag out = dag.dag;
+  for (cnrg::scenes::Leaf& leaf : out.leaves) place(dag.place, leaf);
   return out;
 }
 

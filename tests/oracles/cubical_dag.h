@@ -24,6 +24,9 @@ CubicalDag random_cubical_dag(const Grid& grid, std::uint64_t seed, bool moved);
 /// A regular map: a rational rotation, a shear, a scaling by powers of ten, a reflection, one after another.
 cnrg::scenes::Motion random_place(std::uint64_t seed);
 
+/// With the leaves where the program gets them.
+cnrg::properties::RandomDag placed(const CubicalDag& dag);
+
 /// The first difference in words, or an empty string.
 std::string compare_by_brute_force(const Grid& grid, const CubicalDag& dag);
 

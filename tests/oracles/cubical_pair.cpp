@@ -17,12 +17,6 @@ namespace {
 using cnrg::Rational;
 using cnrg::RationalPoint;
 
-Rational determinant(const cnrg::scenes::Motion& motion) {
-  const auto& m = motion.matrix;
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
 std::string cell_name(const Grid& grid, Cell c) {
   const auto p = grid.position(c);
   return "(" + std::to_string(p[0]) + "," + std::to_string(p[1]) + "," + std::to_string(p[2]) + ")/2";
@@ -238,21 +232,6 @@ std::string compare_one(const Grid& grid, const Kernel& kernel, const Group& g, 
 
 }  // namespace
 
-cnrg::scenes::Motion tilt() {
-  // By the quaternions (0; 1, 2, 2) / 3 and (2; 0, 0, 1) / sqrt 5, one after the other, and a shift.
-  const cnrg::scenes::Motion first = cnrg::scenes::Motion::rotation(0, 1, 2, 2),
-                             second = cnrg::scenes::Motion::rotation(2, 0, 0, 1);
-  cnrg::scenes::Motion both;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      both.matrix[i][j] = 0;
-      for (int k = 0; k < 3; ++k) both.matrix[i][j] += second.matrix[i][k] * first.matrix[k][j];
-    }
-  }
-  both.offset = {Rational(1, 7), Rational(-2, 3), 5};
-  return both;
-}
-
 std::string compare_pair(const Grid& grid, const Group& a, const Group& b, const Presentation& how) {
   try {
     const Kernel kernel(grid, a, b, how);
@@ -305,23 +284,6 @@ std::vector<Group> smaller(const Grid& grid, const Group& group) {
     if (next != group) out.push_back(std::move(next));
   }
   return out;
-}
-
-Pair shrink(const Grid& grid, Pair pair) {
-  for (bool progress = true; progress;) {
-    progress = false;
-    for (Group* g : {&pair.a, &pair.b}) {
-      for (Group& next : smaller(grid, *g)) {
-        std::swap(*g, next);
-        if (!compare_pair(grid, pair.a, pair.b, pair.presentation).empty()) {
-          progress = true;
-          break;
-        }
-        std::swap(*g, next);
-      }
-    }
-  }
-  return pair;
 }
 
 std::string tree_file(const Grid& grid, const Pair& pair) {
@@ -417,7 +379,7 @@ Group group_of(const Grid& grid, const cnrg::scenes::Leaf& leaf) {
 
 void place(const cnrg::scenes::Motion& motion, cnrg::scenes::Leaf& leaf) {
   cnrg::scenes::apply(motion, leaf);
-  if (determinant(motion) > 0) return;
+  if (motion.determinant() > 0) return;
   for (auto& face : leaf.faces)
     for (auto& loop : face.loops) std::reverse(loop.begin(), loop.end());
 }

@@ -691,9 +691,7 @@ std::string compare_said(const Grid& grid, const CubicalDag& dag, SaidTally* tal
   std::vector<Value> values;
   if (std::string f = values_by_brute_force(grid, dag.dag, values); !f.empty()) return f;
   const std::vector<Saying> want = Sayings(grid, dag.dag, values).run();
-  RandomDag placed = dag.dag;
-  for (cnrg::scenes::Leaf& leaf : placed.leaves) place(dag.place, leaf);
-  const cnrg::properties::DagValues have = cnrg::properties::evaluate(placed);
+  const cnrg::properties::DagValues have = cnrg::properties::evaluate(placed(dag));
   const cnrg::Locator locator(have.complex());
   std::vector<cnrg::Location> places;
   for (Cell c = 0; c < grid.cells(); ++c) {

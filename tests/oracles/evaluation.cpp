@@ -37,29 +37,6 @@ std::vector<scenes::Polygon> loops_of(const Complex& c, const SimplifiedComplex&
 
 }  // namespace
 
-BooleanOp boolean_op(scenes::Op op) {
-  switch (op) {
-    case scenes::Op::unite: return BooleanOp::unite;
-    case scenes::Op::intersect: return BooleanOp::intersect;
-    default: return BooleanOp::subtract;
-  }
-}
-
-Dominance dominance(scenes::Ranking ranking) {
-  switch (ranking) {
-    case scenes::Ranking::left: return Dominance::left;
-    case scenes::Ranking::right: return Dominance::right;
-    default: return Dominance::equal;
-  }
-}
-
-Group evaluate(const Complex& complex, const std::vector<Group>& groups, const scenes::Expression& e) {
-  if (e.op == scenes::Op::leaf) return groups[e.leaf];
-  return boolean_operation(complex, boolean_op(e.op), dominance(e.ranking), evaluate(complex, groups, *e.left),
-                           evaluate(complex, groups, *e.right))
-      .group;
-}
-
 Selection joined(Selection s) {
   const auto one = [](auto& list) {
     for (auto& [cell, component] : list) component = 1;

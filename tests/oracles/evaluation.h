@@ -1,4 +1,4 @@
-// Our side of the comparison: an expression evaluated on one complex, and results in forms that oracles know.
+// Our side of the comparison: results in forms that oracles know.
 #pragma once
 
 #include <vector>
@@ -12,12 +12,6 @@
 #include "tests/scenes/scene.h"
 
 namespace cnrg::properties {
-
-BooleanOp boolean_op(scenes::Op op);
-Dominance dominance(scenes::Ranking ranking);
-
-/// The group of an expression; `groups` are those of the leaves.
-Group evaluate(const Complex& complex, const std::vector<Group>& groups, const scenes::Expression& expression);
 
 /// |G| as one component.
 Selection point_set(const Complex& complex, const Group& group);

@@ -41,8 +41,7 @@ TEST_CASE("betti numbers of sets in random scenes obey duality", "[homology]") {
   for (std::uint64_t seed = begin; seed < end; ++seed) {
     for (const auto position :
          {scenes::Position::general, scenes::Position::degenerate, scenes::Position::tilted}) {
-      const auto scene = scenes::random_scene(seed, 3, position);
-      const auto built_complex = build_complex(scenes::make_soup(scene.leaves));
+      const auto built_complex = build_complex(scenes::make_soup(scenes::random_leaves(seed, 3, position)));
       const Complex& complex = *built_complex;
       Neighbourhoods neighbourhoods(complex);
       BettiCounter counter(neighbourhoods);
