@@ -56,26 +56,9 @@ class RandomSubtree {
     nodes_ += "  n: {" + std::string(number(2) == 0 ? "unify" : "closure") + ": o3}\n";
   }
 
-  std::string node() { return number(3) == 0 ? "n" : "o3"; }
-  InContext alone(const std::string& node) const { return {nodes_, node}; }
   /// The same with one more node, which is the result.
   InContext with(const std::string& name, const std::string& node) const {
     return {nodes_ + "  " + name + ": " + node + "\n", name};
-  }
-
-  /// Other leaves, and those of the node in another order, come first.
-  InContext beside_others(const std::string& node) {
-    std::vector<std::string> first = leaves_;
-    std::string more;
-    for (int i = 0; i < 3; ++i) {
-      const std::string name = "x" + std::to_string(i);
-      more += "  " + name + ": " + leaf() + "\n";
-      first.push_back(name);
-    }
-    std::shuffle(first.begin(), first.end(), random_);
-    std::string list;
-    for (const std::string& name : first) list += name + ", ";
-    return {more + nodes_ + "  r: {sum: [" + list + node + "]}\n", "r"};
   }
 
  private:

@@ -3,7 +3,6 @@
 
 #include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/paper_classification.h"
 #include "csg/operators/table_engine.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
