@@ -1,8 +1,4 @@
-// Random trees with every operator on cubical groups, by brute force (csg/SEMANTICS.md), against the whole
-// program.
-//
-// Each value is an array over all cells of the grid: a group of cubical.h, or the component of each cell. Nothing
-// of the kernel is used until the answers are compared, cell by cell.
+// Random trees with every operator on cubical groups.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +23,8 @@ cnrg::scenes::Motion random_place(std::uint64_t seed);
 /// With the leaves where the program gets them.
 cnrg::properties::RandomDag placed(const CubicalDag& dag);
 
-/// The first difference in words, or an empty string.
-std::string compare_by_brute_force(const Grid& grid, const CubicalDag& dag);
+/// With random names, materials, properties and numbers of dominance; half of them have group Booleans alone.
+CubicalDag random_said_dag(const Grid& grid, std::uint64_t seed, bool moved);
 
 std::string tree_file(const CubicalDag& dag);
 std::vector<CubicalDag> smaller(const Grid& grid, const CubicalDag& dag);

@@ -10,6 +10,7 @@
 #include "csg/operators/paper_classification.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/simplify.h"
+#include "tests/oracles/evaluation.h"
 
 namespace cubical {
 namespace {
@@ -71,12 +72,7 @@ class Kernel {
   // The simplified selection keeps each cell's component and has the canonical counts of the brute force.
   std::string compare_simplified(const Group& want, const cnrg::Group& have, bool components) const {
     cnrg::Selection selection = cnrg::selection_of(complex_, have);
-    if (!components) {
-      for (auto& entry : selection.vertices) entry.second = 1;
-      for (auto& entry : selection.edges) entry.second = 1;
-      for (auto& entry : selection.faces) entry.second = 1;
-      for (auto& entry : selection.regions) entry.second = 1;
-    }
+    if (!components) selection = cnrg::properties::joined(std::move(selection));
     std::vector<int> state(grid_.cells(), 0);
     for (Cell c : cells_) {
       if (grid_.dimension(c) < 3 && want.entity[c]) state[c] = components ? want.region_count + 1 : 1;
@@ -131,32 +127,13 @@ class Kernel {
     }
   }
 
-  template <class IdT>
-  static cnrg::Component component_of(const std::vector<std::pair<IdT, cnrg::Component>>& list, IdT id) {
-    const auto it = std::lower_bound(list.begin(), list.end(), std::pair<IdT, cnrg::Component>(id, 0));
-    return it != list.end() && it->first == id ? it->second : 0;
-  }
-
   std::string check_places(const cnrg::SimplifiedComplex& s, const cnrg::Selection& selection) const {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const cnrg::Location& at = places_[i];
-      cnrg::Component want = 0;
-      switch (at.dimension) {
-        case 0: want = component_of(selection.vertices, at.vertex); break;
-        case 1: want = component_of(selection.edges, at.edge); break;
-        case 2: want = component_of(selection.faces, at.face); break;
-        default: want = component_of(selection.regions, at.region);
-      }
+      const cnrg::Component want = cnrg::properties::component_at(selection, at);
       const auto place = s.place(complex_, at);
-      cnrg::Component have = 0;
-      if (place.index != cnrg::SimplifiedComplex::kNowhere) {
-        switch (place.dimension) {
-          case 0: have = s.vertices[place.index].component; break;
-          case 1: have = s.edges[place.index].component; break;
-          case 2: have = s.faces[place.index].component; break;
-          default: have = s.regions[place.index].component;
-        }
-      }
+      const cnrg::Component have =
+          place.index == cnrg::SimplifiedComplex::kNowhere ? 0 : cnrg::component_of(s, place);
       if (want != have) return cell_name(grid_, cells_[i]) + " changed its component";
     }
     // Loops are closed walks; each side of a face is in one shell of the region that it names.

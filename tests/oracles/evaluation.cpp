@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "csg/operators/component_lists.h"
 #include "csg/operators/detect_regions.h"
 #include "tests/scenes/measure.h"
 
@@ -49,6 +50,15 @@ Selection joined(Selection s) {
 }
 
 Selection point_set(const Complex& complex, const Group& group) { return joined(selection_of(complex, group)); }
+
+Component component_at(const Selection& selection, const Location& at) {
+  switch (at.dimension) {
+    case 0: return component_in(selection.vertices, at.vertex);
+    case 1: return component_in(selection.edges, at.edge);
+    case 2: return component_in(selection.faces, at.face);
+    default: return component_in(selection.regions, at.region);
+  }
+}
 
 Skeleton skeleton(const Complex& complex, const Group& group) {
   return skeleton(complex, point_set(complex, group));

@@ -19,6 +19,9 @@ Selection point_set(const Complex& complex, const Group& group);
 /// All components of a selection as one: |X|.
 Selection joined(Selection selection);
 
+/// The component of the cell at a place; 0 where it is not in the selection.
+Component component_at(const Selection& selection, const Location& at);
+
 /// The canonical form of |X| as `simplify` makes it in mode `points`, with unmarked cells where X is not closed.
 Skeleton skeleton(const Complex& complex, const Selection& set);
 

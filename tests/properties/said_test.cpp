@@ -1,11 +1,11 @@
 // What is said of regions, sheets, wires and points (csg/SEMANTICS.md#attributes): cases of their own beside the
-// family `said-trees`.
+// family `cube-trees`.
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/operators/node_value.h"
 #include "tests/catch.h"
-#include "tests/oracles/cubical_said.h"
+#include "tests/oracles/cubical_compare.h"
 
 namespace {
 
@@ -13,7 +13,7 @@ TEST_CASE("random trees say something of every kind of cell, and contradict them
   const cubical::Grid grid(4);
   cubical::SaidTally tally;
   for (std::uint64_t seed = 0; seed < 40; ++seed)
-    CHECK(cubical::compare_said(grid, cubical::random_said_dag(grid, seed, false), &tally) == "");
+    CHECK(cubical::compare_by_brute_force(grid, cubical::random_said_dag(grid, seed, false), &tally) == "");
   CAPTURE(tally.nodes, tally.said_cells, tally.regions, tally.conflicts, tally.counted);
   CHECK(
       (tally.owners > 0 && tally.said_cells > 0 && tally.regions > 0 && tally.conflicts > 0 && tally.counted > 0));
