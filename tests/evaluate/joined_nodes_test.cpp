@@ -125,4 +125,3 @@ TEST_CASE("what joined nodes refuse", "[joined]") {
   fails("simplify: {of: a, within: 1}", "the whole result is 1 long; give a smaller distance");
   fails("simplify: {of: p, within: 1}", "cut the node with a box first");
 }
-
