@@ -2,7 +2,6 @@
 // choose the pairs.
 #include <iostream>
 #include <map>
-#include <sstream>
 
 #include "bench/baseline/mantyla.h"
 #include "bench/baseline/scene.h"

@@ -1,8 +1,6 @@
 // `simplify` with `within`: what it hands on is what `join` makes of the operand's result, wherever it goes then.
 #include "csg/evaluate/joined_nodes.h"
 
-#include <random>
-
 #include "csg/result/join.h"
 #include "kernel/base/error.h"
 #include "tests/catch.h"

@@ -1,7 +1,6 @@
 // All that is said of a node follows from its own subtree: other leaves, their order, other roots change nothing.
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <random>
 #include <regex>
 #include <set>

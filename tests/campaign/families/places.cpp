@@ -4,7 +4,6 @@
 // logic there: union is `or`, closure changes nothing, a boundary is empty. On an entity union, intersection, sum,
 // product and their like are logic still; what a closure or an interior makes there depends on the surroundings,
 // and only what follows from the point itself is held against the program.
-#include <algorithm>
 #include <optional>
 
 #include "csg/evaluate/evaluate.h"

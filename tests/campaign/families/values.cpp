@@ -1,7 +1,5 @@
 // Values of whole trees against each other: what laws, definitions, order, motions, folds and contexts must leave
 // as it is. No oracle outside, so these are fast and many.
-#include <algorithm>
-#include <numeric>
 #include <sstream>
 
 #include "csg/evaluate/evaluate.h"
