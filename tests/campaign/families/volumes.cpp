@@ -188,7 +188,7 @@ Nested random_nested(std::uint64_t seed) {
   return out;
 }
 
-/// Both solids, the inner one first; their union, intersection and differences.
+/// Both solids, the inner one first; their union, intersection and differences; all together.
 RandomDag dag_of(const Nested& nested) {
   std::vector<Solid> solids{nested.solid,
                             moved(scaling(nested.factor, properties::middle(nested.solid)), nested.solid)};
@@ -198,6 +198,7 @@ RandomDag dag_of(const Nested& nested) {
   add_node(dag, Operator::intersect, {0, 1});
   add_node(dag, Operator::subtract, {0, 1});
   add_node(dag, Operator::subtract, {1, 0});
+  add_node(dag, Operator::sum, {2, 3, 4, 5});
   return dag;
 }
 
