@@ -32,6 +32,11 @@ class Measures(unittest.TestCase):
                          ["words: the limit rose from 6 to 7"])
         self.assertIn("without a limit", list(house.faults({"words": 5}, {}, []))[0])
 
+    def test_lines_and_words_have_room_to_move_and_what_is_large_has_none(self):
+        self.assertEqual([house.needed("lines of csg", n) for n in (0, 500, 501, 95998)], [1000, 1000, 2000, 97000])
+        self.assertEqual(house.needed("classes above 250 lines", 42), 42)
+        self.assertEqual(house.needed("files above 600 lines", 5), 5)
+
     def test_the_table_has_rooms_limits_and_what_is_large(self):
         rows = "\n".join(house.table({"csg/app": 3, "csg": 1}, {"lines of csg": 4}, {"lines of csg": 9}, [(601, "a.cpp")]))
         self.assertIn("lines of csg/app        3", rows)
