@@ -28,18 +28,6 @@ nodes:
 result: r
 )";
 
-/// The words of the row that begins with a name.
-std::vector<std::string> row(const std::string& text, const std::string& name) {
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream stream(line);
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;) words.push_back(word);
-    if (!words.empty() && words[0] == name) return words;
-  }
-  return {};
-}
-
 TEST_CASE("version names the libraries", "[app]") {
   const Outcome o = Workshop().run("--version");
   CHECK(o.status == 0);
@@ -235,49 +223,6 @@ TEST_CASE("a result is read back as a leaf", "[app]") {
   CHECK(row(o.out, "d").back() == "46/3");
 }
 
-TEST_CASE("components are read back with their value, their names and their dominance", "[app]") {
-  const Workshop w;
-  w.write("t.yaml",
-          "cnrg: 1\n"
-          "materials: {rock: {}, ore: {}}\n"
-          "nodes:\n"
-          "  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}, material: rock}\n"
-          "  b: {box: {min: [1, 1, 1], max: [3, 3, 3]}, material: ore, dominance: 2}\n"
-          "  open: {interior: a}\n"
-          "  parts: {sum: [open, b]}\n"
-          "  rest: {complement: parts}\n"
-          "  both: {aggregate: [parts, rest]}\n"
-          "result: both\n");
-  REQUIRE(w.run("eval t.yaml --node parts --node rest -o parts.json -o rest.json").status == 0);
-  w.write("again.yaml",
-          "cnrg: 1\n"
-          "materials: {rock: {}, ore: {}}\n"
-          "nodes:\n"
-          "  parts: {cnrg: parts.json}\n"
-          "  rest: {cnrg: rest.json}\n"
-          "  both: {aggregate: [parts, rest]}\n"
-          "  closed: {closure: parts}\n"
-          "  cut: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
-          "  bad: {union: [parts, cut]}\n"
-          "  good: {union: [closed, cut]}\n"
-          "result: both\n");
-  const Outcome o = w.run("eval again.yaml --node parts --node both --node good -o p.json -o b.json -o g.json");
-  INFO(o.err);
-  REQUIRE(o.status == 0);
-  const auto first = nlohmann::json::parse(w.read("parts.json"));
-  const auto second = nlohmann::json::parse(w.read("p.json"));
-  for (const char* key : {"points", "frame", "group"}) CHECK(first[key] == second[key]);
-  REQUIRE(first["components"].size() == second["components"].size());
-  for (std::size_t i = 0; i < first["components"].size(); ++i) {
-    for (const char* key : {"name", "material", "dominance"}) {
-      CHECK(first["components"][i][key] == second["components"][i][key]);
-    }
-  }
-  const Outcome refused = w.run("eval again.yaml --node bad");
-  CHECK(refused.status == 2);
-  CHECK_THAT(refused.err, Contains("closure"));
-}
-
 TEST_CASE("materials of a mixture are read back, and none that there is not", "[app][errors]") {
   const Workshop w;
   w.write("t.yaml",
@@ -421,62 +366,6 @@ TEST_CASE("check reads and validates only", "[app]") {
         "<stdin>: 2 nodes, 1 of them a leaf; no faults\n");
 }
 
-TEST_CASE("uncertain crossings of curved surfaces are told, and an error if that is asked for", "[app]") {
-  const Workshop w;
-  w.write(
-      "lens.yaml",
-      "cnrg: 1\nnodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1}}\n"
-      "  b: {sphere: {center: [1.1994, 1.5992, 0], radius: 1}}\n  lens: {intersection: [a, b]}\nresult: lens\n");
-  CHECK(w.run("eval lens.yaml").err.empty());
-  CHECK_THAT(w.run("eval lens.yaml").out, Contains("lens  intersection         0      1      2        1"));
-  CHECK_THAT(w.run("eval lens.yaml --no-certify").out,
-             Contains("lens  intersection         0      0      0        0"));
-  CHECK_THAT(w.run("eval lens.yaml --no-certify").err,
-             Contains("notice: it was not asked whether curved surfaces meet as their facets do"));
-  CHECK_THAT(w.run("eval lens.yaml --no-certify --certify").err, Contains("--certify"));
-  CHECK(w.run("eval lens.yaml --quiet").err.empty());
-  for (const std::string command : {"eval lens.yaml", "mesh lens.yaml -o lens.msh"}) {
-    INFO(command);
-    const Outcome o = w.run(command + " --certify --threads 2");
-    CHECK(o.status == 0);
-    CHECK_THAT(o.err, StartsWith("lens.yaml: notice: certified: surfaces meet as their facets do: of "));
-  }
-  // Equal pipes touch and cross in two points.
-  w.write(
-      "pipes.yaml",
-      "cnrg: 1\nnodes:\n  a: {cylinder: {from: [0, 0, -4], to: [0, 0, 4], radius: 2}}\n"
-      "  b: {cylinder: {from: [-5, 0, 0], to: [5, 0, 0], radius: 2}}\n  model: {union: [a, b]}\nresult: model\n");
-  for (const std::string command : {"eval pipes.yaml", "mesh pipes.yaml -o pipes.msh"}) {
-    INFO(command);
-    Outcome o = w.run(command + " --certify");
-    CHECK(o.status == 2);
-    CHECK(o.out.empty());
-    CHECK_THAT(o.err,
-               StartsWith("pipes.yaml:3:7: notice: `a` (cylinder side) and `b` (cylinder side) near [") &&
-                   Contains("\npipes.yaml:3:7: error: `a` (cylinder side) and `b` (cylinder side) near [") &&
-                   Contains("]: they touch, or are nearer to it than ") &&
-                   Contains(": apart there, or with a curve in common; ") &&
-                   Contains("; --certify found 2 such places: "));
-    CHECK(!std::filesystem::exists(w.path("pipes.msh")));
-    o = w.run(command + " --certify --quiet");
-    CHECK(o.status == 2);
-    CHECK_THAT(o.err, StartsWith("pipes.yaml:3:7: error: "));
-  }
-  w.write("box.yaml", "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\nresult: a\n");
-  for (const std::string quiet : {"", " --quiet"}) {
-    CHECK_THAT(w.run("eval pipes.yaml -o u.step" + quiet).err,
-               Contains("u.step: warning: its surfaces may not meet as its faces say: `a` (cylinder side) and `b` "
-                        "(cylinder side) near ["));
-    CHECK(w.run("eval lens.yaml -o u.step" + quiet).err.find("u.step: warning") == std::string::npos);
-  }
-  CHECK_THAT(w.run("mesh pipes.yaml --curved --quiet -o u.msh").err,
-             Contains("u.msh: warning: its surfaces may not meet as its faces say: "));
-  CHECK(w.run("eval pipes.yaml --quiet -o u.vtu").err.empty());
-  CHECK_THAT(w.run("eval box.yaml --certify").err,
-             Contains("certified: surfaces meet as their facets do: no curved"));
-  CHECK(w.run("eval box.yaml --certify --quiet").err.empty());
-}
-
 TEST_CASE("a mesh and a result stand for trees of one leaf") {
   const Workshop w;
   w.write("t.yaml", "cnrg: 1\nnodes:\n  part: {box: {min: [0, 0, 0], max: [1, 2, 3]}}\nresult: part\n");
@@ -499,38 +388,6 @@ TEST_CASE("a mesh and a result stand for trees of one leaf") {
     INFO(first);
     CHECK(w.run("eval tree.json").status == 0);
   }
-}
-
-TEST_CASE("every command that reads a tree can make its curved leaves finer", "[app]") {
-  const Workshop w;
-  w.write("t.yaml", R"(cnrg: 1
-nodes:
-  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 4}}
-result: a
-)");
-  CHECK(row(w.run("eval t.yaml").out, "a").back() == "2");
-  const Outcome fine = w.run("eval t.yaml --finer 25");
-  CHECK(fine.status == 0);
-  CHECK_THAT(fine.out, Contains("  3.139525976"));  // 50 sin(2 pi / 100)
-  // Between the square and the circle.
-  CHECK_THAT(w.run("locate t.yaml", "0.6 0.6 0.5\n").out, Catch::Matches("3 (r[0-9]+|-) 0\n"));
-  CHECK_THAT(w.run("locate t.yaml --finer 3", "0.6 0.6 0.5\n").out, Catch::Matches("3 r[0-9]+ 1 a\n"));
-  CHECK_THAT(w.run("explain t.yaml --point 0.6,0.6,0.5 --finer 3").out, Contains("region 1 `a`"));
-  const Outcome mesh = w.run("mesh t.yaml --finer 25 -o t.msh");
-  INFO(mesh.err);
-  CHECK(mesh.status == 0);
-  CHECK_THAT(row(mesh.out, "all").back(), StartsWith("3.139525976"));
-  CHECK(w.run("check t.yaml --finer 3").status == 0);
-  w.write("many.yaml",
-          "cnrg: 1\nnodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 499999}}\nresult: a\n");
-  for (const std::string command : {"eval", "check"}) {
-    const Outcome o = w.run(command + " many.yaml --finer 2");
-    CHECK(o.status == 2);
-    CHECK_THAT(o.err, StartsWith("many.yaml:3:7: error: made 2 times finer, `sphere` would have "));
-  }
-  const Outcome none = w.run("eval t.yaml --finer 0");
-  CHECK(none.status == 2);
-  CHECK_THAT(none.err, Contains("--finer: `0` is not a whole number from 1 to 1000"));
 }
 
 TEST_CASE("locate names cell, component and region", "[app]") {

@@ -483,58 +483,6 @@ TEST_CASE("the tunnel of Pereira et al.: our tetrahedra, Gmsh's and tetgen's hav
   }
 }
 
-TEST_CASE("the supported tunnel: bolts are edges of tetrahedra, the shell is a part of their faces",
-          "[app][mesh]") {
-  const Workshop w;
-  const std::string trees = "papers/pereira2012/", files = "out/pereira2012/";
-  std::filesystem::create_directories(w.path(trees));
-  std::filesystem::create_directories(w.path(files));
-  for (const std::string name : {"fig10.yaml", "fig10-bolts.yaml"}) {
-    std::filesystem::copy_file(trees + name, w.path(trees + name));
-  }
-  REQUIRE(w.run("eval " + trees + "fig10.yaml --quiet --node G1 -o " + files + "G1.json --node G3 -o " + files +
-                "G3.json --node rocks -o " + files + "rocks.json")
-              .status == 0);
-  // Bolts: the length in the rock of all of the rings and of the spiles, by the result's own segments.
-  const std::string tree = trees + "fig10-bolts.yaml";
-  REQUIRE(w.run("eval " + tree + " --quiet -o m.msh").status == 0);
-  const test::MeshFile model = test::read_msh(w.read("m.msh"));
-  const double along = std::hypot(260, 12, 7), pi = std::acos(-1);
-  const double shell = 48 * 2 * 9 * std::sin(pi / 48) * (0.625 - 10. / 260) * along;
-  for (const std::string options : {"-Y", "--quality 2"}) {
-    INFO(options);
-    REQUIRE(w.run("mesh " + tree + " --quiet " + options + " -o t.msh").status == 0);
-    const test::MeshFile mesh = test::read_msh(w.read("t.msh"));
-    CHECK(mesh.loose(1) == 0);
-    CHECK(mesh.loose(2) == 0);
-    for (const std::string group : {"bolts", "spiles"}) {
-      INFO(group);
-      const double length = mesh.measure(mesh.in_group(1, group));
-      CHECK(length > (group == "bolts" ? 45 * 5.9 : 3 * 10));
-      CHECK(length < (group == "bolts" ? 45 * 6.2 : 3 * 14));
-      CHECK(length == Approx(model.measure(model.in_group(1, group))).epsilon(1e-9));
-    }
-    // The shell: triangles on the wall up to its end, 0.625 of the axis; its border is an edge, so none reaches
-    // over.
-    std::vector<test::MeshFile::Element> lining;
-    for (const auto& element : mesh.elements) {
-      if (element.dimension != 2) continue;
-      bool on_wall = true;
-      double farthest = 0;
-      for (const int node : element.nodes) {
-        const auto& p = mesh.nodes.at(node);
-        const double x = p[0] + 10, y = p[1] - 76, z = p[2] - 51, at = (260 * x + 12 * y + 7 * z) / along;
-        const double radius = std::sqrt(x * x + y * y + z * z - at * at);
-        on_wall = on_wall && radius > 9 * std::cos(pi / 48) - 1e-6 && radius < 9 + 1e-6;
-        farthest = std::max(farthest, at);
-      }
-      if (on_wall && farthest < 0.625 * along + 1e-6) lining.push_back(element);
-    }
-    CHECK(mesh.measure(lining) == Approx(shell).epsilon(1e-9));
-    CHECK(mesh.measure(mesh.in_group(2, "material shotcrete")) == Approx(shell).epsilon(1e-9));
-  }
-}
-
 TEST_CASE("where TetGen stumbles over a regular model it is meshed another way", "[app][mesh]") {
   // Two triangles in a cube about the same centre as TetGen's own box: it stops at an assertion of its own there.
   const Workshop w;

@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace cnrg {
 
@@ -57,5 +59,17 @@ class Workshop {
  private:
   std::filesystem::path folder_;
 };
+
+/// The words of the row that begins with a name.
+inline std::vector<std::string> row(const std::string& text, const std::string& name) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream stream(line);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    if (!words.empty() && words[0] == name) return words;
+  }
+  return {};
+}
 
 }  // namespace cnrg

@@ -1,9 +1,7 @@
 #include "tests/baseline/oracle.h"
 
-#include <map>
 #include <ostream>
 #include <set>
-#include <stdexcept>
 
 #include "bench/baseline/mantyla.h"
 #include "bench/baseline/topology.h"

@@ -5,10 +5,8 @@
 // `.json` of each tree alone knows nothing of the other one, nor of a complex of both. How much only one of them
 // has is what `subtract` says, in one tree with both.
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "csg/compare/compare.h"
 #include "csg/formats/result_file.h"

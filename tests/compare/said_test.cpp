@@ -7,7 +7,7 @@
 #include "tests/app/program.h"
 #include "tests/catch.h"
 #include "tests/compare/trees.h"
-#include "tests/oracles/cubical_said.h"
+#include "tests/oracles/cubical_dag.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg {

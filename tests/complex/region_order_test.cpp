@@ -21,7 +21,7 @@ TEST_CASE("numbers of regions depend on no other leaf", "[complex][regions][rand
   for (std::uint64_t seed = first; seed < end; ++seed) {
     CAPTURE(seed);
     const auto position = std::array{Position::degenerate, Position::tilted, Position::general}[seed % 3];
-    const std::vector<Leaf> leaves = random_scene(seed, 5, position).leaves;
+    const std::vector<Leaf> leaves = random_leaves(seed, 5, position);
     const std::vector<Leaf> some(leaves.begin(), leaves.begin() + 2);
     SoupOptions options;
     options.reverse_faces = seed % 2 == 1;

@@ -1,6 +1,5 @@
 // Mixtures where operands overlap, against distances that are counted here by hand: a point in a box has the
 // distance of its nearest side from the boundary.
-#include <array>
 #include <optional>
 #include <random>
 #include <string>

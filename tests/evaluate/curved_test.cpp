@@ -64,19 +64,6 @@ void check_refinement(const std::string& text, const std::array<const char*, 3>&
   }
 }
 
-TEST_CASE("a slab beside a node changes no count of its curved edges", "[curved]") {
-  const std::string text = R"(cnrg: 1
-nodes:
-  cube: {box: {min: [-3, -3, -3], max: [3, 3, 3]}}
-  ball: {sphere: {center: [0, 0, 0], radius: 4, segments: 16}}
-  slab: {box: {min: [-9, -9, -9], max: [9, 9, 0]}}
-  rounded: {intersection: [cube, ball]}
-  all: {union: [rounded, slab]}
-result: all
-)";
-  CHECK(rows_of(text).at("rounded").first == Cells{0, 6, 7, 1});
-}
-
 TEST_CASE("Fig. 7 of Pereira et al. has the same cells at any fineness", "[evaluate][curved]") {
   // The bottle: two discs of four sectors and a wall of four patches, 10 - 20 + 12 = 2. The difference has one
   // pit: 19 - 31 + 14 = 2.

@@ -55,42 +55,6 @@ TEST_CASE("a box is a box", "[evaluate]") {
   CHECK(r.kept("a").leaves == std::vector<LeafId>{LeafId(0)});
 }
 
-TEST_CASE("volumes of the Booleans are exact and add up", "[evaluate]") {
-  const Run r = run(std::string(kBoxes) + R"(  u: {union: [a, b]}
-  i: {intersection: [a, b]}
-  d: {difference: [a, b]}
-  all: {union: [u, i, d]}
-)",
-                    "all", {"u", "i", "d"});
-  CHECK(*r.row("u").volume() == 15);
-  CHECK(*r.row("i").volume() == 1);
-  CHECK(*r.row("d").volume() == 7);
-  CHECK(*r.row("all").volume() == 15);
-  CHECK(r.row("d").cells == Cells{14, 21, 9, 1});
-}
-
-TEST_CASE("dominance decides which walls stay", "[evaluate]") {
-  const Run equal = run(std::string(kBoxes) + "  r: {union: [a, b], dominance: equal}\n", "r");
-  CHECK(equal.row("r").volumes.size() == 1);
-  const Run left = run(std::string(kBoxes) + "  r: {union: [a, b], dominance: left}\n", "r");
-  REQUIRE(left.row("r").volumes.size() == 2);
-  CHECK(*left.row("r").volumes[0] + *left.row("r").volumes[1] == 15);
-  const Run right = run(std::string(kBoxes) + "  r: {union: [a, b], dominance: right}\n", "r");
-  REQUIRE(right.row("r").volumes.size() == 2);
-  // The dominant operand keeps its 8, the other what is left of it.
-  const auto volume_named = [](const Run& run, const std::string& name) {
-    const Group& group = run.kept("r").group();
-    for (std::size_t i = 0; i < group.regions.size(); ++i) {
-      if (group.regions[i].name == name) return *run.row("r").volumes[i];
-    }
-    return Rational(-1);
-  };
-  CHECK(volume_named(left, "a") == 8);
-  CHECK(volume_named(left, "b") == 7);
-  CHECK(volume_named(right, "a") == 7);
-  CHECK(volume_named(right, "b") == 8);
-}
-
 TEST_CASE("without a word the numbers of the operands decide, and the larger is passed on", "[evaluate]") {
   const Run r = run(R"(  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}
   b: {box: {min: [1, 1, 1], max: [3, 3, 3]}, dominance: 2}
@@ -105,16 +69,6 @@ TEST_CASE("without a word the numbers of the operands decide, and the larger is 
   CHECK(r.kept("c").value->components().attributes.at(0).dominance == 2);
   CHECK(r.kept("s").group().dominance == Rational(1, 2));
   CHECK(r.kept("t").group().dominance == 2);
-}
-
-TEST_CASE("more than two operands go from left to right", "[evaluate]") {
-  const Run r = run(std::string(kBoxes) + R"(  d: {difference: [a, b, {box: {min: [0, 0, 0], max: [1, 1, 1]}}]}
-  u: {union: [a, b, c, d]}
-)",
-                    "u", {"d"});
-  CHECK(*r.row("d").volume() == 6);
-  CHECK(*r.row("u").volume() == 22);
-  CHECK(r.row("d/3").operator_name == "box");
 }
 
 TEST_CASE("a node under two transforms is two instances, each with a row", "[evaluate]") {
@@ -141,21 +95,6 @@ TEST_CASE("the complement of a box is unbounded", "[evaluate]") {
   CHECK(*r.row("t").volume() == 1);
 }
 
-TEST_CASE("regularize is an operator and an attribute", "[evaluate]") {
-  const Run r = run(R"(  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}
-  s: {polygon: [[1, -1, -1], [1, 3, -1], [1, 3, 3], [1, -1, 3]]}
-  u: {union: [a, s], dominance: right}
-  g: {regularize: u}
-  h: {union: [a, s], dominance: right, regularize: true}
-  t: {union: [g, h]}
-)",
-                    "t", {"u", "g", "h"});
-  CHECK(r.row("u").volumes.size() == 2);
-  CHECK(r.row("u").cells[2] > r.row("g").cells[2]);
-  CHECK(r.row("g").cells == r.row("h").cells);
-  CHECK(r.kept("g").group().faces == r.kept("h").group().faces);
-}
-
 TEST_CASE("simplify with mode points forgets features", "[evaluate]") {
   const Run r = run(R"(  l: {polyline: [[0, 0, 0], [1, 0, 0], [2, 1, 0]]}
   p: {points: [[1/2, 0, 0]]}
@@ -169,16 +108,6 @@ TEST_CASE("simplify with mode points forgets features", "[evaluate]") {
   CHECK(r.row("s").cells == Cells{4, 3, 0, 0});
   CHECK(r.row("c").cells == Cells{3, 2, 0, 0});
   CHECK(r.row("c").raw_cells == Cells{4, 3, 0, 0});
-}
-
-TEST_CASE("material and name of an inner node replace those of its regions", "[evaluate]") {
-  const Run r =
-      run(std::string(kBoxes) +
-              "  u: {union: [a, c], material: air, name: hall}\n  v: {union: [a, c]}\n  w: {union: [u, v]}\n",
-          "w", {"u", "v"});
-  CHECK(r.kept("u").group().regions.at(0).material == "air");
-  CHECK(r.kept("u").group().regions.at(0).name == "hall");
-  CHECK(r.kept("v").group().regions.at(0).material == "rock");
 }
 
 TEST_CASE("materials that meet with equal dominance are reported at the node", "[evaluate]") {
@@ -249,22 +178,6 @@ TEST_CASE("raw keeps the cells of the refinement", "[evaluate]") {
   CHECK(row.cells == Cells{8, 12, 6, 1});
   CHECK(row.raw_cells[2] > 6);
   CHECK(active_counts(*e.kept[0].simplified) == row.raw_cells);
-}
-
-TEST_CASE("the number of a region depends on no leaf that its node has not", "[evaluate]") {
-  const std::string split = R"(  ground: {box: {min: [0, 0, 0], max: [4, 1, 1]}}
-  fault: {polygon: [[1, -1, -1], [1, 2, -1], [1, 2, 2], [1, -1, 2]]}
-  split: {union: [fault, ground], dominance: left}
-  pick: {select: {of: split, region: 1, dimension: 3}}
-)";
-  for (const std::string& shed :
-       {std::string("min: [-1, 0, 0], max: [0, 1, 1]"), std::string("min: [4, 0, 0], max: [5, 1, 1]"),
-        std::string("min: [1/2, 1/2, -1], max: [5, 2, 1/2]")}) {
-    const Run r =
-        run("  shed: {box: {" + shed + "}}\n" + split + "  model: {sum: [shed, pick]}\n", "model", {"pick"});
-    CHECK(*r.row("pick").volume() == 1);
-  }
-  CHECK(*run(split, "pick").row("pick").volume() == 1);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // Trees made finer: counts stay, volumes go to those of the exact shapes.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>

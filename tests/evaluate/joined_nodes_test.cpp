@@ -1,8 +1,6 @@
 // `simplify` with `within`: what it hands on is what `join` makes of the operand's result, wherever it goes then.
 #include "csg/evaluate/joined_nodes.h"
 
-#include <random>
-
 #include "csg/result/join.h"
 #include "kernel/base/error.h"
 #include "tests/catch.h"
@@ -124,37 +122,4 @@ TEST_CASE("what joined nodes refuse", "[joined]") {
   };
   fails("simplify: {of: a, within: 1}", "the whole result is 1 long; give a smaller distance");
   fails("simplify: {of: p, within: 1}", "cut the node with a box first");
-}
-
-TEST_CASE("joined nodes of random boxes", "[joined][random]") {
-  const auto [first, last] = scenes::seeds(30);
-  for (std::uint64_t seed = first; seed < last; ++seed) {
-    std::mt19937_64 random(seed);
-    const auto below = [&](int n) { return int(random() % std::uint64_t(n)); };
-    std::string nodes, list;
-    const int n = 2 + below(3);
-    for (int i = 0; i < n; ++i) {
-      std::string lo, hi;
-      for (int k = 0; k < 3; ++k) {
-        const int from = below(3), to = from + 1 + below(2);
-        const auto near = [&](int x) { return std::to_string(x * 10000 + below(3)) + "/10000"; };
-        lo += (k == 0 ? "" : ", ") + near(from), hi += (k == 0 ? "" : ", ") + near(to);
-      }
-      const std::string name = "b" + std::to_string(i);
-      nodes += "  " + name + ": {box: {min: [" + lo + "], max: [" + hi + "]}}\n";
-      list += (i == 0 ? "" : ", ") + name;
-    }
-    nodes += "  model: {union: [" + list +
-             "], dominance: equal}\n  joined: {simplify: {of: model, within: 0.01}}\n"
-             "  far: {difference: [{simplify: joined, translate: [1, 2, 3]}, {box: {min: [50, 0, 0], max: [51, 1, "
-             "1]}}]}\n";
-    INFO("seed " << seed << "\n" << nodes);
-    const Tree tree = parse(nodes, "far");
-    const Evaluation e = evaluation_of(tree, {"joined"});
-    JoinReport report;
-    const Result by_hand = join(alone(tree, "model"), Rational(1, 100), &report);
-    CHECK(volumes(e.result("joined")) == volumes(by_hand));
-    CHECK(volumes(e.result("far")) == volumes(by_hand));
-    CHECK(e.joined.front().report.lost_regions == report.lost_regions);
-  }
 }

@@ -47,20 +47,10 @@ std::string material_at(const LevelRun& r, const RationalPoint& p) {
   return region == 0 ? "outside" : value_of(r).group().regions[region - 1].material.name();
 }
 
-TEST_CASE("of two regions the one with the dominant material wins, wherever it stands", "[material-levels]") {
+TEST_CASE("what a node or a number says comes before the dominance of materials", "[material-levels]") {
   const std::string nodes = kMaterials +
                             "  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: rock}\n"
                             "  beam: {box: {min: [2, 1, 1], max: [6, 3, 3]}, material: steel}\n";
-  const std::array<std::size_t, 4> beam_first{20, 32, 16, 2};  // as `b_first` of papers/lessons/05-tables
-  for (const std::string operands : {"[block, beam]", "[beam, block]"}) {
-    const LevelRun r = run_levels(nodes + "  r: {union: " + operands + "}\nresult: r\n");
-    CHECK(counts(r) == beam_first);
-    CHECK(material_at(r, {3, 2, 2}) == "steel");
-    CHECK(material_at(r, {1, 2, 2}) == "rock");
-    CHECK(r.evaluation.diagnostics.empty());
-    CHECK(r.evaluation.rows.back().removals.total() == 1);
-  }
-  // What the node or the numbers say comes first.
   CHECK(material_at(run_levels(nodes + "  r: {union: [block, beam], dominance: left}\nresult: r\n"), {3, 2, 2}) ==
         "rock");
   CHECK(material_at(run_levels(nodes + "  r: {union: [{simplify: block, dominance: 1}, beam]}\nresult: r\n"),
@@ -68,35 +58,6 @@ TEST_CASE("of two regions the one with the dominant material wins, wherever it s
   const LevelRun equal = run_levels(nodes + "  r: {union: [block, beam], dominance: equal}\nresult: r\n");
   CHECK(counts(equal)[3] == 1);
   CHECK(equal.evaluation.diagnostics.size() == 1);
-  const LevelRun common = run_levels(nodes + "  r: {intersection: [block, beam]}\nresult: r\n");
-  CHECK(counts(common) == std::array<std::size_t, 4>{8, 12, 6, 1});
-  CHECK(material_at(common, {3, 2, 2}) == "steel");
-}
-
-TEST_CASE("one operand wins here and loses there", "[material-levels]") {
-  // Layers of clay and rock, and a bar through both that is steel below and of air above.
-  const std::string nodes = kMaterials +
-                            "  low: {box: {min: [0, 0, 0], max: [4, 4, 2]}, material: clay}\n"
-                            "  high: {box: {min: [0, 0, 2], max: [4, 4, 4]}, material: rock}\n"
-                            "  ground: {union: [low, high], dominance: left}\n"
-                            "  foot: {box: {min: [1, 1, -1], max: [3, 3, 1]}, material: steel}\n"
-                            "  head: {box: {min: [1, 1, 1], max: [3, 3, 5]}, material: air}\n"
-                            "  bar: {union: [foot, head], dominance: left}\n";
-  for (const std::string operands : {"[ground, bar]", "[bar, ground]"}) {
-    const LevelRun r = run_levels(nodes + "  r: {union: " + operands + "}\nresult: r\n");
-    CHECK(material_at(r, {2, 2, Rational(1, 2)}) == "steel");
-    CHECK(material_at(r, {2, 2, Rational(3, 2)}) == "clay");
-    CHECK(material_at(r, {2, 2, 3}) == "rock");
-    CHECK(material_at(r, {2, 2, Rational(9, 2)}) == "air");
-    CHECK(value_of(r).group().regions.size() == 4);
-    // Both layers; the foot, cut in two by the ring in which it leaves them; the stump of the head and its foot.
-    CHECK(counts(r) == std::array<std::size_t, 4>{12 + 8 + 4 + 8, 20 + 12 + 8 + 12, 11 + 6 + 4 + 1 + 5, 4});
-  }
-  const LevelRun r = run_levels(nodes + "  r: {intersection: [ground, bar]}\nresult: r\n");
-  CHECK(material_at(r, {2, 2, Rational(1, 2)}) == "steel");
-  CHECK(material_at(r, {2, 2, Rational(3, 2)}) == "clay");
-  CHECK(material_at(r, {2, 2, 3}) == "rock");
-  CHECK(counts(r) == std::array<std::size_t, 4>{16, 28, 16, 3});  // three boxes, one on the other
 }
 
 TEST_CASE("where all is of one level, and where nothing has a dominance, nothing changes", "[material-levels]") {

@@ -63,44 +63,6 @@ TEST_CASE("each node has the facets that its own leaves need") {
   CHECK(*row_of(whole, "ab").volume() > *row_of(as_drawn, "ab").volume());
 }
 
-TEST_CASE("nodes of random balls, rods and boxes have the facets that they have alone", "[random]") {
-  const auto [first, last] = scenes::seeds(12);
-  for (std::uint64_t seed = first; seed < last; ++seed) {
-    CAPTURE(seed);
-    std::mt19937_64 random(seed);
-    const auto number = [&](int from, int to) {
-      return std::to_string(std::uniform_int_distribution<int>(from * 100, to * 100)(random)) + "/100";
-    };
-    const auto point = [&](int from, int to) {
-      return "[" + number(from, to) + ", " + number(from, to) + ", " + number(from, to) + "]";
-    };
-    std::string nodes, last_name;
-    for (int i = 0; i < 5; ++i) {
-      const std::string name = "l" + std::to_string(i);
-      switch (random() % 3) {
-        case 0:
-          nodes += "  " + name + ": {sphere: {center: " + point(-2, 2) + ", radius: " + number(1, 2) + "}}\n";
-          break;
-        case 1:
-          nodes += "  " + name + ": {cylinder: {from: " + point(-4, -2) + ", to: " + point(2, 4) +
-                   ", radius: " + number(1, 2) + ", segments: 16}}\n";
-          break;
-        default: nodes += "  " + name + ": {box: {min: " + point(-2, 0) + ", max: " + point(1, 3) + "}}\n";
-      }
-      if (i == 0) last_name = name;
-      else {
-        const std::string node = i == 4 ? "model" : "n" + std::to_string(i);
-        nodes += "  " + node + ": {" + (random() % 2 == 0 ? "union" : "difference") + ": [" + last_name + ", " +
-                 name + "]}\n";
-        last_name = node;
-      }
-    }
-    CAPTURE(nodes);
-    const Tree tree = tree_with("", nodes);
-    check_alone(tree, proven(tree, "model"));
-  }
-}
-
 TEST_CASE("facets are finer with a weld, and below a node that joins") {
   for (const std::string head : {"", "weld: 0.00001\n"}) {
     const Tree tree = tree_with(head, kBalls);

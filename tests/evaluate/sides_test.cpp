@@ -1,6 +1,5 @@
 // Which side of a surface a piece is on, against the planes of surfaces that are known, and in every way in which
 // a value comes about.
-#include <algorithm>
 #include <map>
 #include <set>
 #include <string>

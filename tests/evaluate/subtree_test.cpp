@@ -1,7 +1,6 @@
 // All that is said of a node follows from its own subtree: other leaves, their order, other roots change nothing.
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <random>
 #include <regex>
 #include <set>
@@ -56,26 +55,9 @@ class RandomSubtree {
     nodes_ += "  n: {" + std::string(number(2) == 0 ? "unify" : "closure") + ": o3}\n";
   }
 
-  std::string node() { return number(3) == 0 ? "n" : "o3"; }
-  InContext alone(const std::string& node) const { return {nodes_, node}; }
   /// The same with one more node, which is the result.
   InContext with(const std::string& name, const std::string& node) const {
     return {nodes_ + "  " + name + ": " + node + "\n", name};
-  }
-
-  /// Other leaves, and those of the node in another order, come first.
-  InContext beside_others(const std::string& node) {
-    std::vector<std::string> first = leaves_;
-    std::string more;
-    for (int i = 0; i < 3; ++i) {
-      const std::string name = "x" + std::to_string(i);
-      more += "  " + name + ": " + leaf() + "\n";
-      first.push_back(name);
-    }
-    std::shuffle(first.begin(), first.end(), random_);
-    std::string list;
-    for (const std::string& name : first) list += name + ", ";
-    return {more + nodes_ + "  r: {sum: [" + list + node + "]}\n", "r"};
   }
 
  private:
@@ -121,18 +103,6 @@ class RandomSubtree {
 };
 
 }  // namespace
-
-TEST_CASE("files of a node are the same beside other leaves, in any order", "[subtree]") {
-  const auto [first, last] = scenes::seeds(60);
-  for (std::uint64_t seed = first; seed < last; ++seed) {
-    INFO("seed " << seed);
-    RandomSubtree tree(seed);
-    const std::string node = tree.node();
-    const InContext others = tree.beside_others(node);
-    INFO(others.nodes);
-    CHECK(json_in(tree.alone(node), node) == json_in(others, node));
-  }
-}
 
 /// Name and volume of each component, in their order.
 std::vector<std::string> components_in(const InContext& context) {
@@ -208,61 +178,6 @@ TEST_CASE("melted regions have the material of the leaf that comes first below t
     CHECK(n.attributes(1).name == "a");
   }
   CHECK(json_in({nodes, "n"}, "n") == json_in({nodes, "r"}, "n"));
-}
-
-TEST_CASE("cavities of a leaf keep their numbers wherever it is and whatever cuts it", "[subtree]") {
-  // A pyramid on the least corner of a cube, cut from that corner into three: all have one least vertex.
-  const std::string mesh =
-      "{mesh: {points: [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [1, 1, 2], [9, 0, 0], [9, 1, 0], [9, 0, 1], "
-      "[8, 0, 0]], faces: [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4], [0, 1, 4], "
-      "[0, 2, 4], [0, 3, 4], [5, 6, 7], [5, 6, 8], [6, 7, 8], [7, 5, 8]], fill: cells}";
-  const std::vector<RationalPoint> inside{{Rational(5, 4), Rational(5, 4), Rational(1, 2)},
-                                          {Rational(1, 4), Rational(5, 4), Rational(3, 2)},
-                                          {Rational(5, 4), Rational(1, 4), Rational(3, 2)},
-                                          {Rational(35, 4), Rational(1, 4), Rational(1, 4)}};
-  const std::vector<std::pair<std::string, std::function<RationalPoint(const RationalPoint&)>>> moves{
-      {"", [](const RationalPoint& p) { return p; }},
-      {", translate: [1, 2, 3]",
-       [](const RationalPoint& p) {
-         return RationalPoint{p[0] + 1, p[1] + 2, p[2] + 3};
-       }},
-      {", scale: [-1, 1, 1]",
-       [](const RationalPoint& p) {
-         return RationalPoint{-p[0], p[1], p[2]};
-       }},
-      {", scale: [1, -2, -1]",
-       [](const RationalPoint& p) {
-         return RationalPoint{p[0], -2 * p[1], -p[2]};
-       }},
-      {", rotate: {axis: [0, 0, 1], degrees: 90}",
-       [](const RationalPoint& p) {
-         return RationalPoint{-p[1], p[0], p[2]};
-       }},
-      {", rotate: {axis: [0, 1, 0], degrees: 180}", [](const RationalPoint& p) {
-         return RationalPoint{-p[0], p[1], -p[2]};
-       }}};
-  std::vector<std::string> expected;
-  for (const auto& [move, image] : moves) {
-    for (const std::string other : {"", "  other: {box: {min: [-9, -9, -9], max: [1/2, 1/2, 1]}}\n"}) {
-      const std::string nodes = std::string(other) + "  two: " + mesh + move + "}\n  r: {sum: [" +
-                                (*other.c_str() == 0 ? "two, two" : "other, two") + "]}\n";
-      INFO(nodes);
-      const Result two = result_in({nodes, "r"}, "two");
-      const Locator locator(two.complex());
-      std::vector<std::string> names;
-      for (const RationalPoint& p : inside) {
-        const Component c = two.component(two.place(locator.locate(image(p))));
-        names.push_back(c == 0 ? "" : two.attributes(c).name.text());
-      }
-      if (expected.empty()) {
-        expected = names;
-        std::sort(names.begin(), names.end());
-        CHECK(names == std::vector<std::string>{"two.1", "two.2", "two.3", "two.4"});
-      } else {
-        CHECK(names == expected);
-      }
-    }
-  }
 }
 
 TEST_CASE("cavities of random faces keep their numbers under random motions beside other leaves", "[subtree]") {

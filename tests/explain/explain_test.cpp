@@ -1,10 +1,9 @@
-// Explanations against the evaluation that they explain: random trees of boxes, sheets, wires and points on a
-// small grid, every cell of the refinement asked about at every node.
+// Explanations against the evaluation that they explain: random trees with every operator on a small grid, every
+// cell of the refinement asked about at every node.
 #include "csg/explain/explain.h"
 
 #include <algorithm>
 #include <map>
-#include <random>
 #include <set>
 #include <string>
 
@@ -13,6 +12,8 @@
 #include "csg/result/result.h"
 #include "kernel/base/union_find.h"
 #include "tests/catch.h"
+#include "tests/oracles/dag.h"
+#include "tests/oracles/evaluation.h"
 
 namespace cnrg {
 namespace {
@@ -22,81 +23,24 @@ struct Run {
   Evaluation evaluation;
 };
 
-Run run(const std::string& nodes, const std::string& result) {
-  Run r{parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: " + result + "\n", "t.yaml"), {}};
+Run run(const std::string& tree) {
+  Run r{parse_tree(tree, "t.yaml"), {}};
   EvaluateOptions options;
   options.keep_all = true;
   r.evaluation = evaluate(r.tree, options);
   return r;
 }
+Run run(const std::string& nodes, const std::string& result) {
+  return run("cnrg: 1\nnodes:\n" + nodes + "result: " + result + "\n");
+}
 
-class RandomTree {
- public:
-  explicit RandomTree(std::uint64_t seed) : random_(seed) {}
-
-  /// Nodes of groups; the last one is `result`. With `topology` operators on components follow.
-  std::string nodes(bool topology) {
-    std::string out;
-    std::vector<std::string> pool;
-    for (int i = 0, n = between(3, 5); i < n; ++i) {
-      pool.push_back("l" + std::to_string(i));
-      out += "  " + pool.back() + ": {" + leaf() + "}\n";
-    }
-    std::string last;
-    for (int i = 0, n = between(2, 4); i < n; ++i) {
-      std::string operands = any(pool);
-      const std::string op = pick({"union", "union", "intersection", "difference"});
-      for (int k = 0, m = between(1, 2); k < m; ++k) {
-        std::string operand = k == 0 && !last.empty() ? last : any(pool);
-        if (op == "difference" && between(0, 3) == 0) operand = "{complement: " + operand + "}";
-        operands += ", " + operand;
-      }
-      last = i + 1 == n && !topology ? "result" : "n" + std::to_string(i);
-      out += "  " + last + ": {" + op + ": [" + operands + "]";
-      if (op != "difference") out += ", dominance: " + pick({"left", "right", "equal"});
-      out += between(0, 7) == 0 ? ", regularize: true}\n" : "}\n";
-      pool.push_back(last);
-    }
-    if (!topology) return out;
-    out += "  s: {" + pick({"sum", "product", "subtract"}) + ": [" + any(pool) + ", " + last + "]}\n";
-    std::string all;
-    for (const std::string op : {"interior", "closure", "boundary", "regularize"}) {
-      out += "  t_" + op + ": {" + op + ": " + pick({"s", last.c_str()}) + "}\n";
-      out += "  e_" + op + ": {" + op + ": s, each: true}\n";
-      all += (all.empty() ? "" : ", ") + ("t_" + op) + ", e_" + op;
-    }
-    return out + "  u: {unify: {complement: s}}\n  result: {sum: [u, " + all + "]}\n";
-  }
-
- private:
-  int between(int low, int high) {
-    return low + static_cast<int>(random_() % static_cast<unsigned>(high - low + 1));
-  }
-  std::string any(const std::vector<std::string>& pool) {
-    return pool[static_cast<std::size_t>(between(0, static_cast<int>(pool.size()) - 1))];
-  }
-  std::string pick(const std::vector<std::string>& words) { return any(words); }
-  static std::string text(int x, int y, int z) {
-    return "[" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + "]";
-  }
-  std::string leaf() {
-    const int x = between(0, 2), y = between(0, 2), z = between(0, 2);
-    const int X = x + between(1, 2), Y = y + between(1, 2), Z = z + between(1, 2);
-    switch (between(0, 7)) {
-      case 0:
-        return "polygon: [" + text(x, y, z) + ", " + text(X, y, z) + ", " + text(X, Y, z) + ", " + text(x, Y, z) +
-               "]";
-      case 1:
-        return "polygon: [" + text(x, y, z) + ", " + text(x, Y, z) + ", " + text(x, Y, Z) + ", " + text(x, y, Z) +
-               "]";
-      case 2: return "polyline: [" + text(x, y, z) + ", " + text(X, y, z) + ", " + text(X, Y, z) + "]";
-      case 3: return "points: [" + text(x, y, z) + ", " + text(X, Y, Z) + "]";
-      case 4: return "box: {min: " + text(x - 1, y - 1, z - 1) + ", max: " + text(X + 1, Y + 1, Z + 1) + "}";
-      default: return "box: {min: " + text(x, y, z) + ", max: " + text(X, Y, Z) + "}";
-    }
-  }
-  std::mt19937_64 random_;
-};
+/// Every operator over leaves on a small grid, or group Booleans alone.
+std::string random_tree(std::uint64_t seed) {
+  constexpr auto kGrid = scenes::Position::degenerate;
+  if (seed % 2 == 0) return properties::tree_file(properties::random_dag(seed, kGrid));
+  scenes::Random random(seed);
+  return properties::tree_file(properties::boolean_tree(random, scenes::random_leaves(seed, 6, kGrid)));
+}
 
 std::vector<CellSide> all_pieces(const Complex& complex) {
   std::vector<CellSide> out;
@@ -106,21 +50,6 @@ std::vector<CellSide> all_pieces(const Complex& complex) {
   for (const FaceId f : all.faces) out.push_back({{2, {}, {}, f, {}}, 1});
   for (const RegionId r : all.regions) out.push_back({{3, {}, {}, {}, r}, 0});
   return out;
-}
-
-Component component_in(const Selection& s, const Location& at) {
-  const auto find = [](const auto& list, auto id) -> Component {
-    for (const auto& [cell, component] : list) {
-      if (cell == id) return component;
-    }
-    return 0;
-  };
-  switch (at.dimension) {
-    case 0: return find(s.vertices, at.vertex);
-    case 1: return find(s.edges, at.edge);
-    case 2: return find(s.faces, at.face);
-    default: return find(s.regions, at.region);
-  }
 }
 
 /// The condition of the row, from nothing but the facts that are told.
@@ -246,7 +175,8 @@ std::string check_stories(const Run& r, std::set<std::string>& rows) {
     std::map<const TableRow*, std::size_t> removals;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       const LifeStep& step = lives[p][s];
-      if (step.state.component != component_in(selection, pieces[p].cell)) return name + ": wrong state";
+      if (step.state.component != properties::component_at(selection, pieces[p].cell))
+        return name + ": wrong state";
       for (const BooleanFacts& f : step.booleans) {
         const std::string fault = check_boolean_facts(f);
         if (!fault.empty()) return name + ": " + fault;
@@ -261,12 +191,12 @@ std::string check_stories(const Run& r, std::set<std::string>& rows) {
           return name + ": free is told wrongly";
         }
       }
+      const CellState& made = step.attribute ? step.attribute->before : step.state;
       if (step.booleans.empty() && !step.stars.empty()) {
         const bool active = std::any_of(step.stars.begin(), step.stars.end(),
                                         [&](const StarFacts& star) { return decided(node.op, star); });
-        if (active != (step.state.component != 0)) return name + ": the star does not explain the result";
+        if (active != (made.component != 0)) return name + ": the star does not explain the result";
       }
-      const CellState& made = step.attribute ? step.attribute->before : step.state;
       if (!step.booleans.empty() && step.booleans.back().result != made)
         return name + ": the last step is not the result";
     }
@@ -286,10 +216,10 @@ std::string check_stories(const Run& r, std::set<std::string>& rows) {
 
 TEST_CASE("every cell's life agrees with the evaluation, and every row of the tables occurs", "[explain]") {
   std::set<std::string> rows;
-  for (std::uint64_t seed = 0; seed < 250; ++seed) {
-    const std::string nodes = RandomTree(seed).nodes(false);
-    INFO("seed " << seed << "\n" << nodes);
-    CHECK(check_stories(run(nodes, "result"), rows) == "");
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    const std::string tree = random_tree(seed);
+    INFO("seed " << seed << "\n" << tree);
+    CHECK(check_stories(run(tree), rows) == "");
   }
   const std::string thin = R"(  b: {box: {min: [0, 0, 0], max: [4, 4, 4]}}
   w: {polyline: [[1, 1, 1], [2, 1, 1]]}
@@ -298,21 +228,13 @@ TEST_CASE("every cell's life agrees with the evaluation, and every row of the ta
   i: {intersection: [b, t], dominance: equal}
   j: {intersection: [t, b], dominance: equal}
   k: {intersection: [t, b], dominance: left}
-  result: {union: [i, j, k]}
+  l: {union: [p, b], dominance: left}
+  result: {union: [i, j, k, l]}
 )";
   CHECK(check_stories(run(thin, "result"), rows) == "");
   for (const TableRow& row : table_rows()) {
     INFO(row.id);
     CHECK(rows.count(row.id) == 1);
-  }
-}
-
-TEST_CASE("stars explain the topological operators", "[explain]") {
-  std::set<std::string> rows;
-  for (std::uint64_t seed = 1000; seed < 1060; ++seed) {
-    const std::string nodes = RandomTree(seed).nodes(true);
-    INFO("seed " << seed << "\n" << nodes);
-    CHECK(check_stories(run(nodes, "result"), rows) == "");
   }
 }
 
@@ -337,9 +259,9 @@ std::map<std::size_t, std::size_t> drawn_removed(const Run& r, InstanceId id, Bo
 TEST_CASE("a page draws removed cells of the rows that removed some, and no more", "[explain]") {
   std::size_t nodes_seen = 0;
   for (std::uint64_t seed = 2000; seed < 2250; ++seed) {
-    const std::string nodes = RandomTree(seed).nodes(false);
-    INFO("seed " << seed << "\n" << nodes);
-    const Run r = run(nodes, "result");
+    const std::string tree = random_tree(seed);
+    INFO("seed " << seed << "\n" << tree);
+    const Run r = run(tree);
     for (const InstanceId id : IdRange<InstanceId>(r.evaluation.instances.size())) {
       const Instance& instance = r.evaluation.instances[id];
       const Node& node = r.tree.nodes[instance.node];

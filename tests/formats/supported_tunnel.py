@@ -227,6 +227,7 @@ run(PROGRAM, "eval", "papers/pereira2012/fig10.yaml", "--quiet", "--node", "G1",
     "--node", "G3", "-o", OUT + "G3.json", "--node", "rocks", "-o", OUT + "rocks.json")
 run(PROGRAM, "eval", TREE, "--quiet", "-o", OUT + "model.json", "-o", OUT + "model.msh")
 run(PROGRAM, "mesh", TREE, "--quiet", "--quality", "2", "-o", OUT + "mesh.msh")
+run(PROGRAM, "mesh", TREE, "--quiet", "-Y", "-o", OUT + "kept.msh")
 # Of the horizons fronts are those of their file, of the fault that of its polygon.
 horizons = json.loads((FILES / "G1.json").read_text())
 fronts = {"G1": [normal_of(face, points_of(horizons)) for face in horizons["faces"]],
@@ -238,7 +239,7 @@ measure = groups.measures
 check_close(measure[1, "bolts"] + measure[1, "spiles"], measure[1, "material steel"], "steel")
 axis, side = math.hypot(260, 12, 7), 2 * 9 * math.sin(math.pi / 48)
 check_close(measure[2, "material shotcrete"], 48 * side * (0.625 - 10 / 260) * axis, "shell")
-for file, dimensions in (("model.msh", (1, 2)), ("mesh.msh", (1, 2, 3))):
+for file, dimensions in (("model.msh", (1, 2)), ("mesh.msh", (1, 2, 3)), ("kept.msh", (1, 2, 3))):
     tags = check_in_meshio(file, groups, dimensions)
     check_in_gmsh(file, groups, dimensions, tags)
 

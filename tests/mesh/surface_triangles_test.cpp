@@ -267,7 +267,7 @@ TEST_CASE("surface: random scenes of mixed dimension", "[mesh][surface]") {
     for (const auto position :
          {scenes::Position::general, scenes::Position::degenerate, scenes::Position::tilted}) {
       CAPTURE(seed, int(position));
-      Case c(scenes::make_soup(scenes::random_scene(seed, 3, position).leaves));
+      Case c(scenes::make_soup(scenes::random_leaves(seed, 3, position)));
       c.show(c.unite());
       const FlatComplex flat = flatten(c.view());
       const bool wires = std::any_of(flat.edges.begin(), flat.edges.end(), [](const auto& e) { return e.wire; });

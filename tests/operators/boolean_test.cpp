@@ -3,7 +3,6 @@
 
 #include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/paper_classification.h"
 #include "csg/operators/table_engine.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
@@ -154,20 +153,6 @@ TEST_CASE("attributes follow dominance", "[attributes]") {
   }
 }
 
-TEST_CASE("subtracting what only touches changes nothing", "[features]") {
-  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({4, 1, 1}, {6, 3, 3}),
-                                         box({9, 9, 9}, {10, 10, 10}), sheet({1, 1, 1}, {1, 3, 3})});
-  const Complex& complex = *built_complex;
-  const auto leaves = leaf_groups(complex);
-  for (std::size_t i : {1u, 2u, 3u}) {
-    const Group result =
-        boolean_operation(complex, BooleanOp::subtract, Dominance::equal, leaves[0], leaves[i]).group;
-    CHECK(result.faces == leaves[0].faces);
-    CHECK(result.features.edges == leaves[0].features.edges);
-    CHECK(counts(complex, result) == Counts{8, 12, 6, 1});
-  }
-}
-
 TEST_CASE("a notch has the features of the tool", "[features]") {
   const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}, 1, 0)});
   const Complex& complex = *built_complex;
@@ -177,38 +162,6 @@ TEST_CASE("a notch has the features of the tool", "[features]") {
   // The bottom of the notch is cut into four by the tool.
   CHECK(counts(complex, result) == Counts{8 + 4 + 4 + 5, 12 + 4 + 4 + 8 + 4, 6 + 4 + 4, 1});
   CHECK(counts(complex, result, SimplifyMode::points) == Counts{16, 24, 11, 1});
-}
-
-TEST_CASE("the wall between equal neighbours goes, its rim stays a feature", "[features]") {
-  const auto built_complex = complex_of({box({0, 0, 0}, {2, 2, 2}), box({2, 0, 0}, {4, 2, 2})});
-  const Complex& complex = *built_complex;
-  const auto leaves = leaf_groups(complex);
-  const Group sum = boolean_operation(complex, BooleanOp::unite, Dominance::equal, leaves[0], leaves[1]).group;
-  CHECK(counts(complex, sum) == Counts{12, 20, 10, 1});
-  CHECK(counts(complex, sum, SimplifyMode::points) == Counts{8, 12, 6, 1});
-  const Group kept = boolean_operation(complex, BooleanOp::unite, Dominance::left, leaves[0], leaves[1]).group;
-  CHECK(counts(complex, kept) == Counts{12, 20, 11, 2});
-}
-
-TEST_CASE("complement twice, De Morgan, regularize", "[complement]") {
-  const auto built_complex =
-      complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}) + sheet({7, 0, 0}, {7, 5, 5})});
-  const Complex& complex = *built_complex;
-  const auto leaves = leaf_groups(complex);
-  const Group &a = leaves[0], &b = leaves[1];
-  const Group not_a = complement(complex, a), not_b = complement(complex, b);
-  CHECK(check_complement(complex, a, not_a) == "");
-  CHECK(check_complement(complex, b, not_b) == "");
-  CHECK(complement(complex, not_a).cells == a.cells);
-  CHECK(complement(complex, not_a).faces == a.faces);
-  CHECK(not_b.faces == regularize(complex, b).faces);
-  const Group rest = boolean_operation(complex, BooleanOp::intersect, Dominance::equal, not_a, not_b).group;
-  CHECK(check_boolean(complex, BooleanOp::intersect, not_a, not_b, rest) == "");
-  const Group both =
-      boolean_operation(complex, BooleanOp::unite, Dominance::equal, a, regularize(complex, b)).group;
-  CHECK(regularize(complex, complement(complex, rest)).faces == regularize(complex, both).faces);
-  CHECK(boolean_operation(complex, BooleanOp::subtract, Dominance::equal, a, b).group.cells ==
-        boolean_operation(complex, BooleanOp::intersect, Dominance::equal, a, not_b).group.cells);
 }
 
 TEST_CASE("a step of a fold asks what the steps before it have left", "[boolean]") {
@@ -243,72 +196,6 @@ TEST_CASE("a step of a fold asks what the steps before it have left", "[boolean]
   for (const auto& cell : common.cells) cells.push_back(cell.first);
   CHECK(*volume(*built_boxes, cells) == 2 * 2 * 2);
   CHECK(common.regions.size() == 1);
-}
-
-TEST_CASE("idempotence and order of equal unions", "[boolean]") {
-  const auto built_complex =
-      complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}), parted_box({1, 1, -2}, {5, 3, 2}, 3)});
-  const Complex& complex = *built_complex;
-  const auto leaves = leaf_groups(complex);
-  for (const Group& g : leaves) {
-    for (const BooleanOp op : {BooleanOp::unite, BooleanOp::intersect}) {
-      const Group same = boolean_operation(complex, op, Dominance::equal, g, g).group;
-      CHECK(same.faces == g.faces);
-      CHECK(same.edges == g.edges);
-      CHECK(same.vertices == g.vertices);
-      CHECK(same.cells == g.cells);
-    }
-  }
-  const auto unite = [&](const Group& a, const Group& b) {
-    const Group out = boolean_operation(complex, BooleanOp::unite, Dominance::equal, a, b).group;
-    CHECK(check_boolean(complex, BooleanOp::unite, a, b, out) == "");
-    return out;
-  };
-  const Group left = unite(unite(leaves[0], leaves[1]), leaves[2]);
-  const Group right = unite(leaves[0], unite(leaves[1], leaves[2]));
-  const auto volume_of = [&](const Group& g) {
-    std::vector<RegionId> cells;
-    for (const auto& cell : g.cells) cells.push_back(cell.first);
-    return *volume(complex, cells);
-  };
-  CHECK(volume_of(left) == volume_of(right));
-  CHECK(volume_of(left) == 64 + 16 + 32 - 8 - (3 * 2 * 2) - (3 * 2 * 1) + (2 * 2 * 1));
-}
-
-TEST_CASE("in a removed wall a border of leaf faces stays, a mere cut by another leaf does not", "[boolean]") {
-  // The wall at x = 2, of four pieces or of one; a third leaf crosses it along y at z = 1.
-  const Piece large = box({-2, -2, -2}, {8, 8, 8}), crossing = sheet({1, 1, 1}, {3, 3, 1});
-  for (const int cuts : {1, 2}) {
-    const auto built_complex = complex_of({large, parted_box({1, 0, 0}, {3, 4, 4}, 2, cuts), crossing});
-    const Complex& complex = *built_complex;
-    const auto leaves = leaf_groups(complex);
-    const BooleanResult result =
-        boolean_operation(complex, BooleanOp::intersect, Dominance::left, leaves[0], leaves[1]);
-    CHECK(check_boolean(complex, BooleanOp::intersect, leaves[0], leaves[1], result.group) == "");
-    CHECK(result.group.regions.size() == 1);
-    std::size_t wires = 0;
-    for (const EdgeId e : result.group.edges) {
-      const auto uses = complex.edge_uses[e];
-      wires += std::none_of(uses.begin(), uses.end(), [&](const FaceUse& u) { return result.group.has(u.face); });
-    }
-    // The cross of the four pieces has four arms; the third leaf cuts one of them in two.
-    CHECK(wires == (cuts == 1 ? 0 : 4 + 1));
-  }
-}
-
-TEST_CASE("the paper's classification is that of propagation", "[classification]") {
-  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
-                                         parted_box({1, 0, 0}, {3, 4, 4}, 2), sheet({2, 0, 0}, {2, 8, 8})});
-  const Complex& complex = *built_complex;
-  const auto leaves = leaf_groups(complex);
-  const Locator locator(complex);
-  for (const Group& a : leaves) {
-    for (const Group& b : leaves) {
-      CHECK(classify_by_location(complex, locator, a, b) == classify_by_propagation(complex, a, b));
-      const Group rest = complement(complex, b);
-      CHECK(classify_by_location(complex, locator, a, rest) == classify_by_propagation(complex, a, rest));
-    }
-  }
 }
 
 TEST_CASE("identities find what is wrong", "[identities]") {

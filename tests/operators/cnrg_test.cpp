@@ -55,25 +55,6 @@ TEST_CASE("a group is its regions and its entities", "[cnrg]") {
   CHECK(again.features.edges == first.features.edges);
 }
 
-TEST_CASE("sum, product and subtract part two solids into three", "[cnrg]") {
-  const Scene s({box({0, 0, 0}, {2, 2, 2}), box({1, 0, 0}, {3, 2, 2})}, kTwo);
-  const Components x = s.one(0), y = s.one(1);
-  Components all = sum(s.complex, x, y).value;
-  CHECK(names(all) == std::vector<std::string>{"a", "a & b", "b"});
-  collect_leaves(all);
-  CHECK(all.attributes[0].leaves == std::vector{LeafId(0)});
-  CHECK(all.attributes[1].leaves == std::vector{LeafId(0), LeafId(1)});
-  CHECK(all.attributes[2].leaves == std::vector{LeafId(1)});
-  CHECK(check_overlay(OverlayLaw::sum, s.complex, x, y, all) == "");
-  // The middle box is closed: both outer ones are half open.
-  const std::vector<CellSet> parts = supports(all);
-  CHECK(closure(s.complex, parts[1]) == parts[1]);
-  CHECK_FALSE(closure(s.complex, parts[0]) == parts[0]);
-  CHECK(support(product(s.complex, x, y).value.selection) == parts[1]);
-  CHECK(support(subtract(s.complex, x, y).value.selection) == parts[0]);
-  CHECK(support(subtract(s.complex, y, x).value.selection) == parts[2]);
-}
-
 TEST_CASE("dominance gives the common part its name and material", "[cnrg]") {
   const Scene s({box({0, 0, 0}, {2, 2, 2}), box({1, 0, 0}, {3, 2, 2})}, kTwo);
   Components x = s.one(0), y = s.one(1);
@@ -132,59 +113,6 @@ TEST_CASE("aggregate sees overlaps of points, of wires and of sheets", "[cnrg]")
     const std::vector<const Components*> operands{&x, &y};
     CHECK_THROWS_WITH(aggregate(s.complex, operands, called), Contains("`x` and `y` overlap"));
   }
-}
-
-TEST_CASE("interior, closure, boundary and regularize of a solid with a fin and a crack", "[cnrg]") {
-  // A box with a sheet inside (a crack), a sheet that stands out (a fin), and a point far away.
-  const Scene s({box({0, 0, 0}, {4, 4, 4}) + sheet({1, 1, 2}, {3, 3, 2}, 1) + sheet({4, 0, 4}, {6, 4, 4}) +
-                 point({9, 9, 9})});
-  const Components x = s.one(0);
-  const auto op = [&](Topological t, const Components& operand) {
-    const Components out = topological_operation(s.complex, t, operand).value;
-    CHECK(check_topological(s.complex, t, false, operand, out) == "");
-    return out;
-  };
-  const Components inside = op(Topological::interior, x);
-  CHECK(component_sizes(inside) == std::array<std::size_t, 4>{4, 4, 1, 1});  // the crack is inside of |X|
-  CHECK(names(inside).size() == 1);
-  const Components shut = op(Topological::closure, inside);
-  CHECK(shut.attributes.size() == 2);
-  CHECK(shut.attributes[1].name == "closure");
-  CHECK(op(Topological::closure, x).attributes.size() == 1);
-  CHECK(support(op(Topological::regularize, x).selection) == support(shut.selection));
-  const Components skin = op(Topological::boundary, x);
-  CHECK(skin.attributes.size() == 1);
-  CHECK(support(skin.selection) == subtract(support(x.selection), support(inside.selection)));
-  // The boundary of an open set is not in it.
-  const Components open_skin = op(Topological::boundary, inside);
-  CHECK(open_skin.attributes.size() == 1);
-  CHECK(open_skin.attributes[0].name == "boundary");
-}
-
-TEST_CASE("with each, closures that overlap fall into atoms", "[cnrg]") {
-  const Scene s({parted_box({0, 0, 0}, {4, 2, 2}, 2, 1)});
-  Components open = s.leaves[0];
-  open = subtract(s.complex, open, topological_operation(s.complex, Topological::boundary, s.one(0)).value).value;
-  // Two open boxes and the open wall between them.
-  REQUIRE(open.attributes.size() == 3);
-  const Components atoms = topological_operation_of_each(s.complex, Topological::closure, open).value;
-  CHECK(check_topological(s.complex, Topological::closure, true, open, atoms) == "");
-  // The open boxes, the wall inside (of all three), its rim (also), the rest of either skin.
-  CHECK(atoms.attributes.size() == 3);
-  const Components inner = topological_operation_of_each(s.complex, Topological::interior, open).value;
-  CHECK(inner.attributes.size() == 2);
-  CHECK(component_sizes(inner) == std::array<std::size_t, 4>{0, 0, 0, 2});
-  const Components whole = topological_operation(s.complex, Topological::interior, open).value;
-  CHECK(component_sizes(whole) == std::array<std::size_t, 4>{0, 0, 1, 2});
-}
-
-TEST_CASE("the complement is open and its complement is the set again", "[cnrg]") {
-  const Scene s({box({0, 0, 0}, {4, 4, 4}) + sheet({4, 0, 4}, {6, 4, 4})});
-  const Components x = s.one(0);
-  const Components rest = complement(s.complex, x).value;
-  CHECK(interior(s.complex, support(rest.selection)) == support(rest.selection));
-  CHECK(support(complement(s.complex, rest).value.selection) == support(x.selection));
-  CHECK_FALSE(missing_boundary(s.complex, rest).empty());
 }
 
 TEST_CASE("a plane is a component of entities though it has no vertex", "[cnrg]") {

@@ -64,16 +64,6 @@ Criteria of_dimension(std::vector<int> dimensions) {
   return c;
 }
 
-TEST_CASE("a selection by dimension is the closure of the cells of that dimension", "[select]") {
-  const SelectScene s;
-  CHECK(sizes(s.all) == Counts{12 + 4 + 2, 20 + 4 + 1, 11 + 1, 2});
-  CHECK(s.pick({}) == sizes(s.all));
-  CHECK(s.pick(of_dimension({3})) == Counts{12 + 4, 20 + 4, 11 + 1, 2});  // all but the wire
-  CHECK(s.pick(of_dimension({2})) == Counts{12 + 4, 20 + 4, 11 + 1, 0});
-  CHECK(s.pick(of_dimension({1})) == Counts{12 + 4 + 2, 20 + 4 + 1, 0, 0});
-  CHECK(s.pick(of_dimension({0})) == Counts{12 + 4 + 2, 0, 0, 0});
-}
-
 TEST_CASE("names, materials and attributes pick what they are said of", "[select]") {
   const SelectScene s;
   Criteria c;
@@ -95,24 +85,7 @@ TEST_CASE("names, materials and attributes pick what they are said of", "[select
   CHECK(s.pick(property) == Counts{0, 0, 0, 0});
 }
 
-TEST_CASE("cells are picked by the regions around them and by their leaves", "[select]") {
-  const SelectScene s;
-  Criteria c = of_dimension({2});
-  c.between = {{"rock", "east"}};  // a material and a name
-  CHECK(s.pick(c) == Counts{4, 4, 1, 0});
-  c.between = {{"clay", std::nullopt}};
-  CHECK(s.pick(c) == Counts{8, 12, 5, 0});
-  c.between = {{"rock", "rock"}};  // one region on both sides of the fault is not two
-  CHECK(s.pick(c) == Counts{0, 0, 0, 0});
-  c.between.clear();
-  c.regions = {"west"};
-  CHECK(s.pick(c) == Counts{8 + 4, 12 + 4, 6 + 1, 0});
-  Criteria from;
-  from.leaves = {LeafId(2), LeafId(3)};
-  CHECK(s.pick(from) == Counts{4 + 2, 4 + 1, 1, 0});
-}
-
-TEST_CASE("cells are picked by faces of leaves, by place, and regions by number", "[select]") {
+TEST_CASE("cells are picked by faces of leaves, and regions by number", "[select]") {
   const SelectScene s;
   // Face 5 of a box is its last one, x = 8 of the eastern; 4 is x = 4, the wall.
   Criteria c = of_dimension({2});
@@ -134,24 +107,6 @@ TEST_CASE("cells are picked by faces of leaves, by place, and regions by number"
   CHECK(s.pick(number) == Counts{8, 12, 6, 1});
   number.region_numbers = {3};
   CHECK(s.pick(number) == Counts{0, 0, 0, 0});
-
-  const std::vector<Group> leaves = leaf_groups(s.complex);
-  const CellSet west = support(selection_of(s.complex, leaves[0]));
-  Criteria inside;
-  inside.inside = west;  // its region, its skin, the fault; not the bolt
-  CHECK(s.pick(inside) == Counts{8 + 4, 12 + 4, 6 + 1, 1});
-  inside.inside = interior(s.complex, west);
-  inside.dimensions = {2};
-  CHECK(s.pick(inside) == Counts{4, 4, 1, 0});
-  inside.inside = boundary(s.complex, west);
-  CHECK(s.pick(inside) == Counts{8, 12, 6, 0});
-  Criteria touching = of_dimension({2});
-  touching.touching = support(selection_of(s.complex, leaves[1]));  // the wall, and four around it
-  CHECK(s.pick(touching) == Counts{12, 20, 11 - 1, 0});
-  touching.dimensions = {3};
-  CHECK(s.pick(touching) == Counts{12 + 4, 20 + 4, 11 + 1, 2});
-  touching.touching = support(selection_of(s.complex, leaves[2]));
-  CHECK(s.pick(touching) == Counts{8 + 4, 12 + 4, 6 + 1, 1});
 }
 
 TEST_CASE("of components single cells are picked, which keep their component", "[select]") {
@@ -172,23 +127,6 @@ TEST_CASE("of components single cells are picked, which keep their component", "
   CHECK(bolt.attributes.size() == 1);
   CHECK(bolt.attributes[0].name.is_of_entities());
   CHECK(select(s.complex, all, {}).selection == all.selection);
-}
-
-TEST_CASE("what other leaves have cut is picked as one", "[select]") {
-  // A wire through the box, which the value knows nothing of, and a sheet that cuts its walls.
-  const auto built =
-      complex_of({box({0, 0, 0}, {4, 4, 4}), wire({2, 2, -1}, {2, 2, 9}), sheet({-1, -1, 2}, {5, 5, 2})});
-  const Complex& complex = *built;
-  const Group box = leaf_groups(complex)[0];
-  CHECK(sizes(select(complex, box, of_dimension({0}))) == Counts{8, 0, 0, 0});
-  Criteria edges = of_dimension({1});
-  edges.touching = CellSet{};
-  edges.touching->vertices.push_back(Locator(complex).locate({0, 0, 2}).vertex);  // where the sheet cuts an edge
-  CHECK(sizes(select(complex, box, edges)) == Counts{3, 2, 0, 0});                // all of that edge
-  const Group twelve = select(complex, box, of_dimension({1}));
-  const auto counts = active_counts(simplify(complex, selection_of(complex, twelve), twelve.features));
-  CHECK(counts[0] == 8);
-  CHECK(counts[1] == 12);
 }
 
 /// Cells by dimension and id.

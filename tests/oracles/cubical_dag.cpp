@@ -1,19 +1,15 @@
 #include "tests/oracles/cubical_dag.h"
 
 #include <algorithm>
-#include <map>
+#include <array>
 
-#include "kernel/selection/simplify.h"
 #include "tests/oracles/cubical_pair.h"
-#include "tests/oracles/cubical_values.h"
-#include "tests/oracles/dag_values.h"
 
 namespace cubical {
 namespace {
 
 using cnrg::Operator;
 using cnrg::Rational;
-using cnrg::RationalPoint;
 using cnrg::properties::DagNode;
 using cnrg::properties::is_group_boolean;
 using cnrg::properties::RandomDag;
@@ -43,64 +39,27 @@ void drop_dominance_without_features(RandomDag& dag) {
   }
 }
 
-template <class IdT>
-cnrg::Component component_of(const std::vector<std::pair<IdT, cnrg::Component>>& list, IdT id) {
-  const auto it = std::lower_bound(list.begin(), list.end(), std::pair<IdT, cnrg::Component>(id, 0));
-  return it != list.end() && it->first == id ? it->second : 0;
-}
-
-cnrg::Component component_at(const cnrg::Selection& s, const cnrg::Location& at) {
-  switch (at.dimension) {
-    case 0: return component_of(s.vertices, at.vertex);
-    case 1: return component_of(s.edges, at.edge);
-    case 2: return component_of(s.faces, at.face);
-    default: return component_of(s.regions, at.region);
+cnrg::Attributes random_attributes(std::mt19937_64& random) {
+  const auto pick = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+  cnrg::Attributes out;
+  if (pick(2) == 0) out.name = std::array{"bolt", "fault", "a.2", "x & y"}[static_cast<std::size_t>(pick(4))];
+  if (pick(2) == 0) out.material = std::array{"rock", "steel", "ore"}[static_cast<std::size_t>(pick(3))];
+  for (const char* key : {"k", "section"}) {
+    if (pick(2) == 0) continue;
+    switch (pick(5)) {
+      case 0: out.properties[key] = Rational(1); break;
+      case 1: out.properties[key] = Rational(1, 2); break;
+      case 2: out.properties[key] = std::string("1"); break;
+      default: out.properties[key] = std::string(pick(2) == 0 ? "round" : "1/2"); break;
+    }
   }
-}
-
-RandomDag placed(const CubicalDag& dag) {
-  RandomDag out = dag.dag;
-  for (cnrg::scenes::Leaf& leaf : out.leaves) place(dag.place, leaf);
   return out;
-}
-
-std::string name(const Grid& grid, Cell c) {
-  const auto p = grid.position(c);
-  return "(" + std::to_string(p[0]) + "," + std::to_string(p[1]) + "," + std::to_string(p[2]) + ")/2";
-}
-
-/// Components correspond one to one on all cells.
-std::string compare_components(const Grid& grid, const std::vector<Cell>& cells,
-                               const std::vector<cnrg::Location>& places, const Labels& want,
-                               const cnrg::Selection& have) {
-  std::map<std::uint32_t, cnrg::Component> to;
-  std::map<cnrg::Component, std::uint32_t> from;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::uint32_t w = want[static_cast<std::size_t>(cells[i])];
-    const cnrg::Component h = component_at(have, places[i]);
-    if ((w == 0) != (h == 0)) return name(grid, cells[i]) + (w != 0 ? " should be active" : " should be inactive");
-    if (w == 0) continue;
-    if (!to.emplace(w, h).second && to[w] != h) return name(grid, cells[i]) + " splits a component";
-    if (!from.emplace(h, w).second && from[h] != w) return name(grid, cells[i]) + " joins components";
-  }
-  return {};
 }
 
 }  // namespace
 
 Motion random_place(std::uint64_t seed) {
   cnrg::scenes::Random random(seed * 17 + 3);
-  const auto after = [](const Motion& first, const Motion& second) {
-    Motion both;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        both.matrix[i][j] = 0;
-        for (int k = 0; k < 3; ++k) both.matrix[i][j] += second.matrix[i][k] * first.matrix[k][j];
-      }
-    }
-    both.offset = second(first.offset);
-    return both;
-  };
   Motion motion;
   if (random.one_in(2)) {
     motion = Motion::rotation(random.between(1, 4), random.between(-3, 3), random.between(-3, 3),
@@ -148,39 +107,49 @@ CubicalDag random_cubical_dag(const Grid& grid, std::uint64_t seed, bool moved) 
   return out;
 }
 
-std::string compare_by_brute_force(const Grid& grid, const CubicalDag& dag) {
-  std::vector<Value> want;
-  if (std::string f = values_by_brute_force(grid, dag.dag, want); !f.empty()) return f;
-  const cnrg::properties::DagValues have = cnrg::properties::evaluate(placed(dag));
-  const cnrg::Complex& complex = have.complex();
-  const cnrg::Locator locator(complex);
-  std::vector<Cell> cells;
-  std::vector<cnrg::Location> places;
-  for (Cell c = 0; c < grid.cells(); ++c) {
-    const auto p = grid.position(c);
-    cells.push_back(c);
-    places.push_back(locator.locate(dag.place({Rational(p[0], 2), Rational(p[1], 2), Rational(p[2], 2)})));
+RandomDag placed(const CubicalDag& dag) {
+  RandomDag out = dag.dag;
+  for (cnrg::scenes::Leaf& leaf : out.leaves) place(dag.place, leaf);
+  return out;
+}
+
+CubicalDag random_said_dag(const Grid& grid, std::uint64_t seed, bool moved) {
+  std::mt19937_64 random(seed * 7 + 5);
+  const auto pick = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+  CubicalDag out = random_cubical_dag(grid, seed, moved);
+  const bool booleans = seed % 2 == 0;
+  if (booleans) {  // over the same leaves
+    std::vector<DagNode> nodes;
+    for (std::size_t l = 0; l < out.dag.leaves.size(); ++l) {
+      nodes.emplace_back();
+      nodes.back().leaf = l;
+    }
+    for (int k = 1 + pick(4); k > 0; --k) {
+      DagNode node;
+      node.op = std::array{Operator::unite, Operator::unite, Operator::intersect,
+                           Operator::subtract}[static_cast<std::size_t>(pick(4))];
+      const int most = static_cast<int>(nodes.size());
+      for (int n = pick(4) == 0 ? 3 : 2; n > 0; --n)
+        node.operands.push_back(
+            static_cast<std::size_t>(pick(2) == 0 ? most - 1 - pick(std::min(most, 2)) : pick(most)));
+      if (node.op != Operator::subtract && pick(3) != 0)
+        node.dominant = static_cast<cnrg::DominantOperand>(pick(3));
+      nodes.push_back(std::move(node));
+    }
+    out.dag.nodes = std::move(nodes);
+    out.dag = cnrg::properties::compact(std::move(out.dag));
   }
-  for (std::size_t i = 0; i < want.size(); ++i) {
-    const cnrg::NodeValue& value = *have.values[i];
-    const std::string words =
-        cnrg::properties::name_of(dag.dag, i) + " (" + cnrg::properties::operator_name(dag.dag.nodes[i]) + "): ";
-    if (value.is_group() != want[i].is_group) return words + "a value of the wrong family";
-    const cnrg::Selection selection = selection_of(complex, value);
-    if (std::string f = compare_components(grid, cells, places, want[i].labels, selection); !f.empty())
-      return words + f;
-    const auto most = *std::max_element(want[i].labels.begin(), want[i].labels.end());
-    if (!want[i].is_group && value.component_count() != most) return words + "the number of components differs";
-    // Canonical counts of what does not reach the rim.
-    const bool bounded = std::none_of(cells.begin(), cells.end(), [&](Cell c) {
-      return grid.on_rim(c) && grid.dimension(c) == 3 && want[i].labels[static_cast<std::size_t>(c)] != 0;
-    });
-    if (!bounded) continue;
-    const std::vector<int> state(want[i].labels.begin(), want[i].labels.end());
-    const auto counts = active_counts(cnrg::simplify(complex, selection, {}, cnrg::SimplifyMode::points));
-    if (counts != canonical_counts(grid, state)) return words + "counts of the canonical form differ";
+  for (DagNode& node : out.dag.nodes) {
+    if (node.op == Operator::leaf ? pick(4) != 0 : pick(4) == 0) node.said = random_attributes(random);
+    if (booleans && !node.dominant && pick(3) == 0) node.number = pick(3);
+    if (node.op != Operator::leaf) continue;
+    for (std::uint32_t r = 1; r <= 3; ++r) {
+      if (pick(3) != 0) continue;
+      node.parts[r] = random_attributes(random);
+      node.parts[r].properties.clear();
+    }
   }
-  return {};
+  return out;
 }
 
 std::string tree_file(const CubicalDag& dag) { return cnrg::properties::tree_file(placed(dag)); }

@@ -1,8 +1,4 @@
-// Random trees with every operator on cubical groups, by brute force (csg/SEMANTICS.md), against the whole
-// program.
-//
-// Each value is an array over all cells of the grid: a group of cubical.h, or the component of each cell. Nothing
-// of the kernel is used until the answers are compared, cell by cell.
+// Random trees with every operator on cubical groups.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +20,11 @@ CubicalDag random_cubical_dag(const Grid& grid, std::uint64_t seed, bool moved);
 /// A regular map: a rational rotation, a shear, a scaling by powers of ten, a reflection, one after another.
 cnrg::scenes::Motion random_place(std::uint64_t seed);
 
-/// The first difference in words, or an empty string.
-std::string compare_by_brute_force(const Grid& grid, const CubicalDag& dag);
+/// With the leaves where the program gets them.
+cnrg::properties::RandomDag placed(const CubicalDag& dag);
+
+/// With random names, materials, properties and numbers of dominance; half of them have group Booleans alone.
+CubicalDag random_said_dag(const Grid& grid, std::uint64_t seed, bool moved);
 
 std::string tree_file(const CubicalDag& dag);
 std::vector<CubicalDag> smaller(const Grid& grid, const CubicalDag& dag);

@@ -10,18 +10,13 @@
 #include "csg/operators/paper_classification.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/simplify.h"
+#include "tests/oracles/evaluation.h"
 
 namespace cubical {
 namespace {
 
 using cnrg::Rational;
 using cnrg::RationalPoint;
-
-Rational determinant(const cnrg::scenes::Motion& motion) {
-  const auto& m = motion.matrix;
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
 
 std::string cell_name(const Grid& grid, Cell c) {
   const auto p = grid.position(c);
@@ -77,12 +72,7 @@ class Kernel {
   // The simplified selection keeps each cell's component and has the canonical counts of the brute force.
   std::string compare_simplified(const Group& want, const cnrg::Group& have, bool components) const {
     cnrg::Selection selection = cnrg::selection_of(complex_, have);
-    if (!components) {
-      for (auto& entry : selection.vertices) entry.second = 1;
-      for (auto& entry : selection.edges) entry.second = 1;
-      for (auto& entry : selection.faces) entry.second = 1;
-      for (auto& entry : selection.regions) entry.second = 1;
-    }
+    if (!components) selection = cnrg::properties::joined(std::move(selection));
     std::vector<int> state(grid_.cells(), 0);
     for (Cell c : cells_) {
       if (grid_.dimension(c) < 3 && want.entity[c]) state[c] = components ? want.region_count + 1 : 1;
@@ -137,32 +127,13 @@ class Kernel {
     }
   }
 
-  template <class IdT>
-  static cnrg::Component component_of(const std::vector<std::pair<IdT, cnrg::Component>>& list, IdT id) {
-    const auto it = std::lower_bound(list.begin(), list.end(), std::pair<IdT, cnrg::Component>(id, 0));
-    return it != list.end() && it->first == id ? it->second : 0;
-  }
-
   std::string check_places(const cnrg::SimplifiedComplex& s, const cnrg::Selection& selection) const {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const cnrg::Location& at = places_[i];
-      cnrg::Component want = 0;
-      switch (at.dimension) {
-        case 0: want = component_of(selection.vertices, at.vertex); break;
-        case 1: want = component_of(selection.edges, at.edge); break;
-        case 2: want = component_of(selection.faces, at.face); break;
-        default: want = component_of(selection.regions, at.region);
-      }
+      const cnrg::Component want = cnrg::properties::component_at(selection, at);
       const auto place = s.place(complex_, at);
-      cnrg::Component have = 0;
-      if (place.index != cnrg::SimplifiedComplex::kNowhere) {
-        switch (place.dimension) {
-          case 0: have = s.vertices[place.index].component; break;
-          case 1: have = s.edges[place.index].component; break;
-          case 2: have = s.faces[place.index].component; break;
-          default: have = s.regions[place.index].component;
-        }
-      }
+      const cnrg::Component have =
+          place.index == cnrg::SimplifiedComplex::kNowhere ? 0 : cnrg::component_of(s, place);
       if (want != have) return cell_name(grid_, cells_[i]) + " changed its component";
     }
     // Loops are closed walks; each side of a face is in one shell of the region that it names.
@@ -238,21 +209,6 @@ std::string compare_one(const Grid& grid, const Kernel& kernel, const Group& g, 
 
 }  // namespace
 
-cnrg::scenes::Motion tilt() {
-  // By the quaternions (0; 1, 2, 2) / 3 and (2; 0, 0, 1) / sqrt 5, one after the other, and a shift.
-  const cnrg::scenes::Motion first = cnrg::scenes::Motion::rotation(0, 1, 2, 2),
-                             second = cnrg::scenes::Motion::rotation(2, 0, 0, 1);
-  cnrg::scenes::Motion both;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      both.matrix[i][j] = 0;
-      for (int k = 0; k < 3; ++k) both.matrix[i][j] += second.matrix[i][k] * first.matrix[k][j];
-    }
-  }
-  both.offset = {Rational(1, 7), Rational(-2, 3), 5};
-  return both;
-}
-
 std::string compare_pair(const Grid& grid, const Group& a, const Group& b, const Presentation& how) {
   try {
     const Kernel kernel(grid, a, b, how);
@@ -305,23 +261,6 @@ std::vector<Group> smaller(const Grid& grid, const Group& group) {
     if (next != group) out.push_back(std::move(next));
   }
   return out;
-}
-
-Pair shrink(const Grid& grid, Pair pair) {
-  for (bool progress = true; progress;) {
-    progress = false;
-    for (Group* g : {&pair.a, &pair.b}) {
-      for (Group& next : smaller(grid, *g)) {
-        std::swap(*g, next);
-        if (!compare_pair(grid, pair.a, pair.b, pair.presentation).empty()) {
-          progress = true;
-          break;
-        }
-        std::swap(*g, next);
-      }
-    }
-  }
-  return pair;
 }
 
 std::string tree_file(const Grid& grid, const Pair& pair) {
@@ -417,7 +356,7 @@ Group group_of(const Grid& grid, const cnrg::scenes::Leaf& leaf) {
 
 void place(const cnrg::scenes::Motion& motion, cnrg::scenes::Leaf& leaf) {
   cnrg::scenes::apply(motion, leaf);
-  if (determinant(motion) > 0) return;
+  if (motion.determinant() > 0) return;
   for (auto& face : leaf.faces)
     for (auto& loop : face.loops) std::reverse(loop.begin(), loop.end());
 }

@@ -19,9 +19,6 @@ struct Presentation {
   bool thorough = false;  ///< identities, classification by rays, complement, simplified counts
 };
 
-/// A rational rotation that leaves nothing axis-parallel.
-cnrg::scenes::Motion tilt();
-
 /// Compares the kernel with the brute force for every operator and dominance. Returns the first difference in
 /// words, or an empty string.
 std::string compare_pair(const Grid& grid, const Group& a, const Group& b, const Presentation& presentation);
@@ -37,8 +34,6 @@ Pair random_pair(const Grid& grid, std::uint64_t seed, double loose = 1);
 std::vector<Group> smaller(const Grid& grid, const Group& group);
 /// A tree file with both groups and all that is made of them.
 std::string tree_file(const Grid& grid, const Pair& pair);
-/// A smaller pair that still differs, by leaving out cubes and entities one by one.
-Pair shrink(const Grid& grid, Pair pair);
 
 /// The group as a leaf of a scene: faces with their regions, wires, points; in maximal pieces if `large`.
 cnrg::scenes::Leaf leaf_of(const Grid& grid, const Group& group, bool large);

@@ -2,6 +2,7 @@
 #include "tests/oracles/dag.h"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <stdexcept>
 
@@ -9,6 +10,7 @@ namespace cnrg::properties {
 namespace {
 
 using scenes::Random;
+using scenes::without;
 
 constexpr int kMostDepth = 8;
 
@@ -162,7 +164,7 @@ class Maker {
  public:
   Maker(std::uint64_t seed, scenes::Position position) : random_(seed * 31 + 7) {
     const int leaves = 2 + (random_.one_in(2) ? 1 : 0) + (random_.one_in(4) ? 1 : 0);
-    dag_.leaves = scenes::random_scene(seed + 500000, leaves, position).leaves;
+    dag_.leaves = scenes::random_leaves(seed + 500000, leaves, position);
     for (int k = random_.below(3); k > 0; --k) dag_.leaves.push_back(echo(random_, dag_.leaves));
     push_leaves();
   }
@@ -309,55 +311,6 @@ RandomDag replaced(RandomDag dag, std::size_t node, std::size_t other) {
   return dag;
 }
 
-template <class List>
-List without(const List& list, std::size_t i) {
-  List out = list;
-  out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
-  return out;
-}
-
-void smaller_leaves(const RandomDag& dag, std::vector<RandomDag>& out) {
-  for (std::size_t l = 0; l < dag.leaves.size(); ++l) {
-    const scenes::Leaf& leaf = dag.leaves[l];
-    const auto keep = [&](scenes::Leaf less) {
-      if (less.faces.empty() && less.wires.empty() && less.points.empty()) return;
-      out.push_back(dag);
-      out.back().leaves[l] = std::move(less);
-    };
-    if (!leaf.solids.empty()) {  // a solid alone, or what is there besides solids
-      scenes::Leaf less = leaf;
-      less.solids.clear();
-      less.fill = Fill::sides;
-      std::erase_if(less.faces, [](const scenes::Face& f) { return !f.sheet; });
-      for (scenes::Face& f : less.faces) f.front = f.back = 0;
-      keep(less);
-      if (leaf.solids.size() > 1)
-        for (const scenes::Solid& solid : leaf.solids) keep(scenes::solid_leaf(solid));
-    }
-    for (std::size_t i = 0; i < leaf.wires.size(); ++i) {
-      scenes::Leaf less = leaf;
-      less.wires = without(leaf.wires, i);
-      keep(less);
-    }
-    for (std::size_t i = 0; i < leaf.points.size(); ++i) {
-      scenes::Leaf less = leaf;
-      less.points = without(leaf.points, i);
-      keep(less);
-    }
-    for (std::size_t i = 0; i < leaf.faces.size(); ++i) {
-      if (!leaf.faces[i].sheet) continue;
-      scenes::Leaf less = leaf;
-      less.faces = without(leaf.faces, i);
-      keep(less);
-      for (std::size_t h = 1; h < leaf.faces[i].loops.size(); ++h) {
-        less = leaf;
-        less.faces[i].loops = without(leaf.faces[i].loops, h);
-        keep(less);
-      }
-    }
-  }
-}
-
 }  // namespace
 
 std::string operator_name(const DagNode& node) {
@@ -437,6 +390,25 @@ RandomDag random_dag(std::uint64_t seed, std::vector<scenes::Leaf> leaves) {
   return Maker(seed, std::move(leaves)).make();
 }
 
+RandomDag boolean_tree(Random& random, std::vector<scenes::Leaf> leaves) {
+  RandomDag out;
+  out.leaves = std::move(leaves);
+  for (std::size_t i = 0; i < out.leaves.size(); ++i) out.nodes.emplace_back().leaf = i;
+  const auto over = [&](const auto& self, std::size_t first, std::size_t count) -> std::size_t {
+    if (count == 1) return first;
+    const std::size_t left = 1 + static_cast<std::size_t>(random.below(static_cast<int>(count) - 1));
+    DagNode node;
+    node.op = std::array{Operator::unite, Operator::intersect,
+                         Operator::subtract}[static_cast<std::size_t>(random.below(3))];
+    node.dominant = static_cast<DominantOperand>(random.below(3));
+    node.operands = {self(self, first, left), self(self, first + left, count - left)};
+    out.nodes.push_back(std::move(node));
+    return out.nodes.size() - 1;
+  };
+  over(over, 0, out.leaves.size());
+  return out;
+}
+
 RandomDag compact(RandomDag dag) {
   std::vector<char> reached(dag.nodes.size());
   reached.back() = 1;
@@ -506,25 +478,10 @@ std::vector<RandomDag> smaller(const RandomDag& dag) {
       if (a != b && dag.nodes[a].op == Operator::leaf && dag.nodes[b].op == Operator::leaf)
         out.push_back(replaced(dag, a, b));
   for (RandomDag& less : out) less = compact(std::move(less));
-  smaller_leaves(dag, out);
+  for (std::vector<scenes::Leaf>& leaves : scenes::smaller(dag.leaves))
+    out.push_back({std::move(leaves), dag.nodes});
   std::erase_if(out, [](const RandomDag& less) { return !well_formed(less); });
   return out;
-}
-
-std::pair<RandomDag, std::string> shrink(RandomDag dag, std::string failure, const FailureOf& failure_of) {
-  const bool refused = failure.starts_with(kRefused);
-  for (bool progress = true; progress;) {
-    progress = false;
-    for (RandomDag& less : smaller(dag)) {
-      std::string f = failure_of(less);
-      if (f.empty() || f.starts_with(kRefused) != refused) continue;
-      dag = std::move(less);
-      failure = std::move(f);
-      progress = true;
-      break;
-    }
-  }
-  return {std::move(dag), std::move(failure)};
 }
 
 }  // namespace cnrg::properties

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -62,6 +61,8 @@ bool well_formed(const RandomDag& dag);
 RandomDag random_dag(std::uint64_t seed, scenes::Position position);
 /// The same over given leaves, which come first; those that the result does not reach are dropped.
 RandomDag random_dag(std::uint64_t seed, std::vector<scenes::Leaf> leaves);
+/// Group Booleans of two operands with any dominance, each leaf once.
+RandomDag boolean_tree(scenes::Random& random, std::vector<scenes::Leaf> leaves);
 /// The position of a seed: half of them degenerate, a quarter tilted, a quarter general.
 scenes::Position position_of(std::uint64_t seed);
 
@@ -75,11 +76,7 @@ inline bool is_group_boolean(Operator op) {
   return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
 }
 
-/// What is wrong with a dag in words; empty when nothing is.
-using FailureOf = std::function<std::string(const RandomDag&)>;
-/// What a refused tree file is called: such a failure is no smaller form of another one.
+/// How a failure begins that is a refused tree file.
 inline constexpr const char* kRefused = "refused: ";
-/// The smallest dag that `smaller` leads to that still fails, and how it fails.
-std::pair<RandomDag, std::string> shrink(RandomDag dag, std::string failure, const FailureOf& failure_of);
 
 }  // namespace cnrg::properties

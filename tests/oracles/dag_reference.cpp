@@ -153,6 +153,15 @@ CellIncidence::CellIncidence(const Complex& c) {
   }
 }
 
+std::size_t CellIncidence::number(const Location& at) const {
+  switch (at.dimension) {
+    case 0: return vertex_number_[at.vertex.index()];
+    case 1: return edges_ + at.edge.index();
+    case 2: return faces_ + at.face.index();
+    default: return regions_ + at.region.index();
+  }
+}
+
 Labels CellIncidence::labels(const Selection& s) const {
   Labels out(size(), 0);
   for (const auto& [cell, component] : s.vertices) out[vertex_number_[cell.index()]] = component;

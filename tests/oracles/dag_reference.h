@@ -28,6 +28,7 @@ class CellIncidence {
   static Set support(const Labels& labels);
   Set interior(const Set& set) const;
   Set closure(const Set& set) const;
+  std::size_t number(const Location& at) const;
   /// Number, dimension and kind of a cell in words.
   std::string name(std::size_t cell) const;
 

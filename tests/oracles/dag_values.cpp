@@ -1,8 +1,5 @@
 #include "tests/oracles/dag_values.h"
 
-#include <algorithm>
-#include <sstream>
-
 namespace cnrg::properties {
 
 std::vector<const NodeValue*> DagValues::operands(const DagNode& node) const {
@@ -44,36 +41,6 @@ Attempt attempt(const RandomDag& dag) {
     out.failure = std::string("thrown: ") + error.what();
   }
   return out;
-}
-
-void Coverage::add(const RandomDag& dag) {
-  ++dags_;
-  std::vector<int> uses(dag.nodes.size());
-  for (const DagNode& node : dag.nodes) {
-    for (const std::size_t i : node.operands) ++uses[i];
-    if (node.op == Operator::leaf) continue;
-    ++inner_;
-    ++operators_[operator_name(node)];
-    each_ += node.each;
-    regularized_ += node.regularize;
-  }
-  shared_ += std::any_of(uses.begin(), uses.end(), [](int n) { return n > 1; });
-  ++depths_[depths(dag).back()];
-}
-
-std::string Coverage::text() const {
-  std::ostringstream out;
-  out << dags_ << " dags, " << inner_ << " inner nodes, " << shared_ << " dags with shared nodes, " << each_
-      << " nodes with `each`, " << regularized_ << " with the attribute `regularize`\noperators:";
-  for (const auto& [name, count] : operators_) out << " " << name << " " << count;
-  out << "\ndepths:";
-  for (const auto& [depth, count] : depths_) out << " " << depth << ": " << count << ";";
-  return out.str();
-}
-
-bool Coverage::complete() const {
-  // 14 operators; interior, closure, boundary and regularize with `each` too, simplify in both modes.
-  return operators_.size() == 19 && shared_ > 0 && regularized_ > 0 && depths_.contains(8);
 }
 
 }  // namespace cnrg::properties

@@ -1,7 +1,6 @@
 // A random dag through the whole front end: its text is parsed and evaluated, every node's value is kept.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -30,20 +29,5 @@ struct Attempt {
   std::string failure;
 };
 Attempt attempt(const RandomDag& dag);
-
-/// How often things occurred in the dags of a test, for its report and for checks that it tests what it says.
-class Coverage {
- public:
-  void add(const RandomDag& dag);
-  std::size_t dags() const { return dags_; }
-  std::string text() const;
-  /// Every operator, with and without `each`, shared nodes and the greatest depth occurred.
-  bool complete() const;
-
- private:
-  std::size_t dags_ = 0, inner_ = 0, shared_ = 0, each_ = 0, regularized_ = 0;
-  std::map<std::string, std::size_t> operators_;
-  std::map<int, std::size_t> depths_;
-};
 
 }  // namespace cnrg::properties

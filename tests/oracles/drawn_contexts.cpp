@@ -49,22 +49,14 @@ class Drawer {
 
   /// An operator over nodes that are there, the latest unused ones rather.
   std::string operation() {
-    switch (random_.below(16)) {
-      case 0:
-      case 1:
-      case 2:
-      case 3:
-      case 4: return many(word({"union", "union", "union", "intersection", "difference", "difference"}));
-      case 5:
-      case 6: return many(word({"sum", "product", "subtract"}));
-      case 7: return aggregate();
-      case 8: return layer();
-      case 9:
-      case 10: return select(pick());
-      case 11: return fold();
-      case 12: return random_.one_in(2) ? fold() : one(pick());
-      default: return one(pick());
-    }
+    const int kind = random_.below(16);
+    if (kind < 5) return many(word({"union", "union", "union", "intersection", "difference", "difference"}));
+    if (kind < 7) return many(word({"sum", "product", "subtract"}));
+    if (kind == 7) return aggregate();
+    if (kind == 8) return layer();
+    if (kind < 11) return select(pick());
+    if (kind == 11 || (kind == 12 && random_.one_in(2))) return fold();
+    return one(pick());
   }
 
   std::string one(const std::string& operand) {

@@ -160,7 +160,7 @@ class LeafDrawer {
   /// A leaf of a random scene, in one line.
   Words group() {
     const scenes::Position position = random_.one_in(4) ? scenes::Position::tilted : scenes::Position::degenerate;
-    const scenes::Leaf leaf = scenes::random_scene(random_.next(), 1, position).leaves[0];
+    const scenes::Leaf leaf = scenes::random_leaves(random_.next(), 1, position)[0];
     std::map<RationalPoint, std::size_t> numbers;
     std::vector<std::string> vertices, faces, edges, points;
     const auto vertex = [&](const RationalPoint& p) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "csg/operators/component_lists.h"
 #include "csg/operators/detect_regions.h"
 #include "tests/scenes/measure.h"
 
@@ -37,29 +38,6 @@ std::vector<scenes::Polygon> loops_of(const Complex& c, const SimplifiedComplex&
 
 }  // namespace
 
-BooleanOp boolean_op(scenes::Op op) {
-  switch (op) {
-    case scenes::Op::unite: return BooleanOp::unite;
-    case scenes::Op::intersect: return BooleanOp::intersect;
-    default: return BooleanOp::subtract;
-  }
-}
-
-Dominance dominance(scenes::Ranking ranking) {
-  switch (ranking) {
-    case scenes::Ranking::left: return Dominance::left;
-    case scenes::Ranking::right: return Dominance::right;
-    default: return Dominance::equal;
-  }
-}
-
-Group evaluate(const Complex& complex, const std::vector<Group>& groups, const scenes::Expression& e) {
-  if (e.op == scenes::Op::leaf) return groups[e.leaf];
-  return boolean_operation(complex, boolean_op(e.op), dominance(e.ranking), evaluate(complex, groups, *e.left),
-                           evaluate(complex, groups, *e.right))
-      .group;
-}
-
 Selection joined(Selection s) {
   const auto one = [](auto& list) {
     for (auto& [cell, component] : list) component = 1;
@@ -72,6 +50,15 @@ Selection joined(Selection s) {
 }
 
 Selection point_set(const Complex& complex, const Group& group) { return joined(selection_of(complex, group)); }
+
+Component component_at(const Selection& selection, const Location& at) {
+  switch (at.dimension) {
+    case 0: return component_in(selection.vertices, at.vertex);
+    case 1: return component_in(selection.edges, at.edge);
+    case 2: return component_in(selection.faces, at.face);
+    default: return component_in(selection.regions, at.region);
+  }
+}
 
 Skeleton skeleton(const Complex& complex, const Group& group) {
   return skeleton(complex, point_set(complex, group));

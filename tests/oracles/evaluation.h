@@ -1,4 +1,4 @@
-// Our side of the comparison: an expression evaluated on one complex, and results in forms that oracles know.
+// Our side of the comparison: results in forms that oracles know.
 #pragma once
 
 #include <vector>
@@ -13,17 +13,14 @@
 
 namespace cnrg::properties {
 
-BooleanOp boolean_op(scenes::Op op);
-Dominance dominance(scenes::Ranking ranking);
-
-/// The group of an expression; `groups` are those of the leaves.
-Group evaluate(const Complex& complex, const std::vector<Group>& groups, const scenes::Expression& expression);
-
 /// |G| as one component.
 Selection point_set(const Complex& complex, const Group& group);
 
 /// All components of a selection as one: |X|.
 Selection joined(Selection selection);
+
+/// The component of the cell at a place; 0 where it is not in the selection.
+Component component_at(const Selection& selection, const Location& at);
 
 /// The canonical form of |X| as `simplify` makes it in mode `points`, with unmarked cells where X is not closed.
 Skeleton skeleton(const Complex& complex, const Selection& set);

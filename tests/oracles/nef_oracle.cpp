@@ -353,14 +353,4 @@ Rational NefSet::volume() const {
   return sum / 6;
 }
 
-NefSet evaluate(const scenes::Scene& scene, const scenes::Expression& e) {
-  if (e.op == scenes::Op::leaf) return NefSet::leaf(scene.leaves[e.leaf]);
-  const NefSet a = evaluate(scene, *e.left), b = evaluate(scene, *e.right);
-  switch (e.op) {
-    case scenes::Op::unite: return a.unite(b);
-    case scenes::Op::intersect: return a.intersect(b);
-    default: return a.subtract(b);
-  }
-}
-
 }  // namespace cnrg::properties

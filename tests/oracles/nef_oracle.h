@@ -65,7 +65,4 @@ class NefSet {
   std::shared_ptr<const Data> data_;
 };
 
-/// The point set of an expression, with closure after each difference.
-NefSet evaluate(const scenes::Scene& scene, const scenes::Expression& expression);
-
 }  // namespace cnrg::properties

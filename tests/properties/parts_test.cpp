@@ -18,7 +18,7 @@ constexpr std::array kModes{SimplifyMode::features, SimplifyMode::points, Simpli
 
 /// Random leaves, each moved by steps that are about as long as a leaf is wide.
 std::vector<scenes::Leaf> scattered_leaves(std::uint64_t seed, int count, scenes::Position position, int room) {
-  auto leaves = scenes::random_scene(seed, count, position).leaves;
+  auto leaves = scenes::random_leaves(seed, count, position);
   Random random(seed + 77);
   const int step = position == scenes::Position::general ? 15 : 3;
   for (scenes::Leaf& leaf : leaves) {

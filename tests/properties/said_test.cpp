@@ -1,75 +1,22 @@
-// What is said of regions, sheets, wires and points, through every operator, against brute force on cubical groups
-// (csg/SEMANTICS.md#attributes).
-//
-// CNRG_SEEDS sets the number of trees of each case, CNRG_FIRST_SEED where they start; `tests/campaign/run --family
-// said-trees` goes on for hours.
+// What is said of regions, sheets, wires and points (csg/SEMANTICS.md#attributes): cases of their own beside the
+// family `cube-trees`.
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/operators/node_value.h"
 #include "tests/catch.h"
-#include "tests/oracles/cubical_said.h"
-#include "tests/scenes/seeds.h"
+#include "tests/oracles/cubical_compare.h"
 
 namespace {
 
-std::string failure_of(const cubical::Grid& grid, const cubical::CubicalDag& dag, cubical::SaidTally* tally) {
-  try {
-    return cubical::compare_said(grid, dag, tally);
-  } catch (const std::exception& error) {
-    return std::string("thrown: ") + error.what();
-  }
-}
-
-/// What kind of difference it is.
-std::size_t kind(const std::string& wrong) {
-  constexpr const char* kKinds[] = {"thrown",           "simplified counts", "is said", "region at",
-                                    "the component at", "warnings",          " says "};
-  for (std::size_t k = 0; k < std::size(kKinds); ++k)
-    if (wrong.find(kKinds[k]) != std::string::npos) return k;
-  return std::size(kKinds);
-}
-
-/// The first difference among the seeds, with a tree made smaller; empty if there is none.
-std::string run_said(std::uint64_t trees, bool moved, cubical::SaidTally& tally) {
+TEST_CASE("random trees say something of every kind of cell, and contradict themselves", "[cubical]") {
   const cubical::Grid grid(4);
-  const auto [first, last] = cnrg::scenes::seeds(trees);
-  for (std::uint64_t seed = first; seed < last; ++seed) {
-    cubical::CubicalDag least = cubical::random_said_dag(grid, seed, moved);
-    std::string wrong = failure_of(grid, least, &tally);
-    if (wrong.empty()) continue;
-    std::string told = "seed " + std::to_string(seed) + ": " + wrong;
-    for (bool progress = true; progress;) {
-      progress = false;
-      for (cubical::CubicalDag& less : cubical::smaller(grid, least)) {
-        const std::string still = failure_of(grid, less, nullptr);
-        if (still.empty() || kind(still) != kind(wrong)) continue;
-        least = std::move(less);
-        wrong = still;
-        progress = true;
-        break;
-      }
-    }
-    return told + "\nshrunk: " + wrong + "\n" + cubical::tree_file(least);
-  }
-  return "";
-}
-
-TEST_CASE("what is said of each cell, as by brute force", "[cubical]") {
   cubical::SaidTally tally;
-  const std::string wrong = run_said(300, false, tally);
-  INFO(wrong);
-  CHECK(wrong.empty());
+  for (std::uint64_t seed = 0; seed < 40; ++seed)
+    CHECK(cubical::compare_by_brute_force(grid, cubical::random_said_dag(grid, seed, false), &tally) == "");
   CAPTURE(tally.nodes, tally.said_cells, tally.regions, tally.conflicts, tally.counted);
   CHECK(
       (tally.owners > 0 && tally.said_cells > 0 && tally.regions > 0 && tally.conflicts > 0 && tally.counted > 0));
-}
-
-TEST_CASE("what is said of each cell, as by brute force, turned, sheared, reflected", "[cubical]") {
-  cubical::SaidTally tally;
-  const std::string wrong = run_said(60, true, tally);
-  INFO(wrong);
-  CHECK(wrong.empty());
 }
 
 /// What is said of the one vertex of the result that is a component of its own.

@@ -105,7 +105,7 @@ TEST_CASE("Vertices in one place are as many as equal coordinates say", "[contac
   const auto [first, last] = seeds(60);
   std::uint64_t total = 0;
   for (std::uint64_t seed = first; seed < last; ++seed) {
-    const std::vector<Leaf> leaves = random_scene(seed, 4, Position::degenerate).leaves;
+    const std::vector<Leaf> leaves = random_leaves(seed, 4, Position::degenerate);
     std::vector<std::set<RationalPoint>> corners;
     for (const Leaf& leaf : leaves) {
       std::set<RationalPoint>& all = corners.emplace_back(leaf.points.begin(), leaf.points.end());

@@ -1,23 +1,10 @@
-// A scene as a tree file, so that a failure can be kept as a fixture and run by hand.
+// Leaves as a tree file, so that a failure can be kept as a fixture and run by hand.
 #include <map>
 #include <sstream>
 
 #include "tests/scenes/scene.h"
 
 namespace cnrg::scenes {
-namespace {
-
-std::string print_node(std::ostringstream& out, const Expression& e, int& count) {
-  if (e.op == Op::leaf) return "leaf" + std::to_string(e.leaf);
-  const std::string left = print_node(out, *e.left, count), right = print_node(out, *e.right, count);
-  const char* op = e.op == Op::unite ? "union" : e.op == Op::intersect ? "intersection" : "difference";
-  const char* ranking = e.ranking == Ranking::left ? "left" : e.ranking == Ranking::right ? "right" : "equal";
-  const std::string node = "n" + std::to_string(count++);
-  out << "  " << node << ": {" << op << ": [" << left << ", " << right << "], dominance: " << ranking << "}\n";
-  return node;
-}
-
-}  // namespace
 
 const char* name(Fill fill) {
   switch (fill) {
@@ -66,15 +53,15 @@ std::string group_text(const Leaf& leaf) {
   return out.str();
 }
 
-std::string tree_file(const Scene& scene) {
+std::string tree_file(const std::vector<Leaf>& leaves) {
   std::ostringstream out;
   out << "cnrg: 1\nnodes:\n";
-  for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
-    out << "  leaf" << i << ":\n    group:\n" << group_text(scene.leaves[i]);
+  std::string all;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    out << "  leaf" << i << ":\n    group:\n" << group_text(leaves[i]);
+    all += (i == 0 ? "leaf" : ", leaf") + std::to_string(i);
   }
-  int count = 0;
-  const std::string root = print_node(out, *scene.root, count);
-  out << "result: " << root << "\n";
+  out << "  all: {union: [" << all << "]}\nresult: all\n";
   return out.str();
 }
 

@@ -45,21 +45,6 @@ void for_each_point(Leaf& leaf, Visit visit) {
 
 }  // namespace
 
-ExpressionPtr leaf_expression(std::size_t leaf) {
-  auto e = std::make_shared<Expression>();
-  e->leaf = leaf;
-  return e;
-}
-
-ExpressionPtr combine(Op op, Ranking ranking, ExpressionPtr left, ExpressionPtr right) {
-  auto e = std::make_shared<Expression>();
-  e->op = op;
-  e->ranking = ranking;
-  e->left = std::move(left);
-  e->right = std::move(right);
-  return e;
-}
-
 Solid box_solid(const RationalPoint& a, const RationalPoint& b) {
   const auto corner = [&](int x, int y, int z) {
     return RationalPoint{x ? b[0] : a[0], y ? b[1] : a[1], z ? b[2] : a[2]};
@@ -150,12 +135,26 @@ Motion Motion::scaling(const Rational& factor) {
   return motion;
 }
 
+Rational Motion::determinant() const { return scenes::determinant(matrix[0], matrix[1], matrix[2]); }
+
+Motion after(const Motion& first, const Motion& second) {
+  Motion both;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      both.matrix[i][j] = 0;
+      for (int k = 0; k < 3; ++k) both.matrix[i][j] += second.matrix[i][k] * first.matrix[k][j];
+    }
+  }
+  both.offset = second(first.offset);
+  return both;
+}
+
 void apply(const Motion& motion, Leaf& leaf) {
   for_each_point(leaf, [&](RationalPoint& p) { p = motion(p); });
 }
 
-void apply(const Motion& motion, Scene& scene) {
-  for (Leaf& leaf : scene.leaves) apply(motion, leaf);
+void apply_to_all(const Motion& motion, std::vector<Leaf>& leaves) {
+  for (Leaf& leaf : leaves) apply(motion, leaf);
 }
 
 Soup make_soup(const std::vector<Leaf>& leaves, const SoupOptions& options) {

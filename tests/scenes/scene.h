@@ -1,12 +1,11 @@
-// Scenes: leaves of mixed dimension and an expression over them, as tests make, print and shrink them.
+// Leaves of mixed dimension, as tests make, print and shrink them.
 //
-// A scene knows its geometry twice: as faces for the soup and, for oracles that share no code with the kernel,
+// A leaf knows its geometry twice: as faces for the soup and, for oracles that share no code with the kernel,
 // as closed solids, sheets, wires and points whose union is the leaf's point set.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,25 +34,6 @@ struct Leaf {
   std::vector<Solid> solids;
 };
 
-enum class Op : std::uint8_t { leaf, unite, intersect, subtract };
-enum class Ranking : std::uint8_t { left, right, equal };
-
-/// A binary expression over leaves.
-struct Expression {
-  Op op = Op::leaf;
-  std::size_t leaf = 0;
-  Ranking ranking = Ranking::equal;
-  std::shared_ptr<const Expression> left, right;
-};
-using ExpressionPtr = std::shared_ptr<const Expression>;
-ExpressionPtr leaf_expression(std::size_t leaf);
-ExpressionPtr combine(Op op, Ranking ranking, ExpressionPtr left, ExpressionPtr right);
-
-struct Scene {
-  std::vector<Leaf> leaves;
-  ExpressionPtr root;
-};
-
 // --- solids and sheets as leaves
 /// The facets of a box, outward.
 Solid box_solid(const RationalPoint& min, const RationalPoint& max);
@@ -76,11 +56,14 @@ struct Motion {
   /// The rotation of the unit quaternion (w, x, y, z) / |.|: rational and orthogonal exactly.
   static Motion rotation(int w, int x, int y, int z);
   static Motion scaling(const Rational& factor);
+  Rational determinant() const;
 };
+/// One after the other.
+Motion after(const Motion& first, const Motion& second);
 void apply(const Motion& motion, Leaf& leaf);
-void apply(const Motion& motion, Scene& scene);
+void apply_to_all(const Motion& motion, std::vector<Leaf>& leaves);
 
-/// How a scene becomes a soup.
+/// How leaves become a soup.
 struct SoupOptions {
   bool share_points = true;        ///< one point per position of a leaf, else every corner its own
   std::vector<std::size_t> order;  ///< permutation of the leaves; empty: as they are
@@ -92,10 +75,10 @@ Soup make_soup(const std::vector<Leaf>& leaves, const SoupOptions& options = {})
 const char* name(Fill fill);
 /// The fields of a `group` leaf that is this one, each line indented by six.
 std::string group_text(const Leaf& leaf);
-/// The scene as a tree file; inner nodes are `n0`, `n1`, ..., leaves `leaf0`, ...
-std::string tree_file(const Scene& scene);
+/// The union of the leaves as a tree file.
+std::string tree_file(const std::vector<Leaf>& leaves);
 
-// --- random scenes
+// --- random leaves
 /// A small generator with the same numbers on every platform (splitmix64).
 class Random {
  public:
@@ -112,12 +95,20 @@ class Random {
 enum class Position : std::uint8_t {
   general,     ///< each leaf rotated on its own, coordinates 0 to 20
   degenerate,  ///< on a small grid: coplanar, collinear and coincident parts everywhere
-  tilted,      ///< degenerate, the whole scene rotated by one rational rotation
+  tilted,      ///< degenerate, all leaves rotated by one rational rotation
 };
-/// A tree of `leaf_count` random leaves: solids, layers, sheets with holes, wires, points, and mixtures.
-Scene random_scene(std::uint64_t seed, int leaf_count, Position position);
+/// Solids, layers, sheets with holes, wires, points, and mixtures.
+std::vector<Leaf> random_leaves(std::uint64_t seed, int count, Position position);
 
-/// Smaller scenes to try when one fails: an operation replaced by an operand, a leaf without one of its parts.
-std::vector<Scene> smaller(const Scene& scene);
+/// Leaves with less in one of them, to try when they fail: without its solids, one of its solids alone, without a
+/// wire, a point, a sheet or the hole of one.
+std::vector<std::vector<Leaf>> smaller(const std::vector<Leaf>& leaves);
+
+/// The list without its element `i`.
+template <class List>
+List without(List list, std::size_t i) {
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
+  return list;
+}
 
 }  // namespace cnrg::scenes

@@ -97,20 +97,6 @@ TEST_CASE("square roots have the digits that were asked for", "[measure]") {
 }
 
 TEST_CASE("terms of Euler and Poincare", "[euler]") {
-  SECTION("a box") {
-    const auto built_complex = complex_of({box({0, 0, 0}, {1, 1, 1})});
-    const Complex& complex = *built_complex;
-    const auto t = euler_terms(complex, closed(complex, bounded_regions(complex)));
-    CHECK(t.volume_holes == 0);
-    CHECK(t.pieces == 1);
-    CHECK(t.holes == 0);
-    CHECK(t.cavities == 0);
-    // Its boundary alone is a sphere.
-    CellSet walls = closed(complex, bounded_regions(complex));
-    walls.regions.clear();
-    CHECK(euler_terms(complex, walls).cavities == 1);
-    CHECK(check_euler(complex, walls) == "");
-  }
   SECTION("a frame of boxes around a hole, with a cavity in one of them") {
     const auto built_complex =
         complex_of({box({0, 0, 0}, {9, 9, 3}), box({3, 3, 0}, {6, 6, 3}), box({1, 1, 1}, {2, 2, 2})});

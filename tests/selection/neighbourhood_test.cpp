@@ -58,8 +58,7 @@ TEST_CASE("neighbourhoods of random scenes are planar graphs on spheres", "[neig
   for (std::uint64_t seed = begin; seed < end; ++seed) {
     for (const auto position :
          {scenes::Position::general, scenes::Position::degenerate, scenes::Position::tilted}) {
-      const auto scene = scenes::random_scene(seed, 4, position);
-      const auto built_complex = build_complex(scenes::make_soup(scene.leaves));
+      const auto built_complex = build_complex(scenes::make_soup(scenes::random_leaves(seed, 4, position)));
       const Complex& complex = *built_complex;
       Neighbourhoods neighbourhoods(complex);
       CAPTURE(seed, static_cast<int>(position));

@@ -83,8 +83,8 @@ TEST_CASE("what is in the way for its thickness is what regularization takes", "
   const auto [begin, end] = scenes::seeds(60);
   std::size_t thin = 0, regular = 0;
   for (std::uint64_t seed = begin; seed < end; ++seed) {
-    const auto scene = scenes::random_scene(seed + 500, 2, scenes::Position::degenerate);
-    const auto complex = build_complex(scenes::make_soup(scene.leaves), {.threads = 1});
+    const auto drawn = scenes::random_leaves(seed + 500, 2, scenes::Position::degenerate);
+    const auto complex = build_complex(scenes::make_soup(drawn), {.threads = 1});
     const std::vector<Group> leaves = leaf_groups(*complex);
     Neighbourhoods neighbourhoods(*complex);
     for (const BooleanOp op : {BooleanOp::unite, BooleanOp::intersect, BooleanOp::subtract}) {

@@ -30,7 +30,7 @@ TEST_CASE("Euler-Poincare holds on the simplified cells of random selections", "
   for (std::uint64_t seed = begin; seed < end; ++seed) {
     for (const auto position :
          {scenes::Position::general, scenes::Position::degenerate, scenes::Position::tilted}) {
-      const auto built_complex = build_complex(scenes::make_soup(scenes::random_scene(seed, 3, position).leaves));
+      const auto built_complex = build_complex(scenes::make_soup(scenes::random_leaves(seed, 3, position)));
       const Complex& complex = *built_complex;
       scenes::Random random(seed);
       // Components by what holds the cell, so that there is something to merge; some cells at random.

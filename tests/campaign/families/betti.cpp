@@ -86,22 +86,16 @@ void add_betti(Families& families) {
   scenes_of.share = 1.5;
   scenes_of.make = [](std::uint64_t seed) {
     const auto position = static_cast<scenes::Position>(seed % 3);
-    return Sets{seed, scenes::random_scene(seed + 50'000'000, 2, position).leaves};
+    return Sets{seed, scenes::random_leaves(seed + 50'000'000, 2, position)};
   };
   scenes_of.compare = compare_duality;
   scenes_of.smaller = [](const Sets& sets) {
     std::vector<Sets> out;
-    scenes::ExpressionPtr all = scenes::leaf_expression(0);
-    for (std::size_t i = 1; i < sets.leaves.size(); ++i)
-      all = scenes::combine(scenes::Op::unite, scenes::Ranking::equal, all, scenes::leaf_expression(i));
-    for (scenes::Scene& less : scenes::smaller({sets.leaves, all}))
-      out.push_back({sets.seed, std::move(less.leaves)});
+    for (std::vector<scenes::Leaf>& less : scenes::smaller(sets.leaves))
+      out.push_back({sets.seed, std::move(less)});
     return out;
   };
-  scenes_of.text = [](const Sets& sets) {
-    scenes::Scene scene{sets.leaves, scenes::leaf_expression(0)};
-    return scenes::tree_file(scene);
-  };
+  scenes_of.text = [](const Sets& sets) { return scenes::tree_file(sets.leaves); };
   add(families, scenes_of);
 }
 

@@ -4,7 +4,6 @@
 // logic there: union is `or`, closure changes nothing, a boundary is empty. On an entity union, intersection, sum,
 // product and their like are logic still; what a closure or an interior makes there depends on the surroundings,
 // and only what follows from the point itself is held against the program.
-#include <algorithm>
 #include <optional>
 
 #include "csg/evaluate/evaluate.h"
@@ -240,8 +239,7 @@ std::vector<Places> smaller(const Places& places) {
 std::vector<Leaf> echoes(std::uint64_t seed) {
   Random random(seed + 31);
   std::vector<Leaf> leaves{scenes::solid_leaf(random_solid(random), Fill::winding)};
-  if (random.one_in(2))
-    leaves.push_back(scenes::random_scene(random.next(), 1, scenes::Position::degenerate).leaves[0]);
+  if (random.one_in(2)) leaves.push_back(scenes::random_leaves(random.next(), 1, scenes::Position::degenerate)[0]);
   const int copies = random.between(1, 2);
   for (int i = 0; i < copies; ++i) {
     Leaf copy = leaves[static_cast<std::size_t>(random.below(static_cast<int>(leaves.size())))];
@@ -289,8 +287,7 @@ void add_places(Families& families) {
       leaves.push_back(mark(out.planes.size()));
       out.planes.push_back(std::move(plane));
     }
-    const auto others =
-        scenes::random_scene(random.next(), random.between(1, 2), scenes::Position::degenerate).leaves;
+    const auto others = scenes::random_leaves(random.next(), random.between(1, 2), scenes::Position::degenerate);
     leaves.insert(leaves.end(), others.begin(), others.end());
     out.dag = properties::random_dag(seed + 800'000'000, std::move(leaves));
     return out;

@@ -26,8 +26,8 @@ Solid random_solid(Random& random) {
   if (random.one_in(4)) return random_curved(random);
   for (;;) {
     const auto position = random.one_in(4) ? scenes::Position::tilted : scenes::Position::degenerate;
-    const scenes::Scene scene = scenes::random_scene(random.next(), 1, position);
-    if (!scene.leaves[0].solids.empty()) return scene.leaves[0].solids[0];
+    const scenes::Leaf leaf = scenes::random_leaves(random.next(), 1, position)[0];
+    if (!leaf.solids.empty()) return leaf.solids[0];
   }
 }
 
@@ -64,15 +64,6 @@ Solid moved(const Motion& motion, Solid solid) {
   for (scenes::Polygon& facet : solid)
     for (RationalPoint& p : facet) p = motion(p);
   return solid;
-}
-
-scenes::ExpressionPtr random_expression(Random& random, std::size_t first, std::size_t count) {
-  if (count == 1) return scenes::leaf_expression(first);
-  const std::size_t left = 1 + static_cast<std::size_t>(random.below(static_cast<int>(count) - 1));
-  const auto op = static_cast<scenes::Op>(1 + random.below(3));
-  const auto ranking = static_cast<scenes::Ranking>(random.below(3));
-  return scenes::combine(op, ranking, random_expression(random, first, left),
-                         random_expression(random, first + left, count - left));
 }
 
 }  // namespace cnrg::campaign

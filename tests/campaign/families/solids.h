@@ -17,7 +17,4 @@ scenes::Motion translation(const RationalPoint& by);
 scenes::Motion scaling(const Rational& factor, const RationalPoint& about);
 scenes::Solid moved(const scenes::Motion& motion, scenes::Solid solid);
 
-/// A random tree of Booleans over all leaves, each once.
-scenes::ExpressionPtr random_expression(scenes::Random& random, std::size_t first, std::size_t count);
-
 }  // namespace cnrg::campaign

@@ -96,6 +96,16 @@ Function* behind(const char* name) {
   static decltype(&name) next = nullptr; \
   if (next == nullptr) next = behind<decltype(name)>(#name)
 
+/// A call that is counted as of a kind, with the file it is of (or -1): it answers `failed`, or what the function
+/// behind does with these arguments. And one that is the system's without the C library.
+#define CNRG_CALL(kind, file, result, name, parameters, failed, ...) \
+  result name parameters {                                           \
+    CNRG_BEHIND(name);                                               \
+    return fails(kind, #name, file) ? failed : next(__VA_ARGS__);    \
+  }
+#define CNRG_SYSTEM_CALL(kind, file, result, name, parameters, ...) \
+  result name parameters noexcept { return fails(kind, #name, file) ? -1 : result(syscall(__VA_ARGS__)); }
+
 /// Reads CNRG_FAULT; false if it is none.
 bool read_choice(const char* text) {
   const char* const colon = std::strchr(text, ':');
@@ -241,25 +251,12 @@ int openat64(int folder, const char* path, int flags, ...) {
   CNRG_MODE;
   return open_at("openat64", folder, path, flags, mode);
 }
-FILE* fopen(const char* path, const char* mode) {
-  CNRG_BEHIND(fopen);
-  return fails(open_file, "fopen") ? nullptr : next(path, mode);
-}
-FILE* fopen64(const char* path, const char* mode) {
-  CNRG_BEHIND(fopen64);
-  return fails(open_file, "fopen64") ? nullptr : next(path, mode);
-}
-DIR* opendir(const char* path) {
-  CNRG_BEHIND(opendir);
-  return fails(open_file, "opendir") ? nullptr : next(path);
-}
-DIR* fdopendir(int file) {
-  CNRG_BEHIND(fdopendir);
-  return fails(open_file, "fdopendir", file) ? nullptr : next(file);
-}
-int memfd_create(const char* name, unsigned flags) noexcept {
-  return fails(open_file, "memfd_create") ? -1 : int(syscall(SYS_memfd_create, name, flags));
-}
+CNRG_CALL(open_file, -1, FILE*, fopen, (const char* path, const char* mode), nullptr, path, mode)
+CNRG_CALL(open_file, -1, FILE*, fopen64, (const char* path, const char* mode), nullptr, path, mode)
+CNRG_CALL(open_file, -1, DIR*, opendir, (const char* path), nullptr, path)
+CNRG_CALL(open_file, file, DIR*, fdopendir, (int file), nullptr, file)
+CNRG_SYSTEM_CALL(open_file, -1, int, memfd_create, (const char* name, unsigned flags), SYS_memfd_create, name,
+                 flags)
 
 ssize_t read(int file, void* data, size_t size) {
   const int f = fault(read_data, "read", file);
@@ -274,18 +271,10 @@ ssize_t pread(int file, void* data, size_t size, off_t at) {
   return next(file, data, f == kShort ? half(size) : size, at);
 }
 ssize_t pread64(int file, void* data, size_t size, off_t at) { return pread(file, data, size, at); }
-size_t fread(void* data, size_t size, size_t n, FILE* file) {
-  CNRG_BEHIND(fread);
-  return fails(read_data, "fread", fileno(file)) ? 0 : next(data, size, n, file);
-}
-dirent* readdir(DIR* folder) {
-  CNRG_BEHIND(readdir);
-  return fails(read_data, "readdir") ? nullptr : next(folder);
-}
-dirent64* readdir64(DIR* folder) {
-  CNRG_BEHIND(readdir64);
-  return fails(read_data, "readdir64") ? nullptr : next(folder);
-}
+CNRG_CALL(read_data, fileno(file), size_t, fread, (void* data, size_t size, size_t n, FILE* file), 0, data, size,
+          n, file)
+CNRG_CALL(read_data, -1, dirent*, readdir, (DIR * folder), nullptr, folder)
+CNRG_CALL(read_data, -1, dirent64*, readdir64, (DIR * folder), nullptr, folder)
 
 ssize_t write(int file, const void* data, size_t size) {
   const int f = fault(write_data, "write", file);
@@ -305,27 +294,13 @@ ssize_t writev(int file, const iovec* parts, int n) {
   CNRG_BEHIND(writev);
   return next(file, parts, f == kShort ? int(half(size_t(n))) : n);
 }
-size_t fwrite(const void* data, size_t size, size_t n, FILE* file) {
-  CNRG_BEHIND(fwrite);
-  return fails(write_data, "fwrite", fileno(file)) ? 0 : next(data, size, n, file);
-}
-int fputs(const char* text, FILE* file) {
-  CNRG_BEHIND(fputs);
-  return fails(write_data, "fputs", fileno(file)) ? EOF : next(text, file);
-}
-int fflush(FILE* file) {
-  CNRG_BEHIND(fflush);
-  return fails(write_data, "fflush", file != nullptr ? fileno(file) : -1) ? EOF : next(file);
-}
+CNRG_CALL(write_data, fileno(file), size_t, fwrite, (const void* data, size_t size, size_t n, FILE* file), 0, data,
+          size, n, file)
+CNRG_CALL(write_data, fileno(file), int, fputs, (const char* text, FILE* file), EOF, text, file)
+CNRG_CALL(write_data, file != nullptr ? fileno(file) : -1, int, fflush, (FILE * file), EOF, file)
 
-int fsync(int file) {
-  CNRG_BEHIND(fsync);
-  return fails(flush, "fsync", file) ? -1 : next(file);
-}
-int fdatasync(int file) {
-  CNRG_BEHIND(fdatasync);
-  return fails(flush, "fdatasync", file) ? -1 : next(file);
-}
+CNRG_CALL(flush, file, int, fsync, (int file), -1, file)
+CNRG_CALL(flush, file, int, fdatasync, (int file), -1, file)
 /// Closes whatever it answers, as Linux does.
 int close(int file) {
   const bool failed = fails(close_file, "close", file);
@@ -342,82 +317,41 @@ int fclose(FILE* file) {
   return failed ? EOF : result;
 }
 
-int rename(const char* from, const char* to) noexcept {
-  CNRG_BEHIND(rename);
-  return fails(rename_file, "rename") ? -1 : next(from, to);
-}
-int renameat(int from_folder, const char* from, int to_folder, const char* to) noexcept {
-  CNRG_BEHIND(renameat);
-  return fails(rename_file, "renameat") ? -1 : next(from_folder, from, to_folder, to);
-}
-int link(const char* from, const char* to) noexcept {
-  CNRG_BEHIND(link);
-  return fails(rename_file, "link") ? -1 : next(from, to);
-}
-int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept {
-  CNRG_BEHIND(linkat);
-  return fails(rename_file, "linkat") ? -1 : next(from_folder, from, to_folder, to, flags);
-}
-int unlink(const char* path) noexcept {
-  CNRG_BEHIND(unlink);
-  return fails(remove_file, "unlink") ? -1 : next(path);
-}
-int unlinkat(int folder, const char* path, int flags) noexcept {
-  CNRG_BEHIND(unlinkat);
-  return fails(remove_file, "unlinkat") ? -1 : next(folder, path, flags);
-}
-int remove(const char* path) noexcept {
-  CNRG_BEHIND(remove);
-  return fails(remove_file, "remove") ? -1 : next(path);
-}
-int mkdir(const char* path, mode_t mode) noexcept {
-  CNRG_BEHIND(mkdir);
-  return fails(rename_file, "mkdir") ? -1 : next(path, mode);
-}
-int ftruncate(int file, off_t size) noexcept {
-  return fails(truncate_file, "ftruncate", file) ? -1 : int(syscall(SYS_ftruncate, file, size));
-}
+CNRG_CALL(rename_file, -1, int, rename, (const char* from, const char* to) noexcept, -1, from, to)
+CNRG_CALL(rename_file, -1, int, renameat,
+          (int from_folder, const char* from, int to_folder, const char* to) noexcept, -1, from_folder, from,
+          to_folder, to)
+CNRG_CALL(rename_file, -1, int, link, (const char* from, const char* to) noexcept, -1, from, to)
+CNRG_CALL(rename_file, -1, int, linkat,
+          (int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept, -1, from_folder,
+          from, to_folder, to, flags)
+CNRG_CALL(remove_file, -1, int, unlink, (const char* path) noexcept, -1, path)
+CNRG_CALL(remove_file, -1, int, unlinkat, (int folder, const char* path, int flags) noexcept, -1, folder, path,
+          flags)
+CNRG_CALL(remove_file, -1, int, remove, (const char* path) noexcept, -1, path)
+CNRG_CALL(rename_file, -1, int, mkdir, (const char* path, mode_t mode) noexcept, -1, path, mode)
+CNRG_SYSTEM_CALL(truncate_file, file, int, ftruncate, (int file, off_t size), SYS_ftruncate, file, size)
 int ftruncate64(int file, off_t size) noexcept { return ftruncate(file, size); }
 
 // --- processes and threads
 
-pid_t fork() noexcept {
-  CNRG_BEHIND(fork);
-  return fails(start_process, "fork") ? -1 : next();
-}
+CNRG_CALL(start_process, -1, pid_t, fork, () noexcept, -1)
 pid_t vfork() noexcept { return fork(); }  // a function cannot return twice into a frame that is gone
-int posix_spawn(pid_t* process, const char* path, const posix_spawn_file_actions_t* actions,
-                const posix_spawnattr_t* attributes, char* const* arguments, char* const* environment) {
-  CNRG_BEHIND(posix_spawn);
-  return fails(start_process, "posix_spawn") ? answer
-                                             : next(process, path, actions, attributes, arguments, environment);
-}
-int posix_spawnp(pid_t* process, const char* path, const posix_spawn_file_actions_t* actions,
-                 const posix_spawnattr_t* attributes, char* const* arguments, char* const* environment) {
-  CNRG_BEHIND(posix_spawnp);
-  return fails(start_process, "posix_spawnp") ? answer
-                                              : next(process, path, actions, attributes, arguments, environment);
-}
-int execve(const char* path, char* const* arguments, char* const* environment) noexcept {
-  CNRG_BEHIND(execve);
-  return fails(start_process, "execve") ? -1 : next(path, arguments, environment);
-}
-int execvp(const char* path, char* const* arguments) noexcept {
-  CNRG_BEHIND(execvp);
-  return fails(start_process, "execvp") ? -1 : next(path, arguments);
-}
-FILE* popen(const char* command, const char* mode) {
-  CNRG_BEHIND(popen);
-  return fails(start_process, "popen") ? nullptr : next(command, mode);
-}
-int pipe(int* ends) noexcept {
-  CNRG_BEHIND(pipe);
-  return fails(open_pipe, "pipe") ? -1 : next(ends);
-}
-int pipe2(int* ends, int flags) noexcept {
-  CNRG_BEHIND(pipe2);
-  return fails(open_pipe, "pipe2") ? -1 : next(ends, flags);
-}
+CNRG_CALL(start_process, -1, int, posix_spawn,
+          (pid_t * process, const char* path, const posix_spawn_file_actions_t* actions,
+           const posix_spawnattr_t* attributes, char* const* arguments, char* const* environment),
+          answer, process, path, actions, attributes, arguments, environment)
+CNRG_CALL(start_process, -1, int, posix_spawnp,
+          (pid_t * process, const char* path, const posix_spawn_file_actions_t* actions,
+           const posix_spawnattr_t* attributes, char* const* arguments, char* const* environment),
+          answer, process, path, actions, attributes, arguments, environment)
+CNRG_CALL(start_process, -1, int, execve,
+          (const char* path, char* const* arguments, char* const* environment) noexcept, -1, path, arguments,
+          environment)
+CNRG_CALL(start_process, -1, int, execvp, (const char* path, char* const* arguments) noexcept, -1, path, arguments)
+CNRG_CALL(start_process, -1, FILE*, popen, (const char* command, const char* mode), nullptr, command, mode)
+CNRG_CALL(open_pipe, -1, int, pipe, (int* ends) noexcept, -1, ends)
+CNRG_CALL(open_pipe, -1, int, pipe2, (int* ends, int flags) noexcept, -1, ends, flags)
 /// Nobody is there to wait for where the system forgets children that ended (SIGCHLD is ignored): when they ended.
 pid_t waitpid(pid_t process, int* status, int options) {
   CNRG_BEHIND(waitpid);
@@ -426,55 +360,32 @@ pid_t waitpid(pid_t process, int* status, int options) {
   errno = answer;
   return -1;
 }
-pid_t wait4(pid_t process, int* status, int options, rusage* usage) {
-  CNRG_BEHIND(wait4);
-  return fails(wait_process, "wait4") ? -1 : next(process, status, options, usage);
-}
-int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
-                   void* argument) noexcept {
-  CNRG_BEHIND(pthread_create);
-  return fails(start_thread, "pthread_create") ? answer : next(thread, attributes, work, argument);
-}
+CNRG_CALL(wait_process, -1, pid_t, wait4, (pid_t process, int* status, int options, rusage* usage), -1, process,
+          status, options, usage)
+CNRG_CALL(start_thread, -1, int, pthread_create,
+          (pthread_t * thread, const pthread_attr_t* attributes, void* (*work)(void*), void* argument) noexcept,
+          answer, thread, attributes, work, argument)
 
 // --- questions about files, and small changes
 
-int stat(const char* path, struct stat* result) noexcept {
-  return fails(inspect, "stat") ? -1 : int(syscall(SYS_newfstatat, AT_FDCWD, path, result, 0));
-}
-int stat64(const char* path, struct stat64* result) noexcept {
-  return fails(inspect, "stat64") ? -1 : int(syscall(SYS_newfstatat, AT_FDCWD, path, result, 0));
-}
-int lstat(const char* path, struct stat* result) noexcept {
-  return fails(inspect, "lstat") ? -1 : int(syscall(SYS_newfstatat, AT_FDCWD, path, result, AT_SYMLINK_NOFOLLOW));
-}
-int fstat(int file, struct stat* result) noexcept {
-  return fails(inspect, "fstat", file) ? -1 : int(syscall(SYS_newfstatat, file, "", result, AT_EMPTY_PATH));
-}
-int fstat64(int file, struct stat64* result) noexcept {
-  return fails(inspect, "fstat64", file) ? -1 : int(syscall(SYS_newfstatat, file, "", result, AT_EMPTY_PATH));
-}
-int access(const char* path, int mode) noexcept {
-  return fails(inspect, "access") ? -1 : int(syscall(SYS_faccessat, AT_FDCWD, path, mode));
-}
-ssize_t readlink(const char* path, char* result, size_t size) noexcept {
-  return fails(inspect, "readlink") ? -1 : ssize_t(syscall(SYS_readlinkat, AT_FDCWD, path, result, size));
-}
-off_t lseek(int file, off_t at, int whence) noexcept {
-  return fails(inspect, "lseek", file) ? -1 : off_t(syscall(SYS_lseek, file, at, whence));
-}
+CNRG_SYSTEM_CALL(inspect, -1, int, stat, (const char* path, struct stat* result), SYS_newfstatat, AT_FDCWD, path,
+                 result, 0)
+CNRG_SYSTEM_CALL(inspect, -1, int, stat64, (const char* path, struct stat64* result), SYS_newfstatat, AT_FDCWD,
+                 path, result, 0)
+CNRG_SYSTEM_CALL(inspect, -1, int, lstat, (const char* path, struct stat* result), SYS_newfstatat, AT_FDCWD, path,
+                 result, AT_SYMLINK_NOFOLLOW)
+CNRG_SYSTEM_CALL(inspect, file, int, fstat, (int file, struct stat* result), SYS_newfstatat, file, "", result,
+                 AT_EMPTY_PATH)
+CNRG_SYSTEM_CALL(inspect, file, int, fstat64, (int file, struct stat64* result), SYS_newfstatat, file, "", result,
+                 AT_EMPTY_PATH)
+CNRG_SYSTEM_CALL(inspect, -1, int, access, (const char* path, int mode), SYS_faccessat, AT_FDCWD, path, mode)
+CNRG_SYSTEM_CALL(inspect, -1, ssize_t, readlink, (const char* path, char* result, size_t size), SYS_readlinkat,
+                 AT_FDCWD, path, result, size)
+CNRG_SYSTEM_CALL(inspect, file, off_t, lseek, (int file, off_t at, int whence), SYS_lseek, file, at, whence)
 off64_t lseek64(int file, off64_t at, int whence) noexcept { return lseek(file, at, whence); }
-int flock(int file, int operation) noexcept {
-  return fails(inspect, "flock", file) ? -1 : int(syscall(SYS_flock, file, operation));
-}
-int fchmod(int file, mode_t mode) noexcept {
-  return fails(inspect, "fchmod", file) ? -1 : int(syscall(SYS_fchmod, file, mode));
-}
-int dup2(int from, int to) noexcept {
-  return fails(inspect, "dup2", from) ? -1 : int(syscall(SYS_dup2, from, to));
-}
-int poll(pollfd* files, nfds_t n, int milliseconds) {
-  CNRG_BEHIND(poll);
-  return fails(inspect, "poll") ? -1 : next(files, n, milliseconds);
-}
+CNRG_SYSTEM_CALL(inspect, file, int, flock, (int file, int operation), SYS_flock, file, operation)
+CNRG_SYSTEM_CALL(inspect, file, int, fchmod, (int file, mode_t mode), SYS_fchmod, file, mode)
+CNRG_SYSTEM_CALL(inspect, from, int, dup2, (int from, int to), SYS_dup2, from, to)
+CNRG_CALL(inspect, -1, int, poll, (pollfd * files, nfds_t n, int milliseconds), -1, files, n, milliseconds)
 
 }  // extern "C"

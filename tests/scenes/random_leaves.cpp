@@ -1,4 +1,4 @@
-// Random leaves and trees, and how a failing one is made smaller.
+// Random leaves, and how those that fail are made smaller.
 #include <algorithm>
 
 #include "tests/scenes/scene.h"
@@ -149,37 +149,33 @@ Motion random_rotation(Random& random) {
   }
 }
 
-ExpressionPtr random_expression(Random& random, std::size_t first, std::size_t count) {
-  if (count == 1) return leaf_expression(first);
-  const std::size_t left = 1 + static_cast<std::size_t>(random.below(static_cast<int>(count) - 1));
-  return combine(static_cast<Op>(1 + random.below(3)), static_cast<Ranking>(random.below(3)),
-                 random_expression(random, first, left), random_expression(random, first + left, count - left));
-}
-
-/// The leaves that an expression names get new numbers in the order of their use; others go.
-Scene compact(const Scene& scene, const ExpressionPtr& root) {
-  Scene result;
-  const auto rebuild = [&](auto&& self, const Expression& e) -> ExpressionPtr {
-    if (e.op != Op::leaf) {
-      ExpressionPtr left = self(self, *e.left);
-      return combine(e.op, e.ranking, std::move(left), self(self, *e.right));
-    }
-    result.leaves.push_back(scene.leaves[e.leaf]);
-    return leaf_expression(result.leaves.size() - 1);
+/// The leaf with less in it, but for nothing at all.
+std::vector<Leaf> smaller_leaf(const Leaf& leaf) {
+  std::vector<Leaf> out;
+  if (!leaf.solids.empty()) {  // a solid alone, or what is there besides solids
+    Leaf less = leaf;
+    less.solids.clear();
+    less.fill = Fill::sides;
+    std::erase_if(less.faces, [](const Face& f) { return !f.sheet; });
+    for (Face& f : less.faces) f.front = f.back = 0;
+    out.push_back(std::move(less));
+    if (leaf.solids.size() > 1)
+      for (const Solid& solid : leaf.solids) out.push_back(solid_leaf(solid));
+  }
+  const auto change = [&](auto edit) {
+    out.push_back(leaf);
+    edit(out.back());
   };
-  result.root = rebuild(rebuild, *root);
-  return result;
-}
-
-/// All expressions that have one operation less.
-std::vector<ExpressionPtr> dropped(const ExpressionPtr& e) {
-  std::vector<ExpressionPtr> result;
-  if (e->op == Op::leaf) return result;
-  result.push_back(e->left);
-  result.push_back(e->right);
-  for (const ExpressionPtr& l : dropped(e->left)) result.push_back(combine(e->op, e->ranking, l, e->right));
-  for (const ExpressionPtr& r : dropped(e->right)) result.push_back(combine(e->op, e->ranking, e->left, r));
-  return result;
+  for (std::size_t i = 0; i < leaf.wires.size(); ++i) change([&](Leaf& l) { l.wires = without(l.wires, i); });
+  for (std::size_t i = 0; i < leaf.points.size(); ++i) change([&](Leaf& l) { l.points = without(l.points, i); });
+  for (std::size_t i = 0; i < leaf.faces.size(); ++i) {
+    if (!leaf.faces[i].sheet) continue;
+    change([&](Leaf& l) { l.faces = without(l.faces, i); });
+    for (std::size_t h = 1; h < leaf.faces[i].loops.size(); ++h)
+      change([&](Leaf& l) { l.faces[i].loops = without(l.faces[i].loops, h); });
+  }
+  std::erase_if(out, [](const Leaf& l) { return l.faces.empty() && l.wires.empty() && l.points.empty(); });
+  return out;
 }
 
 }  // namespace
@@ -191,52 +187,31 @@ std::uint64_t Random::next() {
   return z ^ (z >> 31);
 }
 
-Scene random_scene(std::uint64_t seed, int leaf_count, Position position) {
+std::vector<Leaf> random_leaves(std::uint64_t seed, int count, Position position) {
   Random random(seed);
-  Scene scene;
-  for (int i = 0; i < leaf_count; ++i) {
-    scene.leaves.push_back(random_leaf(random, position == Position::general ? 20 : 5));
+  std::vector<Leaf> leaves;
+  for (int i = 0; i < count; ++i) {
+    leaves.push_back(random_leaf(random, position == Position::general ? 20 : 5));
     if (position == Position::general) {
       Motion motion = random_rotation(random);
       // About the middle of the box of coordinates, so that leaves still meet.
       const RationalPoint middle{10, 10, 10}, turned = motion(middle);
       for (int k = 0; k < 3; ++k) motion.offset[k] = middle[k] - turned[k];
-      apply(motion, scene.leaves.back());
+      apply(motion, leaves.back());
     }
   }
-  if (position == Position::tilted) apply(random_rotation(random), scene);
-  scene.root = random_expression(random, 0, scene.leaves.size());
-  return scene;
+  if (position == Position::tilted) apply_to_all(random_rotation(random), leaves);
+  return leaves;
 }
 
-std::vector<Scene> smaller(const Scene& scene) {
-  std::vector<Scene> result;
-  for (const ExpressionPtr& e : dropped(scene.root)) result.push_back(compact(scene, e));
-  for (std::size_t l = 0; l < scene.leaves.size(); ++l) {
-    const auto try_leaf = [&](const Leaf& leaf) {
-      Scene s = scene;
-      s.leaves[l] = leaf;
-      result.push_back(std::move(s));
-    };
-    const Leaf& leaf = scene.leaves[l];
-    for (std::size_t i = 0; i < leaf.wires.size(); ++i) {
-      Leaf less = leaf;
-      less.wires.erase(less.wires.begin() + static_cast<std::ptrdiff_t>(i));
-      try_leaf(less);
+std::vector<std::vector<Leaf>> smaller(const std::vector<Leaf>& leaves) {
+  std::vector<std::vector<Leaf>> out;
+  for (std::size_t l = 0; l < leaves.size(); ++l)
+    for (Leaf& less : smaller_leaf(leaves[l])) {
+      out.push_back(leaves);
+      out.back()[l] = std::move(less);
     }
-    for (std::size_t i = 0; i < leaf.points.size(); ++i) {
-      Leaf less = leaf;
-      less.points.erase(less.points.begin() + static_cast<std::ptrdiff_t>(i));
-      try_leaf(less);
-    }
-    for (std::size_t i = 0; i < leaf.faces.size(); ++i) {
-      if (!leaf.faces[i].sheet) continue;
-      Leaf less = leaf;
-      less.faces.erase(less.faces.begin() + static_cast<std::ptrdiff_t>(i));
-      try_leaf(less);
-    }
-  }
-  return result;
+  return out;
 }
 
 }  // namespace cnrg::scenes
