@@ -11,7 +11,8 @@ from typing import Any, Iterator, Sequence
 
 from . import _cnrg
 from .errors import Notice
-from .nodes import Node, Number, site_of_caller
+from .nodes import Node, Number
+from .place import site_of_caller
 from .progress import Progress, Shown, threads_of
 from .result import Result
 from .tree import Tree

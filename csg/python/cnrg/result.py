@@ -18,15 +18,18 @@ from numpy.typing import NDArray
 from . import _cnrg, convert, stories
 from .cells import Cells, Component, Edges, ExactPoints, Faces, Regions, Said, SaidTable, Vertices
 from .errors import FileError, InputError, Notice
-from .nodes import site_of_caller
+from .habits import missing
+from .operands import Operand, StoredResult
 from .pictures import View, options_of, replace_file
+from .place import site_of_caller
 from .progress import Progress, Shown, threads_of
+from .sizes import Sizes
 from .stories import Comparison, Explanation, Selectable, Topology
 from .surface import SurfaceMesh
 from .tetrahedra import Tetrahedra
 
 if TYPE_CHECKING:
-    from .nodes import Number, Point
+    from .nodes import Node, Number, Point
 
 T = TypeVar("T")
 C = TypeVar("C", bound=Cells)
@@ -53,7 +56,7 @@ class Places(NamedTuple):
         return ["-" if c < 0 else f"{_LETTERS[d]}{c}" for d, c in zip(self.dimension, self.cell)]
 
 
-class Result:
+class Result(Operand, Sizes, convert.ForPyVista):
     """An exact result of n points and the cells on them. It never changes and needs neither the tree nor the
     evaluation any more.
 
@@ -99,7 +102,17 @@ class Result:
 
     @property
     def _data(self) -> dict[str, Any]:
-        return self._once("data", lambda: self._arrays.data())
+        return self._once("data", self._make_data)
+
+    def _make_data(self) -> dict[str, Any]:
+        """The arrays, with -1 for the outside."""
+        data: dict[str, Any] = self._arrays.data()
+        outside = np.append((data["regions"]["component"] == 0) & ~data["regions"]["bounded"], True)  # the last for -1
+        for kind, key in (("vertices", "region"), ("edges", "region"), ("faces", "regions")):
+            numbers = data[kind][key]
+            data[kind][key] = np.where(outside[numbers], np.int32(-1), numbers)
+            data[kind][key].flags.writeable = False
+        return data
 
     def _cells(self, kind: str, made: Callable[[Any, Any, tuple[str, ...]], C]) -> C:
         return self._once(kind, lambda: made(self._data[kind], self._arrays, self.leaves))
@@ -142,7 +155,7 @@ class Result:
     @property
     def regions(self) -> Regions:
         """Regions, as arrays, with shells and volumes."""
-        return self._cells("regions", Regions)
+        return self._cells("regions", lambda data, arrays, leaves: Regions(data, arrays, leaves, self._data["components"]))
 
     @property
     def components(self) -> list[Component]:
@@ -203,6 +216,31 @@ class Result:
         curved ones; None: it is unknown, as of CAD models and of results that were snapped or joined."""
         return self._once("volume bound", lambda: self._result.volume_bound)
 
+    @property
+    def node(self) -> Node:
+        """The result as a leaf of other expressions: without a file, and without evaluating again what made it. It means
+        the same as its .json. InputError for what has no bounds."""
+        return self._once("node", self._make_node)
+
+    def _make_node(self) -> Node:
+        from .nodes import Node
+
+        stored = StoredResult(self._result, self.name, self.materials, [c.name for c in self.components])
+        return Node("cnrg", (), stored)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            from .nodes import Node
+
+            raise missing("a result", name, Result, Node, "it is of a node, result.node.")
+
+    def __len__(self) -> int:
+        raise TypeError("a result is no list; len(result.points), len(result.faces.active) and the like count cells")
+
+    def __bool__(self) -> bool:
+        return True
+
     def __copy__(self) -> Result:
         return self
 
@@ -210,7 +248,9 @@ class Result:
         return self
 
     def __reduce__(self) -> Any:
-        raise TypeError("a result cannot be pickled; write it as .json, and cnrg.load that, or pickle its node")
+        """Exactly, as its .json: without its tree and the leaves that cells came from. InputError for what has no bounds;
+        that has nodes that can be pickled."""
+        return _again, (self._result.json(), self.name, self.materials)
 
     def volume_of(self, component: int) -> Fraction | None:
         """Exact, of one component (from 1), in cubic units; None: unbounded. IndexError for none."""
@@ -243,6 +283,10 @@ class Result:
             if doubles is not None:
                 return Places(*places.locate(doubles, shown))
             return Places(*places.locate_exact(exact, shown))
+
+    def contains(self, points: Any, *, progress: Progress = None) -> NDArray[np.bool_]:
+        """(n,) bool: of each point whether it is part of the result, exactly; points as of `locate`."""
+        return self.locate(points, progress=progress).component != 0
 
     def explain(self, what: str | Point, *, threads: int = 0, progress: Progress = None) -> Explanation:
         """Why a cell ("f12") is there, or what became of the cell of the refinement that holds a point, at every node
@@ -626,6 +670,11 @@ class Result:
         still = still[still.find("<svg"):] if "<svg" in still else ""
         return (f"<div><table><tr><th>{html.escape(self.name)}</th>{head}</tr></table>{still}"
                 f"<table><tr><th></th><th>component</th><th>material</th><th>volume</th></tr>{rows}</table></div>")
+
+
+def _again(json: bytes, name: str, materials: list[tuple[str, str]]) -> Result:
+    """One that was pickled."""
+    return Result._of(_cnrg.result_of_json(json, name, materials), None)
 
 
 def _pieces(edges: Edges) -> tuple[NDArray[np.int32], NDArray[np.int32]]:

@@ -15,7 +15,11 @@ from typing import Any, Callable, Iterable, Iterator, Mapping
 
 from . import _cnrg
 from .errors import Error, InputError
-from .nodes import Exact, Material, MeshArrays, Node, Number, Picked, Site, Text, criterion, data_of, exact, quoted, text_of
+from .nodes import (
+    _FILES, Exact, Material, MeshArrays, Node, Number, Picked, Text, criterion, data_of, exact, quoted, text_of,
+)
+from .operands import StoredResult
+from .place import Site
 
 _EXPRESSION = "<expression>"
 _PLACE = re.compile(re.escape(_EXPRESSION) + r":(\d+):(\d+)")
@@ -41,6 +45,29 @@ def _of_regions(node: Node) -> Iterator[str]:
         name = region.get("material") if isinstance(region, dict) else None
         if isinstance(name, str):
             yield name
+
+
+def _region_names(nodes: Iterable[Node], keys: Iterable[str]) -> set[str] | None:
+    """All that a region of these nodes can be called; None where files may say more."""
+    names = set(keys)
+    for node in nodes:
+        if isinstance(node.value, StoredResult):
+            names.update(chain.from_iterable(name.split(" & ") for name in node.value.regions))
+        elif node.operator in _FILES and not isinstance(node.value, MeshArrays):
+            return None
+        elif node.operator == "group" and isinstance(node.value.get("regions"), dict):
+            names.update(str(region.get("name")) for region in node.value["regions"].values() if isinstance(region, dict))
+        names.update(str(value) for key, value in node.attributes if key == "name")
+        if node.key is not None:
+            names.add(node.key)
+    return names
+
+
+def _named_regions(node: Node) -> list[str]:
+    """What the regions that a node picks by name are made of."""
+    wanted = node.value.criteria.get("region", []) if isinstance(node.value, Picked) else []
+    listed = [wanted] if isinstance(wanted, (str, Exact)) else list(wanted)
+    return list(chain.from_iterable(str(name).split(" & ") for name in listed if isinstance(name, Text)))
 
 
 def _picked_materials(node: Node) -> list[str]:
@@ -75,7 +102,9 @@ def _own_materials(node: Node) -> list[Material]:
 
 def _operator_value(node: Node, operand: Callable[[Node], Any], path: Callable[[str], str]) -> Iterator[Any]:
     """The value of the operator's key in pieces: texts, and what `operand` makes of operands."""
-    if isinstance(node.value, MeshArrays):
+    if isinstance(node.value, StoredResult):
+        yield node.value.leaf
+    elif isinstance(node.value, MeshArrays):
         keys = "".join(f", {key}: {text_of(value)}" for key, value in node.value.keys.items())
         yield node.value.arrays
         yield keys + "}"
@@ -128,6 +157,11 @@ def _attribute_text(node: Node) -> str:
     return text
 
 
+def _in_place_of(leaf: Any) -> str:
+    """What stands in a text for what is handed over in memory."""
+    return "{points: [], faces: []" if isinstance(leaf, _cnrg.MeshData) else "memory"
+
+
 def check_form(node: Node) -> None:
     """Raises InputError if the reader of tree files does not take the node. Operands are not looked at again: points
     stand in their place, two of them for a list of any length."""
@@ -139,7 +173,7 @@ def check_form(node: Node) -> None:
     is_short = len(node.operands) <= 2 or isinstance(node.value, Picked)
     short = node if is_short else Node(node.operator, node.operands[:2], node.value, node.attributes)
     value = "".join(
-        "{points: [], faces: []" if isinstance(piece, _cnrg.MeshData) else piece
+        piece if isinstance(piece, str) else _in_place_of(piece)
         for piece in _operator_value(short, lambda below: "p", lambda path: path)
     )
     text = "cnrg: 1\n" + (f"materials: {{{', '.join(quoted(name) + ': {}' for name in sorted(names))}}}\n" if names else "")
@@ -170,6 +204,14 @@ def _material_text(m: Material, to: str | None) -> str:
     return text_of(data)
 
 
+def _text_for_file(piece: Any, leaf: Node) -> str:
+    """The mesh or result of a leaf in the text of a file."""
+    if isinstance(piece, _cnrg.MeshData):
+        return "{" + piece.text()
+    raise InputError(f"the result {leaf.value.name!r} stands in no file, and a tree names a file: write it, "
+                     'result.write("part.json"), and build on cnrg.load("part.json")', *leaf.site)
+
+
 class _Text:
     """The text of a tree, with the place of each node in it."""
 
@@ -178,7 +220,7 @@ class _Text:
         self.nodes = self._listed(list(roots), list(order))
         self.keys = self._named()
         self.materials = self._declared(materials)
-        self.meshes: dict[str, Any] = {}
+        self.in_memory: dict[str, Any] = {}
         self._places: list[tuple[int, int, int, Node]] = []  # line, columns from and to, node
 
     def _listed(self, roots: list[Node], order: list[Node]) -> list[Node]:
@@ -244,6 +286,10 @@ class _Text:
         for node in self.nodes:
             for m in _own_materials(node) + [Material(name, {}, None, node.site) for name in _of_regions(node)]:
                 declare(m)
+        for node in self.nodes:
+            if isinstance(node.value, StoredResult):
+                for name, color in node.value.materials:
+                    declared.setdefault(name, Material(name, {"color": color} if color else {}, None, node.site))
         for m in list(declared.values()):
             for name in _mixed(m.data):
                 if name not in declared:
@@ -256,8 +302,20 @@ class _Text:
                     raise InputError(f"select: no node has the material {str(name)!r}; {hint}", *node.site)
         return list(declared.values())
 
+    def check_regions(self) -> None:
+        """InputError where a node picks a region by a name that none can have."""
+        known = _region_names(self.nodes, self.keys.values())
+        if known is None:
+            return
+        for node in self.nodes:
+            for name in _named_regions(node):
+                if name not in known:
+                    near = difflib.get_close_matches(name, known, 1)
+                    hint = f"did you mean {near[0]!r}?" if near else "result.selectables() lists what there is"
+                    raise InputError(f"select: no region can have the name {name!r}; {hint}", *node.site)
+
     def write(self, result: Node, path: Callable[[str], str], for_file: bool) -> str:
-        """The text. For a file meshes stand in it; otherwise they are in `meshes`, and empty ones in their place."""
+        """The text. For a file meshes stand in it; otherwise they are in `in_memory`, as results are."""
         lines = ["cnrg: 1"]
         if self._weld is not None:
             lines.append(f"weld: {self._weld}")
@@ -313,12 +371,13 @@ class _Text:
                 begin, made = open_.pop()
                 self._places.append((line, begin, column, made))
                 continue
-            elif isinstance(piece, _cnrg.MeshData):
+            elif not isinstance(piece, str):
+                leaf = open_[-1][1]
                 if for_file:
-                    piece = "{" + piece.text()
+                    piece = _text_for_file(piece, leaf)
                 else:
-                    self.meshes[self.keys[id(open_[-1][1])]] = piece
-                    piece = "{points: [], faces: []"
+                    self.in_memory[self.keys[id(leaf)]] = piece
+                    piece = _in_place_of(piece)
             texts.append(piece)
             column += len(piece)
         return "".join(texts)
@@ -353,6 +412,7 @@ class Tree:
         if not nodes or not all(isinstance(node, Node) for node in nodes):
             raise TypeError("a tree is made of one node or more")
         text = _Text(nodes, (), (), None if weld is None else exact(weld))
+        text.check_regions()
         return Tree._parsed(text, nodes[0])
 
     @staticmethod
@@ -361,7 +421,7 @@ class Tree:
         words = text.write(result, os.path.abspath, False)
         tree = Tree({text.keys[id(n)]: n for n in text.nodes if id(n) in text.keys}, result, text, None, text.materials)
         with tree.placed():
-            tree._tree = _cnrg.Tree.parse(words, _EXPRESSION, text.meshes, inside, {})
+            tree._tree = _cnrg.Tree.parse(words, _EXPRESSION, text.in_memory, inside, {})
         return tree
 
     @property
@@ -481,14 +541,16 @@ class _Placed:
 
 
 def read(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str] | Mapping[str, Any],
     *,
     inside: str | os.PathLike[str] | None = None,
     parameters: Mapping[str, Number] | None = None,
 ) -> Tree:
-    """Reads a tree file (YAML or JSON). inside: a folder that every file named in the tree must lie in, for trees that
+    """Reads a tree file (YAML or JSON), or a map that says what such a file does. inside: a folder that every file named in the tree must lie in, for trees that
     are not trusted. parameters: numbers in place of those that the tree gives its parameters. InputError with line and column for a fault, FileError for a file that cannot be read. Leaves and
     their files are looked at by `.check()` and `.evaluate()`."""
+    if isinstance(path, Mapping):
+        return parse(text_of(data_of(path)), inside=inside, parameters=parameters)
     name = os.fspath(path)
     tree = _cnrg.Tree.read(name, "" if inside is None else os.fspath(inside), _given(parameters))
     return _as_expressions(tree, name)
