@@ -233,7 +233,7 @@ int run(int argc, char** argv) {
   });
   program.footer(
       "Example:\n  cnrg eval model.yaml -o model.vtu\n\nExit status: 0 done, 2 bad input, 3 a file could not be "
-      "read or written or memory\nran out, 4 of `cnrg compare`: different, 1 a bug.");
+      "read or written or memory ran out, 4 of `cnrg compare`: different, 1 a bug.");
   std::function<int()> command;
 
   EvalArguments eval;
