@@ -1,5 +1,5 @@
-// Completions for zsh and fish. Both ask for a description of each option, and cut words and quote names themselves;
-// what an option takes they are told in their own words: `_arguments` and `complete`.
+// Completions for zsh and fish. Both ask for a description of each option, and cut words and quote names
+// themselves; what an option takes they are told in their own words: `_arguments` and `complete`.
 #include "csg/app/completion_shells.h"
 
 #include <string>
@@ -81,7 +81,8 @@ std::string zsh_value(const OptionText& option) {
 /// The specifications of an option for `_arguments`, one for each name.
 std::string zsh_option(const OptionText& option) {
   const std::string value = option.value.empty() ? "" : ":" + zsh_escaped(option.value) + ":" + zsh_value(option);
-  if (option.positional) return " \\\n      " + zsh_quoted(":" + zsh_escaped(option.names[0]) + ":" + zsh_value(option));
+  if (option.positional)
+    return " \\\n      " + zsh_quoted(":" + zsh_escaped(option.names[0]) + ":" + zsh_value(option));
   std::string out;
   for (const std::string& name : option.names)
     out += " \\\n      " + zsh_quoted("*" + name + "[" + zsh_escaped(option.help) + "]" + value);
@@ -130,7 +131,8 @@ std::string fish_completion(const ProgramText& text) {
   std::string out = kFishHead;
   for (const OptionText& option : text.program.options) out += fish_option("__fish_use_subcommand", option);
   for (const CommandText& command : text.commands) {
-    out += "complete -c cnrg -n __fish_use_subcommand -a " + command.name + " -d " + in_apostrophes(command.help, "\\'") + "\n";
+    out += "complete -c cnrg -n __fish_use_subcommand -a " + command.name + " -d " +
+           in_apostrophes(command.help, "\\'") + "\n";
     for (const OptionText& option : command.options)
       out += fish_option("__fish_seen_subcommand_from " + command.name, option);
   }

@@ -361,7 +361,8 @@ int run(int argc, char** argv) {
   ViewArguments view;
   sub = program.add_subcommand("view", "Writes a page for a browser: the tree beside the cells of each node");
   add_tree(sub, view);
-  sub->add_option("-o,--output", view.file, "Write this file; without it the tree's name with .html, in the current folder")
+  sub->add_option("-o,--output", view.file,
+                  "Write this file; without it the tree's name with .html, in the current folder")
       ->type_name("FILE.html")
       ->check(name_fault);
   sub->add_option("--node", view.nodes, "Show this node and what is below it; without it all nodes")

@@ -230,7 +230,7 @@ struct CadShape {
 /// `{cnrg: file.json}`: a result read back.
 struct ResultShape {
   std::string file;
-  std::string inside{};                              ///< as of a heightfield
+  std::string inside{};                             ///< as of a heightfield
   std::shared_ptr<const PreparedLeaf> in_memory{};  ///< instead of a file: a result at hand, by `leaf_of`
 };
 

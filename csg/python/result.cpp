@@ -1,7 +1,9 @@
 // The result of one node, with the numbers that files use.
 #include <pybind11/stl.h>
 
+#include "csg/certify/certificate.h"
 #include "csg/formats/formats.h"
+#include "csg/formats/writer.h"
 #include "csg/result/join.h"
 #include "csg/result/result_data.h"
 #include "csg/transfer/stored_value.h"
@@ -64,6 +66,10 @@ void bind_result(py::module_& module) {
                             {.parameters = parameters, .snap = snap, .binary = binary, .stop = watch.stop});
              });
              std::vector<std::string> notices = report.notices;
+             if (is_cad_file(path) && r.from != nullptr) {
+               const std::string doubt = certificate_of(r.from->evaluation, r.node).doubt(*r.from->tree);
+               if (!doubt.empty()) notices.push_back(doubt);
+             }
              if (report.snapped.rounds > 0) notices.push_back(report.snapped.text());
              return py::make_tuple(report.moved, report.embedded, notices, report.snapped.warnings());
            })

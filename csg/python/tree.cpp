@@ -273,9 +273,8 @@ class Records {
   }
 };
 
-TreeObject parse(const std::string& text, const std::string& file,
-                 const InMemory& in_memory, const std::string& inside,
-                 const std::map<std::string, std::string>& parameters) {
+TreeObject parse(const std::string& text, const std::string& file, const InMemory& in_memory,
+                 const std::string& inside, const std::map<std::string, std::string>& parameters) {
   Tree tree = parse_tree(text, file, {inside, parameters});
   put(tree, in_memory);
   return {std::make_shared<const Tree>(std::move(tree)), text};

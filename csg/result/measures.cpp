@@ -128,8 +128,8 @@ std::optional<Rational> Measures::volume(std::size_t region) const {
   return cnrg::volume(result_.complex(), result_.cells().regions[region].cells);
 }
 
-// The tetrahedra from one point to the triangles around the region have signed volumes det / 6 and centres (a + b + c)
-// / 4, seen from that point.
+// The tetrahedra from one point to the triangles around the region have signed volumes det / 6 and centres (a + b
+// + c) / 4, seen from that point.
 std::optional<RationalPoint> Measures::centroid(std::size_t region) const {
   if (arrays_.regions.bounded[region] == 0) return {};
   std::optional<RationalPoint> base;

@@ -15,7 +15,7 @@ namespace {
 using Catch::Contains;
 using Words = std::vector<std::string>;
 
-const char* const kCommands[] = {"eval",    "check",  "locate", "explain", "view",      "mesh",
+const char* const kCommands[] = {"eval",    "check",  "locate", "explain", "view",       "mesh",
                                  "compare", "tables", "schema", "manual",  "completion", "help"};
 
 std::string plain(std::string text) {

@@ -16,8 +16,10 @@ using Catch::StartsWith;
 using Lines = std::set<std::string>;
 
 const char* const kTree =
-    "cnrg: 1\nnodes:\n  rock: {box: {min: [0, 0, 0], max: [1, 1, 1/3]}}\n  ball: {sphere: {center: [9, 9, 9], radius: "
-    "1}}\n  \"it's $(touch ran)\": {union: [rock, ball]}\n  far: {complement: rock}\nresult: \"it's $(touch ran)\"\n";
+    "cnrg: 1\nnodes:\n  rock: {box: {min: [0, 0, 0], max: [1, 1, 1/3]}}\n  ball: {sphere: {center: [9, 9, 9], "
+    "radius: "
+    "1}}\n  \"it's $(touch ran)\": {union: [rock, ball]}\n  far: {complement: rock}\nresult: \"it's $(touch "
+    "ran)\"\n";
 
 Lines lines_of(const std::string& text) {
   Lines out;
@@ -49,7 +51,8 @@ TEST_CASE("-q is --quiet and --output is -o", "[app][words]") {
 TEST_CASE("help of a command is what --help says, in lines of 80 characters", "[app][words]") {
   const Workshop w;
   CHECK(w.run("help").out == w.run("--help").out);
-  for (const char* command : {"eval", "check", "locate", "explain", "view", "mesh", "compare", "completion", "help"}) {
+  for (const char* command :
+       {"eval", "check", "locate", "explain", "view", "mesh", "compare", "completion", "help"}) {
     const Outcome o = w.run(std::string("help ") + command);
     CHECK(o.status == 0);
     CHECK(o.out == w.run(std::string(command) + " --help").out);
@@ -100,7 +103,8 @@ void prepare(const Workshop& w) {
 
 Lines offered_by_zsh(const Workshop& w, const std::string& line) {
   w.write("line", line);
-  return lines_of(w.shell("PATH=\"$PWD/bin:$PATH\" timeout 60 zsh -f '" CNRG_SOURCES "/tests/app/complete.zsh' \"$PWD\" "
+  return lines_of(w.shell("PATH=\"$PWD/bin:$PATH\" timeout 60 zsh -f '" CNRG_SOURCES
+                          "/tests/app/complete.zsh' \"$PWD\" "
                           "\"$(cat line)\" >.out 2>.err")
                       .out);
 }

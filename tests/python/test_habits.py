@@ -272,6 +272,30 @@ class Pickled(unittest.TestCase):
         self.assertRaisesRegex(cnrg.InputError, "tree", again.explain, "f0")
 
 
+class Notices(WithFolder):
+    def program(self, *words):
+        run = subprocess.run([sys.executable, "-m", "cnrg", "eval", *map(str, words)], capture_output=True, text=True, check=True)
+        return run.stderr.replace(": notice: rounding", ": rounding").splitlines()
+
+    def test_what_the_program_tells_is_warned_of(self):
+        path, out = self.folder / "t.yaml", self.folder / "t.vtu"
+        path.write_text("""cnrg: 1
+nodes:
+  a: {box: {min: [0, 0, 0], max: [1, 1, 1/3]}}
+  b: {points: [[1, 2, 3]]}
+  c: {mesh: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 1/7]], faces: [[0, 1, 2]]}}
+  d: {union: [a, {select: {of: c, dimension: 3}}]}
+result: d
+""")
+        told = self.program(path, "-o", out)
+        self.assertEqual(len(told), 4, told)
+        with warnings.catch_warnings(record=True) as warned:
+            warnings.simplefilter("always")
+            cnrg.read(path).evaluate().result.write(out)
+        self.assertEqual([str(w.message) for w in warned], told)
+        self.assertEqual({w.category for w in warned}, {cnrg.Notice})
+
+
 class Words(unittest.TestCase):
     RESULT = UNIT.evaluate()
 

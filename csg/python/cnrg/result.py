@@ -443,8 +443,8 @@ class Result(Operand, Sizes, convert.ForPyVista):
     def write(self, path: str | os.PathLike[str], *, parameters: bool = False, snap: bool = True,
               binary: bool = False) -> list[str]:
         """Writes a file in the format of its extension: .json, exactly, or .vtu .msh .mesh .smesh .poly .inp .bdf
-        .h5m .med .obj .off .stl .ply .3mf .glb .step .stp .brep .regions.dot. Returns what is to be said of it: vertices that are elsewhere
-        as doubles, faces that a CAD file has as facets.
+        .h5m .med .obj .off .stl .ply .3mf .glb .step .stp .brep .regions.dot. Returns, and warns of (cnrg.Notice), what is to be
+        said of it: vertices that are elsewhere as doubles, faces that a CAD file has as facets.
 
         parameters: .json and .vtu say the parameters of faces on curved patches. snap: where rounding to doubles
         would break the result, the file gets the snapped one; False: as it is rounded, with a warning (cnrg.Notice).
@@ -466,6 +466,8 @@ class Result(Operand, Sizes, convert.ForPyVista):
             warnings.warn_explicit(text, Notice, *site_of_caller())
         elif moved:
             notices.append(f"rounding moved {vertices}; the facets still meet as they should")
+        for text in notices:
+            warnings.warn_explicit(f"{name}: {text}", Notice, *site_of_caller())
         return list(notices)
 
     def _blocks(self) -> list[convert.Block]:
