@@ -158,7 +158,7 @@ std::string value_cases(const CommandText& command) {
 
 std::string argument_cases(const CommandText& command) {
   static constexpr const char* kModels =
-      " .yaml .yml .json .csg .off .obj .stl .ply .vtp .vtk .ts .step .stp .brep";
+      " .yaml .yml .json .csg .off .obj .stl .ply .vtp .vtu .vtk .ts .step .stp .brep";
   std::string out;
   std::size_t i = 0;
   for (const OptionText& option : command.options) {
