@@ -287,8 +287,9 @@ class VtpReader {
   std::vector<char> taken_cells(const XmlElement& piece, std::size_t size) const {
     std::vector<char> taken(size, 1);
     const XmlElement* data = piece.child("CellData");
+    if (data == nullptr) return taken;
     const auto array = [&](const char* name) -> std::vector<std::int64_t> {
-      for (const auto& child : data == nullptr ? piece.children : data->children)
+      for (const auto& child : data->children)
         if (child->attribute("Name") == name) return numbers(*child).integers;
       return {};
     };

@@ -2,13 +2,16 @@
 import builtins
 import copy
 import itertools
+import os
 import pickle
+import shutil
 import subprocess
 import sys
 import types
 import unittest
 import warnings
 from fractions import Fraction
+from pathlib import Path
 
 import numpy
 
@@ -253,6 +256,28 @@ class ResultsAsOperands(WithFolder):
         self.assertEqual(copy.deepcopy(node).evaluate().volume, 2)
 
 
+class FilesOfResults(WithFolder):
+    def test_a_vtu_is_read_back(self):
+        two = cnrg.union(UNIT, cnrg.box([1, 0, 0], [3, 1, 1]), dominance="left").evaluate()
+        two.write(self.folder / "two.vtu")
+        again = cnrg.load(self.folder / "two.vtu").evaluate()
+        self.assertEqual(sorted(r.volume for r in again.regions), [1, 2])
+        self.assertEqual(len(again.faces.active), 11)
+        L_SHAPE.evaluate().write(self.folder / "l.vtu")
+        self.assertEqual((cnrg.load(self.folder / "l.vtu") & UNIT).evaluate().volume, 1)
+
+    def test_other_files_are_told_with_a_remedy(self):
+        for name, remedy in (("a.msh", "write a result as .json"), ("a.3mf", "as .stl"), ("a.ifc", "IfcConvert"),
+                             ("a.dxf", "export it as .step"), ("a.GLB", "as .stl")):
+            (self.folder / name).write_text("x")
+            for command in (("eval",), ("check",), ("mesh", "-o", "m.msh"), ("view",)):
+                run = subprocess.run([sys.executable, "-m", "cnrg", command[0], str(self.folder / name), *command[1:]],
+                                     capture_output=True, text=True)
+                self.assertEqual(run.returncode, 2)
+                self.assertRegex(run.stderr, f"{name}.*: error: a .* file is not read; .*{remedy}")
+                self.assertEqual(run.stderr.count("\n"), 1)
+
+
 class Pickled(unittest.TestCase):
     def test_a_result_comes_back(self):
         for text in (SLOPE, ROUND, MIXED, OPEN):
@@ -294,6 +319,22 @@ result: d
             cnrg.read(path).evaluate().result.write(out)
         self.assertEqual([str(w.message) for w in warned], told)
         self.assertEqual({w.category for w in warned}, {cnrg.Notice})
+
+
+@unittest.skipIf(shutil.which("snakemake") is None, "snakemake is not installed (Debian: snakemake)")
+class ManyModels(WithFolder):
+    def test_the_example_of_snakemake(self):
+        folder = self.folder / "many"
+        shutil.copytree(Path(os.environ["CNRG_SOURCES"]) / "csg/examples/many", folder)
+        path = f"{Path(os.environ['CNRG_PROGRAM']).parent}{os.pathsep}{os.environ['PATH']}"
+        done = subprocess.run(["snakemake", "--cores", "2", "--config", "count=9"], cwd=folder, capture_output=True,
+                              text=True, env={**os.environ, "PATH": path, "HOME": str(self.folder)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = [line.split(",") for line in (folder / "volumes.csv").read_text().splitlines()]
+        self.assertEqual(len(rows), 9)
+        for side, depth, volume in rows:
+            self.assertEqual(Fraction(volume), 1000 - Fraction(side) ** 2 * Fraction(depth))
+        self.assertEqual(len({volume for *_, volume in rows}), 9)
 
 
 class Words(unittest.TestCase):
