@@ -15,8 +15,11 @@ from typing import Any, Callable, Iterable, Iterator, Mapping
 
 from . import _cnrg
 from .errors import Error, InputError
+from .named import (
+    mixed, named_regions, of_regions, own_material, own_materials, picked_materials, region_names, sources,
+)
 from .nodes import (
-    _FILES, Exact, Material, MeshArrays, Node, Number, Picked, Text, criterion, data_of, exact, quoted, text_of,
+    Exact, Material, MeshArrays, Node, Number, Picked, Text, criterion, data_of, exact, quoted, text_of,
 )
 from .operands import StoredResult
 from .place import Site
@@ -24,80 +27,6 @@ from .place import Site
 _EXPRESSION = "<expression>"
 _PLACE = re.compile(re.escape(_EXPRESSION) + r":(\d+):(\d+)")
 _LINE = re.compile(r" \(line \d+\)")
-
-
-def _mixed(data: Any) -> Iterator[str]:
-    """The materials that the stops of a graded one name."""
-    for grade in ("linear", "distance"):
-        stops = data.get(grade, {}).get("stops", []) if isinstance(data.get(grade), dict) else []
-        for stop in stops if isinstance(stops, list) else []:
-            mixture = stop[1] if isinstance(stop, list) and len(stop) == 2 else None
-            if isinstance(mixture, str) and not isinstance(mixture, Exact):
-                yield mixture
-            elif isinstance(mixture, dict):
-                yield from mixture
-
-
-def _of_regions(node: Node) -> Iterator[str]:
-    """The materials that the regions of a group name."""
-    regions = node.value.get("regions") if node.operator == "group" and isinstance(node.value, dict) else None
-    for region in regions.values() if isinstance(regions, dict) else ():
-        name = region.get("material") if isinstance(region, dict) else None
-        if isinstance(name, str):
-            yield name
-
-
-def _region_names(nodes: Iterable[Node], keys: Iterable[str]) -> set[str] | None:
-    """All that a region of these nodes can be called; None where files may say more."""
-    names = set(keys)
-    for node in nodes:
-        if isinstance(node.value, StoredResult):
-            names.update(chain.from_iterable(name.split(" & ") for name in node.value.regions))
-        elif node.operator in _FILES and not isinstance(node.value, MeshArrays):
-            return None
-        elif node.operator == "group" and isinstance(node.value.get("regions"), dict):
-            names.update(str(region.get("name")) for region in node.value["regions"].values() if isinstance(region, dict))
-        names.update(str(value) for key, value in node.attributes if key == "name")
-        if node.key is not None:
-            names.add(node.key)
-    return names
-
-
-def _named_regions(node: Node) -> list[str]:
-    """What the regions that a node picks by name are made of."""
-    wanted = node.value.criteria.get("region", []) if isinstance(node.value, Picked) else []
-    listed = [wanted] if isinstance(wanted, (str, Exact)) else list(wanted)
-    return list(chain.from_iterable(str(name).split(" & ") for name in listed if isinstance(name, Text)))
-
-
-def _picked_materials(node: Node) -> list[str]:
-    """The names of the materials by which a node picks."""
-    wanted = node.value.criteria.get("material", []) if isinstance(node.value, Picked) else []
-    return [wanted] if isinstance(wanted, str) else list(wanted)
-
-
-def _sources(node: Node) -> tuple[Node, ...]:
-    """Nodes that a node names beside its operands."""
-    return tuple(chain.from_iterable(node.value.sources.values())) if isinstance(node.value, Picked) else ()
-
-
-def _own_material(node: Node) -> Material | None:
-    return next((value for name, value in node.attributes if name == "material"), None)
-
-
-def _own_materials(node: Node) -> list[Material]:
-    """The materials that the node has or picks by, and those in their stops, at any depth, each once."""
-    own = _own_material(node)
-    listed = [] if own is None else [own]
-    if isinstance(node.value, Picked):
-        listed += node.value.materials
-    seen = {id(m) for m in listed}
-    for m in listed:
-        for inner in m.mixed:
-            if id(inner) not in seen:
-                seen.add(id(inner))
-                listed.append(inner)
-    return listed
 
 
 def _operator_value(node: Node, operand: Callable[[Node], Any], path: Callable[[str], str]) -> Iterator[Any]:
@@ -165,11 +94,11 @@ def _in_place_of(leaf: Any) -> str:
 def check_form(node: Node) -> None:
     """Raises InputError if the reader of tree files does not take the node. Operands are not looked at again: points
     stand in their place, two of them for a list of any length."""
-    names = {name for name in _of_regions(node)}
-    own = _own_material(node)
+    names = {name for name in of_regions(node)}
+    own = own_material(node)
     if own is not None:
         names.add(own.name)
-    names.update(_picked_materials(node))
+    names.update(picked_materials(node))
     is_short = len(node.operands) <= 2 or isinstance(node.value, Picked)
     short = node if is_short else Node(node.operator, node.operands[:2], node.value, node.attributes)
     value = "".join(
@@ -183,7 +112,7 @@ def check_form(node: Node) -> None:
 
 def check_material(m: Material) -> None:
     """Raises InputError for a material that the reader of tree files does not take."""
-    materials = [f"{quoted(name)}: {{}}" for name in sorted(set(_mixed(m.data)) - {m.name})]
+    materials = [f"{quoted(name)}: {{}}" for name in sorted(set(mixed(m.data)) - {m.name})]
     materials.append(f"{quoted(m.name)}: {_material_text(m, 'p')}")
     text = f"cnrg: 1\nmaterials: {{{', '.join(materials)}}}\nnodes: {{p: {{points: [[0, 0, 0]]}}}}\nresult: p\n"
     _checked_text(text, m.site)
@@ -236,14 +165,14 @@ class _Text:
                 elif id(node) not in seen:
                     seen.add(id(node))
                     stack.append((node, True))
-                    stack.extend((own.to, False) for own in _own_materials(node) if own.to is not None)
-                    stack.extend((source, False) for source in _sources(node))
+                    stack.extend((own.to, False) for own in own_materials(node) if own.to is not None)
+                    stack.extend((source, False) for source in sources(node))
                     stack.extend((below, False) for below in reversed(node.operands))
         place = {id(node): i for i, node in enumerate(order)}
         known = [node for node in listed if id(node) in place]
         self._inline = {id(node) for node in listed if node.is_inline and all(node is not root for root in roots)}
         for node in listed:  # what a distance is measured to, or a selection is from, needs a name
-            named = [own.to for own in _own_materials(node)] + list(_sources(node))
+            named = [own.to for own in own_materials(node)] + list(sources(node))
             self._inline -= {id(other) for other in named if other is not None}
         return sorted(known, key=lambda node: place[id(node)]) + [n for n in listed if id(n) not in place]
 
@@ -284,18 +213,18 @@ class _Text:
         for m in given:
             declare(m)
         for node in self.nodes:
-            for m in _own_materials(node) + [Material(name, {}, None, node.site) for name in _of_regions(node)]:
+            for m in own_materials(node) + [Material(name, {}, None, node.site) for name in of_regions(node)]:
                 declare(m)
         for node in self.nodes:
             if isinstance(node.value, StoredResult):
                 for name, color in node.value.materials:
                     declared.setdefault(name, Material(name, {"color": color} if color else {}, None, node.site))
         for m in list(declared.values()):
-            for name in _mixed(m.data):
+            for name in mixed(m.data):
                 if name not in declared:
                     declared[name] = Material(name, {}, None, m.site)
         for node in self.nodes:
-            for name in _picked_materials(node):
+            for name in picked_materials(node):
                 if name not in declared:
                     near = difflib.get_close_matches(name, declared, 1)
                     hint = f"did you mean {near[0]!r}?" if near else f"if a file has it, give cnrg.material({str(name)!r})"
@@ -304,11 +233,11 @@ class _Text:
 
     def check_regions(self) -> None:
         """InputError where a node picks a region by a name that none can have."""
-        known = _region_names(self.nodes, self.keys.values())
+        known = region_names(self.nodes, self.keys.values())
         if known is None:
             return
         for node in self.nodes:
-            for name in _named_regions(node):
+            for name in named_regions(node):
                 if name not in known:
                     near = difflib.get_close_matches(name, known, 1)
                     hint = f"did you mean {near[0]!r}?" if near else "result.selectables() lists what there is"
@@ -654,7 +583,7 @@ def _as_expressions(tree: Any, file: str) -> Tree:
     for m in materials.values():
         if m.to is not None:
             m.to = nodes[m.to]  # type: ignore[call-overload]
-        m.mixed = tuple(materials[name] for name in _mixed(m.data))
+        m.mixed = tuple(materials[name] for name in mixed(m.data))
     ordered = [materials[name] for name in graded]
     known: dict[str, Node] = {}
     for r, n in zip(records, nodes):  # inline ones come last, and give way
