@@ -399,6 +399,7 @@ class Words(unittest.TestCase):
         ground = cnrg.box([0, 0, 0], [1, 1, 1], material="rock").named("ground")
         for make, words in ((lambda: ground.select(region="grond"), "'grond'; did you mean 'ground'"),
                             (lambda: ground.select(region=["ground", "zz"]), "'zz'"),
+                            (lambda: ground.select(region="1"), "'1'; a number is no text"),
                             (lambda: ground.select(material="rokc"), "'rokc'; did you mean 'rock'")):
             node = make()
             with self.assertRaisesRegex(cnrg.InputError, words) as raised:

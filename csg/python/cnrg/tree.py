@@ -241,6 +241,7 @@ class _Text:
                 if name not in known:
                     near = difflib.get_close_matches(name, known, 1)
                     hint = f"did you mean {near[0]!r}?" if near else "result.selectables() lists what there is"
+                    hint = "a number is no text" if name.isdecimal() else hint
                     raise InputError(f"select: no region can have the name {name!r}; {hint}", *node.site)
 
     def write(self, result: Node, path: Callable[[str], str], for_file: bool) -> str:
