@@ -21,7 +21,7 @@ struct EvalArguments {
   std::vector<std::string> files;
   std::string select;    ///< criteria of `select`: files show what is picked; empty: all
   PictureWords picture;  ///< options of pictures, and `--node`, in their order
-  bool trace = false, raw = false, topology = false, list = false, quiet = false;
+  bool trace = false, raw = false, topology = false, list = false, quiet = false, json = false;
   bool snap = false;        ///< said, though it is the rule
   bool no_snap = false;     ///< files of doubles as they are rounded
   bool binary = false;      ///< .stl and .ply in their binary forms

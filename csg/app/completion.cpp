@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string>
 
+#include "csg/app/completion_shells.h"
 #include "csg/app/exit_status.h"
 #include "csg/app/manual.h"
 
@@ -157,20 +158,19 @@ std::string value_cases(const CommandText& command) {
 
 std::string argument_cases(const CommandText& command) {
   static constexpr const char* kModels =
-      " .yaml .yml .json .csg .off .obj .stl .ply .vtp .vtk .ts .step .stp .brep";
+      " .yaml .yml .json .csg .off .obj .stl .ply .vtp .vtu .vtk .ts .step .stp .brep";
   std::string out;
   std::size_t i = 0;
   for (const OptionText& option : command.options) {
     if (!option.positional) continue;
-    const std::string endings = option.names[0] == "TREE" ? kModels : "";
-    out += "    '" + command.name + " " + std::to_string(i++) + "') _cnrg_files \"$word\"" + endings + " ;;\n";
+    const std::string files = "_cnrg_files \"$word\"" + std::string(option.names[0] == "TREE" ? kModels : "");
+    out += "    '" + command.name + " " + std::to_string(i++) + "') " +
+           (option.choices.empty() ? files : offer(option.choices)) + " ;;\n";
   }
   return out;
 }
 
-}  // namespace
-
-int run_completion(const ProgramText& text) {
+std::string bash_completion(const ProgramText& text) {
   std::vector<std::string> first;
   for (const CommandText& command : text.commands) first.push_back(command.name);
   for (const OptionText& option : text.program.options) {
@@ -185,7 +185,14 @@ int run_completion(const ProgramText& text) {
       "  esac\n  if [[ $word == -* ]]; then\n    _cnrg_offer \"$word\" < <(printf '%s\\n' $options)\n    return\n"
       "  fi\n  case \"$command ${#arguments[@]}\" in\n";
   for (const CommandText& command : text.commands) out += argument_cases(command);
-  std::cout << out << "  esac\n}\n\ncomplete -F _cnrg cnrg\n" << std::flush;
+  return out + "  esac\n}\n\ncomplete -F _cnrg cnrg\n";
+}
+
+}  // namespace
+
+int run_completion(const ProgramText& text, const std::string& shell) {
+  const auto completion = shell == "zsh" ? zsh_completion : shell == "fish" ? fish_completion : bash_completion;
+  std::cout << completion(text) << std::flush;
   return kDone;
 }
 

@@ -258,10 +258,9 @@ int run_eval(const EvalArguments& arguments) {
   }
   FileWriter writer(tree, evaluation, arguments, results);
   const auto print_all = [&](bool whole) {
-    if (!arguments.quiet) {
-      std::cout << row_table(evaluation, stage_rows(clock, evaluation, crosses, whole), arguments.raw,
-                             arguments.trace);
-    }
+    const StageRows stages = stage_rows(clock, evaluation, crosses, whole);
+    if (arguments.json) std::cout << rows_json(evaluation, stages, arguments.raw);
+    else if (!arguments.quiet) std::cout << row_table(evaluation, stages, arguments.raw, arguments.trace);
     if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
     std::cout << told << std::flush;
     writer.tell_all();

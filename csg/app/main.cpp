@@ -210,14 +210,30 @@ std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e
          "--help`";
 }
 
+/// Prints the help of a command, or without a name that of the program.
+int run_help(const CLI::App& program, const std::string& name) {
+  if (!name.empty()) std::cout << program.get_subcommand(name)->help("cnrg");
+  else std::cout << program.get_formatter()->make_help(&program, "cnrg", CLI::AppFormatMode::Normal);
+  return kDone;
+}
+
+std::vector<std::string> command_names(const CLI::App& program) {
+  std::vector<std::string> out;
+  for (const CommandText& command : program_text(program).commands) out.push_back(command.name);
+  return out;
+}
+
 int run(int argc, char** argv) {
   CLI::App program{"Exact Booleans of non-manifold solids, surfaces, wires and points, by tree files.", "cnrg"};
   program.set_version_flag(
       "--version", [] { return version_text("cnrg", kPlugins); }, "Versions of cnrg and of the libraries in it");
   program.require_subcommand(1);
+  program.formatter_fn([](const CLI::App* app, std::string name, CLI::AppFormatMode mode) {
+    return wrapped_help(CLI::Formatter().make_help(app, std::move(name), mode));
+  });
   program.footer(
       "Example:\n  cnrg eval model.yaml -o model.vtu\n\nExit status: 0 done, 2 bad input, 3 a file could not be "
-      "read or written or memory\nran out, 4 of `cnrg compare`: different, 1 a bug.");
+      "read or written or memory ran out, 4 of `cnrg compare`: different, 1 a bug.");
   std::function<int()> command;
 
   EvalArguments eval;
@@ -230,7 +246,7 @@ int run(int argc, char** argv) {
       ->check(name_fault)
       ->expected(1)
       ->take_all();
-  sub->add_option("-o", eval.files,
+  sub->add_option("-o,--output", eval.files,
                   "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
                   ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png "
                   ".pdf; of a .csg the tree: .yaml")
@@ -283,7 +299,10 @@ int run(int argc, char** argv) {
       "Join what is nearer than D and does not touch: corners, edges and faces; say what met and how far it moved";
   sub->add_option("--join", eval.join, kJoin)->type_name("D")->check(distance_fault);
   add_threads(sub, eval.threads);
-  sub->add_flag("--quiet", eval.quiet, "No rows and no notices");
+  CLI::Option* const quiet = sub->add_flag("-q,--quiet", eval.quiet, "No rows and no notices");
+  CLI::Option* const json = sub->add_flag("--json", eval.json, "The rows as JSON instead, volumes as fractions");
+  for (const char* const other : {"--trace", "--topology", "--list"}) json->excludes(sub->get_option(other));
+  json->excludes(quiet);
   add_picture_options(sub);
   sub->footer(
       "Examples:\n  cnrg eval model.yaml --node split -o split.vtu --trace\n"
@@ -342,7 +361,8 @@ int run(int argc, char** argv) {
   ViewArguments view;
   sub = program.add_subcommand("view", "Writes a page for a browser: the tree beside the cells of each node");
   add_tree(sub, view);
-  sub->add_option("-o", view.file, "Write this file; without it the tree's name with .html, in the current folder")
+  sub->add_option("-o,--output", view.file,
+                  "Write this file; without it the tree's name with .html, in the current folder")
       ->type_name("FILE.html")
       ->check(name_fault);
   sub->add_option("--node", view.nodes, "Show this node and what is below it; without it all nodes")
@@ -354,7 +374,7 @@ int run(int argc, char** argv) {
   sub->add_flag("--open", view.open, "Open the page in the browser");
   sub->add_flag("--watch", view.watch, "Write the page again whenever the tree changes; open pages follow");
   add_threads(sub, view.threads);
-  sub->add_flag("--quiet", view.quiet, "No line about the page and no notices");
+  sub->add_flag("-q,--quiet", view.quiet, "No line about the page and no notices");
   sub->footer("Example:\n  cnrg view model.yaml -o model.html --open");
   sub->callback([&] { command = [&] { return run_view(view); }; });
 
@@ -365,7 +385,7 @@ int run(int argc, char** argv) {
       "and wires alone. Nothing has to be asked for: shapes are as good as some thousand points more make them");
   add_tree(sub, mesh);
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N")->check(name_fault);
-  sub->add_option("-o", mesh.files,
+  sub->add_option("-o,--output", mesh.files,
                   "Write this file, in the format of its extension: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf; "
                   ".html is a report with pictures")
       ->type_name("FILE")
@@ -450,7 +470,7 @@ int run(int argc, char** argv) {
   CLI::Option* const snaps = sub->add_flag("--snap", mesh.snap, kSnap)->excludes(curved);
   sub->add_flag("--no-snap", mesh.no_snap, std::string(kNoSnap) + "refuse it")->excludes(snaps);
   add_threads(sub, mesh.threads);
-  sub->add_flag("--quiet", mesh.quiet, "No table and no notices");
+  sub->add_flag("-q,--quiet", mesh.quiet, "No table and no notices");
   sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");
   sub->callback([&] { command = [&] { return run_mesh(mesh); }; });
 
@@ -478,7 +498,7 @@ int run(int argc, char** argv) {
       ->take_all();
   add_fineness(sub, compared);
   add_threads(sub, compared.threads);
-  sub->add_flag("--quiet", compared.quiet, "Only the exit status");
+  sub->add_flag("-q,--quiet", compared.quiet, "Only the exit status");
   sub->footer(
       "Example:\n  cnrg compare answer.yaml solution.yaml\n\nExit status: 0 the same, 4 different, else as of all "
       "commands.");
@@ -498,10 +518,18 @@ int run(int argc, char** argv) {
   sub->footer("Example:\n  cnrg manual > cnrg.1\n  man -l cnrg.1");
   sub->callback([&] { command = [&] { return run_manual(program_text(program)); }; });
 
+  std::string shell = "bash";
   sub = program.add_subcommand("completion",
-                               "Prints what bash needs to complete commands, options, files and nodes");
-  sub->footer("Example:\n  source <(cnrg completion)");
-  sub->callback([&] { command = [&] { return run_completion(program_text(program)); }; });
+                               "Prints what a shell needs to complete commands, options, files and nodes");
+  sub->add_option("SHELL", shell, "Which")->check(CLI::IsMember({"bash", "zsh", "fish"}))->capture_default_str();
+  sub->footer("Example:\n  source <(cnrg completion)\n  cnrg completion fish | source");
+  sub->callback([&] { command = [&] { return run_completion(program_text(program), shell); }; });
+
+  std::string helped;
+  sub = program.add_subcommand("help", "Prints the help of a command, or of the program");
+  sub->add_option("COMMAND", helped, "Which")->check(CLI::IsMember(command_names(program)));
+  sub->footer("Example:\n  cnrg help mesh");
+  sub->callback([&] { command = [&] { return run_help(program, helped); }; });
 
   std::string asked;
   sub = program.add_subcommand("nodes", "Prints the names of the nodes of a tree")->group("");  // for completions

@@ -8,7 +8,7 @@ namespace cnrg::app {
 /// Prints the manual page, in the language of `man`.
 int run_manual(const ProgramText& text);
 
-/// Prints a script for bash.
-int run_completion(const ProgramText& text);
+/// Prints a script for bash, zsh or fish.
+int run_completion(const ProgramText& text, const std::string& shell);
 
 }  // namespace cnrg::app

@@ -52,4 +52,36 @@ ProgramText program_text(const CLI::App& program) {
   return out;
 }
 
+namespace {
+
+constexpr std::size_t kWidth = 80, kMeaning = 30;  // where CLI11 begins to say what an option means
+
+/// Where further lines of a line begin.
+std::size_t hanging(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(' ');
+  return first == 2 && line.size() > kMeaning && line[kMeaning - 1] == ' ' ? kMeaning : first;
+}
+
+std::string wrapped_line(std::string line) {
+  std::string out;
+  const std::size_t indent = hanging(line);
+  while (line.size() > kWidth) {
+    std::size_t end = line.rfind(' ', kWidth);
+    if (end == std::string::npos || end <= indent) end = line.find(' ', kWidth);
+    if (end == std::string::npos) break;
+    out += line.substr(0, end) + "\n";
+    line = std::string(indent, ' ') + line.substr(end + 1);
+  }
+  return out + line;
+}
+
+}  // namespace
+
+std::string wrapped_help(const std::string& help) {
+  std::istringstream lines(help);
+  std::string out;
+  for (std::string line; std::getline(lines, line);) out += wrapped_line(std::move(line)) + "\n";
+  return out;
+}
+
 }  // namespace cnrg::app

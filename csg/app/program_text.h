@@ -35,4 +35,7 @@ struct ProgramText {
 
 ProgramText program_text(const CLI::App& program);
 
+/// The text of a help in lines of 80 characters; what an option means goes on below where it began.
+std::string wrapped_help(const std::string& help);
+
 }  // namespace cnrg::app

@@ -7,7 +7,9 @@
 #include <ios>
 #include <sstream>
 
+#include "csg/result/rounding.h"
 #include "csg/text/escape.h"
+#include "csg/text/json_text.h"
 #include "csg/text/number.h"
 #include "csg/text/table.h"
 
@@ -118,6 +120,42 @@ std::string row_table(const Evaluation& evaluation, const StageRows& stages, boo
     text += details(*row);
   }
   return text + lines.substr(at);
+}
+
+std::string rows_json(const Evaluation& evaluation, const StageRows& stages, bool raw) {
+  static constexpr const char* kCells[] = {"vertices", "edges", "faces", "3-cells"};
+  const auto add_number = [](JsonObject& object, const char* key, const std::optional<double>& number) {
+    std::string& text = object.key(key);
+    if (number) append(text, *number);
+    else text += "null";
+  };
+  std::string text;
+  {
+    JsonObject document(text);
+    {
+      JsonObject seconds(document.key("seconds"));
+      add_number(seconds, "leaves", stages.leaves);
+      add_number(seconds, "refinement", stages.refinement);
+      add_number(seconds, "crossings", stages.crossings);
+      add_number(seconds, "results", stages.results);
+    }
+    append_json(document.key("rows"), evaluation.all_rows(), [&](const NodeRow* row) {
+      JsonObject object(text);
+      object.add("node", row->name).add("operator", row->operator_name);
+      const auto& cells = raw ? row->raw_cells : row->cells;
+      for (std::size_t i = 0; i < 4; ++i) object.add(kCells[i], cells[i]);
+      object.add("removed", row->removed()).add("regions", row->regions);
+      if (!row->is_group) object.add("components", row->components);
+      add_number(object, "seconds", row->seconds + row->totals_seconds);
+      if (const std::optional<Rational> volume = row->volume()) {
+        object.add("volume", to_string(*volume));
+        add_number(object, "within", row->volume_bound());
+      } else {
+        object.key("volume") += "null";
+      }
+    });
+  }
+  return text + "\n";
 }
 
 std::string refinement_summary(const Evaluation& evaluation) {

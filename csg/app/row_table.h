@@ -24,6 +24,9 @@ StageRows stage_rows(const StageClock& clock, const Evaluation& evaluation, bool
 /// `trace`: under each node a line per table row that removed something, and a line per region with its volume.
 std::string row_table(const Evaluation& evaluation, const StageRows& stages, bool raw, bool trace);
 
+/// The same as JSON.
+std::string rows_json(const Evaluation& evaluation, const StageRows& stages, bool raw);
+
 /// The one refinement of all leaves in a few lines: cells, contacts, stages of the predicates, seconds.
 std::string refinement_summary(const Evaluation& evaluation);
 

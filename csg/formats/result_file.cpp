@@ -15,6 +15,7 @@
 #include "csg/formats/mesh_file.h"
 #include "csg/formats/writer.h"
 #include "csg/leaves/leaf.h"
+#include "csg/leaves/prepare_shapes.h"
 #include "csg/mesh/material_field.h"
 #include "csg/mesh/straight_order.h"
 #include "csg/result/join.h"
@@ -146,8 +147,10 @@ void write(const std::string& path, const Evaluation& evaluation) {
   replace_file(path, dag_dot(evaluation));
 }
 
-Result read_result(const std::string& path) {
-  const auto leaf = prepare(ResultShape{path});
+namespace {
+
+/// The value of a leaf that has one, on a complex of its own.
+Result result_of_leaf(const std::shared_ptr<const PreparedLeaf>& leaf, ResultNames names) {
   RefineOptions options;
   options.vertices = true;
   RefineReport report;
@@ -161,8 +164,19 @@ Result read_result(const std::string& path) {
   SimplifiedComplex simplified = simplify(*complex, *value, selection_of(*complex, *value));
   put_in_order(*complex, simplified);
   data->simplified = std::make_shared<const SimplifiedComplex>(std::move(simplified));
-  data->name({.result = path, .leaves = {path}});
+  data->name(std::move(names));
+  data->volume_bound = [bound = leaf->volume_bound()] { return bound; };
   return Result(data);
+}
+
+}  // namespace
+
+Result read_result(const std::string& path) {
+  return result_of_leaf(prepare(ResultShape{path}), {.result = path, .leaves = {path}});
+}
+
+Result result_of_text(const std::string& json, ResultNames names) {
+  return result_of_leaf(prepare_result(json, names.result), std::move(names));
 }
 
 void check_mesh_file_name(const std::string& path, const std::string& others) {

@@ -59,6 +59,8 @@ void write(const std::string& path, const Evaluation& evaluation);
 
 /// The result that a .json holds, exactly, on a complex of its own. Cells come from one leaf, the file.
 Result read_result(const std::string& path);
+/// The same of the text of a .json; `names.result` is the name in messages.
+Result result_of_text(const std::string& json, ResultNames names);
 
 /// The formats of tetrahedra: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf. Throws InputError for any other
 /// extension; the message names `others`, which the caller writes itself (` .html`), too.

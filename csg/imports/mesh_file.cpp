@@ -18,7 +18,7 @@ using MeshReader = MeshData (*)(const std::string&, const std::string&, bool);
 MeshReader mesh_reader(const std::string& path) {
   static constexpr std::pair<std::string_view, MeshReader> kMeshReaders[] = {
       {".off", &read_off},  {".obj", &read_obj},  {".stl", &read_stl},  {".ply", &read_ply}, {".vtk", &read_vtk},
-      {".ts", &read_gocad}, {".pl", &read_gocad}, {".wl", &read_gocad}, {".vtp", &read_vtp},
+      {".ts", &read_gocad}, {".pl", &read_gocad}, {".wl", &read_gocad}, {".vtp", &read_vtp}, {".vtu", &read_vtp},
   };
   const std::string extension = extension_of(path);
   for (const auto& [name, reader] : kMeshReaders) {
@@ -34,10 +34,10 @@ bool is_mesh_file(const std::string& path) { return mesh_reader(path) != nullptr
 MeshData read_mesh(const std::string& path, bool decimal, const std::string& inside) {
   if (const MeshReader reader = mesh_reader(path))
     return reader(path, read_leaf_file(path, inside, "write the mesh again"), decimal);
-  throw InputError(
-      "mesh: '" + path +
-      "' has an unknown format: give a file with the extension .off, .obj, .stl, .ply, .vtp, .vtk, .ts, .pl or "
-      ".wl");
+  throw InputError("mesh: '" + path +
+                   "' has an unknown format: give a file with the extension .off, .obj, .stl, .ply, .vtp, .vtu, "
+                   ".vtk, .ts, .pl or "
+                   ".wl");
 }
 
 }  // namespace cnrg

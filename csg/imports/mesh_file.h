@@ -7,8 +7,8 @@
 
 namespace cnrg {
 
-/// Reads a mesh by the extension of `path` (.off .obj .stl .ply .vtp .vtk .ts .pl .wl, in any case). Coordinates
-/// are the doubles that the text rounds to; with `decimal` exactly the decimals of a text file. Throws
+/// Reads a mesh by the extension of `path` (.off .obj .stl .ply .vtp .vtu .vtk .ts .pl .wl, in any case).
+/// Coordinates are the doubles that the text rounds to; with `decimal` exactly the decimals of a text file. Throws
 /// LeafFileError
 /// (`path:line: error: ...`, for binary data `path: byte N: error: ...`) for a fault in the file, InputError if
 /// the extension is unknown; else as `read_file` (csg/text/input_file.h).

@@ -387,41 +387,9 @@ class VtkReader {
       const auto begin = std::size_t(cells.offsets[i]);
       std::vector<std::int64_t> points(cells.connectivity.begin() + std::ptrdiff_t(begin),
                                        cells.connectivity.begin() + std::ptrdiff_t(cells.offsets[i + 1]));
-      collector_.add(kind_of(i, points, fail_types), points, 0, i, fail_in(cells_[0]));
+      collector_.add(kind_of_cell(types_[i], i, points, fail_types), points, 0, i, fail_in(cells_[0]));
     }
     return collector_.finish();
-  }
-
-  /// What a cell of a grid is; a pixel's points are put in the order around it.
-  VtkKind kind_of(std::size_t cell, std::vector<std::int64_t>& points,
-                  const VtkCollector::Fail& fail_types) const {
-    const std::int64_t type = types_[cell];
-    const std::string name = "cell " + std::to_string(cell);
-    const auto exactly = [&](std::size_t n) {
-      if (points.size() == n) return;
-      fail_types(name + " has " + std::to_string(points.size()) + " points, and one of type " +
-                 std::to_string(type) + " has " + std::to_string(n) + ": correct the file");
-    };
-    switch (type) {
-      case 1: exactly(1); return VtkKind::vertices;
-      case 2: return VtkKind::vertices;
-      case 3: exactly(2); return VtkKind::lines;
-      case 4: return VtkKind::lines;
-      case 5: exactly(3); return VtkKind::polygons;
-      case 6: return VtkKind::strips;
-      case 7: return VtkKind::polygons;
-      case 8:
-        exactly(4);
-        std::swap(points[2], points[3]);
-        return VtkKind::polygons;
-      case 9: exactly(4); return VtkKind::polygons;
-      default: break;
-    }
-    fail_types(
-        name + " is of type " + std::to_string(type) +
-        ", and a mesh is made of points, lines and flat polygons (types 1 to 9): write the surface of the grid "
-        "as POLYDATA");
-    return VtkKind::polygons;
   }
 
   const std::string& path_;

@@ -1,4 +1,8 @@
-// VTK's XML of surfaces (.vtp): pieces of points, verts, lines, strips and polys, each an array of numbers.
+// VTK's XML of surfaces (.vtp): pieces of points, verts, lines, strips and polys, each an array of numbers; and of
+// unstructured grids (.vtu): of these the cells without volume.
+//
+// A .vtu of our own says its cells twice: the faces, and each region by the triangles around it, outward. The
+// latter are the solids, and of the faces those that bound no region go with them.
 //
 // Arrays are text, base64 in the place of the text, or a part of one block at the end of the file, which may be
 // raw bytes: then the file is no XML from there on. So the parser (expat) is stopped at the tag that opens this
@@ -158,10 +162,11 @@ class VtpReader {
   MeshData read() {
     const XmlElement& root = tree_.root();
     read_head(root);
-    const XmlElement* data = root.child("PolyData");
-    if (data == nullptr) fail(root, "the file has no element PolyData: write the surface again");
+    const std::string type = root.attribute("type");
+    const XmlElement* data = root.child(type.c_str());
+    if (data == nullptr) fail(root, "the file has no element " + type + ": write the surface again");
     for (const auto& piece : data->children) {
-      if (piece->name == "Piece") read_piece(*piece);
+      if (piece->name == "Piece") (type == "PolyData" ? read_piece(*piece) : read_grid(*piece));
     }
     return collector_.finish();
   }
@@ -183,7 +188,7 @@ class VtpReader {
   void read_head(const XmlElement& root) {
     if (root.name != "VTKFile")
       fail(root, "the element " + in_quotes(root.name) + " is no VTKFile: it is no file of VTK");
-    if (const std::string type = root.attribute("type"); type != "PolyData") {
+    if (const std::string type = root.attribute("type"); type != "PolyData" && type != "UnstructuredGrid") {
       fail(root, "a VTKFile of type " + in_quotes(type) + " is no surface: write its surface as PolyData");
     }
     const std::string order = root.attribute("byte_order", "LittleEndian");
@@ -253,6 +258,47 @@ class VtpReader {
     }
   }
 
+  void read_grid(const XmlElement& piece) {
+    const std::size_t first = collector_.mesh.point_count(), n = count(piece, "NumberOfPoints");
+    if (n > 0) read_points(piece, n);
+    const std::size_t size = count(piece, "NumberOfCells");
+    const XmlElement* list = piece.child("Cells");
+    if (list == nullptr) fail(piece, "the piece has no element Cells: write it again");
+    const VtkCells cells = read_cells(*list, size);
+    const std::vector<std::int64_t> types = integers(*list, "types");
+    if (types.size() != size) {
+      fail(*list, "there are " + std::to_string(types.size()) + " types of " + std::to_string(size) +
+                      " cells: correct their number");
+    }
+    const auto fail_here = [&](const std::string& text) { fail(*list, text); };
+    const std::vector<char> taken = taken_cells(piece, size);
+    std::optional<VtkNumbers> of_cells = labels(piece, size);
+    for (std::size_t i = 0; i < size; ++i) {
+      std::vector<std::int64_t> points(cells.connectivity.begin() + cells.offsets[i],
+                                       cells.connectivity.begin() + cells.offsets[i + 1]);
+      const VtkKind kind = kind_of_cell(types[i], i, points, fail_here);
+      if (taken[i] == 0) continue;
+      collector_.take_labels(of_cells ? std::optional(of_cells->one(i)) : std::nullopt);
+      collector_.add(kind, points, first, i, fail_here);
+    }
+  }
+
+  /// Of a grid of our own, what does not bound a region twice; else all cells.
+  std::vector<char> taken_cells(const XmlElement& piece, std::size_t size) const {
+    std::vector<char> taken(size, 1);
+    const XmlElement* data = piece.child("CellData");
+    if (data == nullptr) return taken;
+    const auto array = [&](const char* name) -> std::vector<std::int64_t> {
+      for (const auto& child : data->children)
+        if (child->attribute("Name") == name) return numbers(*child).integers;
+      return {};
+    };
+    const std::vector<std::int64_t> dimensions = array("dimension"), bounded = array("regions_bounded");
+    if (dimensions.size() != size || bounded.size() != size) return taken;
+    for (std::size_t i = 0; i < size; ++i) taken[i] = dimensions[i] != 2 || bounded[i] == 0;
+    return taken;
+  }
+
   void read_points(const XmlElement& piece, std::size_t n) {
     const XmlElement* points = piece.child("Points");
     const XmlElement* array = points == nullptr ? nullptr : points->child("DataArray");
@@ -278,19 +324,20 @@ class VtpReader {
     }
   }
 
+  std::vector<std::int64_t> integers(const XmlElement& list, const char* name) const {
+    for (const auto& child : list.children) {
+      if (child->attribute("Name") != name) continue;
+      VtkNumbers found = numbers(*child);
+      if (!found.whole) fail(*child, "cells are lists of whole numbers: correct the type of the array");
+      return std::move(found.integers);
+    }
+    fail(list, std::string("the array ") + name + " is missing here: write the file again");
+  }
+
   VtkCells read_cells(const XmlElement& list, std::size_t n) {
     VtkCells cells;
-    const auto array = [&](const char* name) {
-      for (const auto& child : list.children) {
-        if (child->attribute("Name") != name) continue;
-        VtkNumbers found = numbers(*child);
-        if (!found.whole) fail(*child, "cells are lists of whole numbers: correct the type of the array");
-        return std::move(found.integers);
-      }
-      fail(list, std::string("the array ") + name + " is missing here: write the file again");
-    };
-    cells.connectivity = array("connectivity");
-    const std::vector<std::int64_t> ends = array("offsets");
+    cells.connectivity = integers(list, "connectivity");
+    const std::vector<std::int64_t> ends = integers(list, "offsets");
     cells.offsets.insert(cells.offsets.end(), ends.begin(), ends.end());
     if (cells.size() != n) {
       fail(list, "there are " + std::to_string(cells.size()) + " offsets of " + std::to_string(n) +

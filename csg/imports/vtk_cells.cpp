@@ -93,6 +93,35 @@ void VtkCollector::add(VtkKind kind, std::span<const std::int64_t> points, std::
   ++cell_;
 }
 
+VtkKind kind_of_cell(std::int64_t type, std::size_t number, std::vector<std::int64_t>& points,
+                     const std::function<void(const std::string&)>& fail) {
+  const std::string name = "cell " + std::to_string(number);
+  const auto exactly = [&](std::size_t n) {
+    if (points.size() == n) return;
+    fail(name + " has " + std::to_string(points.size()) + " points, and one of type " + std::to_string(type) +
+         " has " + std::to_string(n) + ": correct the file");
+  };
+  switch (type) {
+    case 1: exactly(1); return VtkKind::vertices;
+    case 2: return VtkKind::vertices;
+    case 3: exactly(2); return VtkKind::lines;
+    case 4: return VtkKind::lines;
+    case 5: exactly(3); return VtkKind::polygons;
+    case 6: return VtkKind::strips;
+    case 7: return VtkKind::polygons;
+    case 8:
+      exactly(4);
+      std::swap(points[2], points[3]);
+      return VtkKind::polygons;
+    case 9: exactly(4); return VtkKind::polygons;
+    default: break;
+  }
+  fail(name + " is of type " + std::to_string(type) +
+       ", and a mesh is made of points, lines and flat polygons (types 1 to 9): write the surface of the grid as "
+       "PolyData");
+  return VtkKind::polygons;
+}
+
 void VtkCollector::add(VtkKind kind, const VtkCells& cells, std::size_t first, const Fail& fail) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto begin = std::size_t(cells.offsets[i]), end = std::size_t(cells.offsets[i + 1]);

@@ -22,6 +22,10 @@ struct VtkNumbers {
   std::vector<std::int64_t> integers;  ///< those of 64 bits without sign as such with one
   std::vector<double> reals;
   std::size_t size() const { return whole ? integers.size() : reals.size(); }
+  /// Number i alone.
+  VtkNumbers one(std::size_t i) const {
+    return whole ? VtkNumbers{true, {integers[i]}, {}} : VtkNumbers{false, {}, {reals[i]}};
+  }
 };
 /// The numbers in as many bytes as they take.
 VtkNumbers numbers_of(std::string_view bytes, VtkType type, bool big_endian);
@@ -33,6 +37,11 @@ struct VtkCells {
   std::vector<std::int64_t> connectivity, offsets{0};
   std::size_t size() const { return offsets.size() - 1; }
 };
+
+/// What cell `number` of a grid is by its type; the points of a pixel are put in the order around it. `fail` is
+/// told of one with volume or curved sides, and of a wrong number of points.
+VtkKind kind_of_cell(std::int64_t type, std::size_t number, std::vector<std::int64_t>& points,
+                     const std::function<void(const std::string&)>& fail);
 
 /// Surfaces, lines and points of a VTK file on their way into a mesh.
 class VtkCollector {

@@ -50,6 +50,10 @@ struct Dispatch {
 
 }  // namespace
 
-std::shared_ptr<const PreparedLeaf> prepare(const Shape& shape) { return std::visit(Dispatch{}, shape); }
+std::shared_ptr<const PreparedLeaf> prepare(const Shape& shape) {
+  const auto* const result = std::get_if<ResultShape>(&shape);
+  if (result != nullptr && result->in_memory != nullptr) return result->in_memory;
+  return std::visit(Dispatch{}, shape);
+}
 
 }  // namespace cnrg

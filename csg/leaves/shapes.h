@@ -18,6 +18,7 @@
 namespace cnrg {
 
 struct MeshData;
+class PreparedLeaf;
 
 /// `{box: {min: [x, y, z], max: [x, y, z]}}`, min < max in every axis.
 struct BoxShape {
@@ -229,7 +230,8 @@ struct CadShape {
 /// `{cnrg: file.json}`: a result read back.
 struct ResultShape {
   std::string file;
-  std::string inside{};  ///< as of a heightfield
+  std::string inside{};                             ///< as of a heightfield
+  std::shared_ptr<const PreparedLeaf> in_memory{};  ///< instead of a file: a result at hand, by `leaf_of`
 };
 
 using Shape = std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape, HullShape, PolygonShape,

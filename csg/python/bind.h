@@ -33,6 +33,12 @@ struct OneResult {
   NodeId node;                                ///< of the tree
 };
 
+/// A result that is a leaf of trees, without a file.
+struct ResultLeaf {
+  Result result;
+  std::shared_ptr<const PreparedLeaf> leaf;
+};
+
 /// The classes of cnrg/errors.py for exceptions of the library.
 void bind_errors(py::module_& module);
 void bind_numbers(py::module_& module);

@@ -73,9 +73,12 @@ void bind_evaluation(py::module_& module) {
              return rows;
            })
       .def("diagnostics",
-           [](const EvaluatedTree& e) {
+           [](const EvaluatedTree& e, const std::vector<std::size_t>& kept) {
              constexpr std::size_t kTold = 3;
-             std::vector<Diagnostic> all = e.evaluation.diagnostics;
+             std::vector<NodeId> roots{e.tree->result};
+             for (const std::size_t node : kept) roots.emplace_back(node);
+             std::vector<Diagnostic> all = reading_warnings(*e.tree, roots);
+             all.insert(all.end(), e.evaluation.diagnostics.begin(), e.evaluation.diagnostics.end());
              for (Diagnostic& d : certificate_of(e.evaluation).notices(*e.tree, kTold))
                all.push_back(std::move(d));
              py::list list;

@@ -1,15 +1,46 @@
 // The result of one node, with the numbers that files use.
 #include <pybind11/stl.h>
 
+#include "csg/certify/certificate.h"
+#include "csg/formats/formats.h"
+#include "csg/formats/writer.h"
 #include "csg/result/join.h"
 #include "csg/result/result_data.h"
+#include "csg/transfer/stored_value.h"
 #include "numbers.h"
 #include "results.h"
 #include "watched.h"
 
 namespace cnrg::python {
 
+namespace {
+
+using Materials = std::vector<std::pair<std::string, std::string>>;
+
+/// What a .json of it holds; InputError for what cannot be read back.
+py::bytes json_of(const Result& result) {
+  return apart(py::none(), [held = result](const Watch&) {
+    leaf_of(held);
+    return json_text(held.data().view()).text;
+  });
+}
+
+OneResult of_json(const py::bytes& bytes, const std::string& name, const Materials& materials) {
+  const std::string json = bytes;
+  ResultNames names{.result = name, .leaves = {name}};
+  for (const auto& [material, color] : materials) names.materials.push_back({material, color});
+  return {watched(py::none(), [&](const Watch&) { return result_of_text(json, std::move(names)); }), nullptr, {}};
+}
+
+}  // namespace
+
 void bind_result(py::module_& module) {
+  py::class_<ResultLeaf>(module, "ResultLeaf")
+      .def(py::init([](const OneResult& r) {
+        return ResultLeaf{r.result, watched(py::none(), [&](const Watch&) { return leaf_of(r.result); })};
+      }))
+      .def("json", [](const ResultLeaf& leaf) { return json_of(leaf.result); });
+  module.def("result_of_json", &of_json);
   py::class_<OneResult>(module, "Result")
       .def_property_readonly("name", [](const OneResult& r) { return r.result.name(); })
       .def_property_readonly("component_count", [](const OneResult& r) { return r.result.component_count(); })
@@ -35,9 +66,14 @@ void bind_result(py::module_& module) {
                             {.parameters = parameters, .snap = snap, .binary = binary, .stop = watch.stop});
              });
              std::vector<std::string> notices = report.notices;
+             if (is_cad_file(path) && r.from != nullptr) {
+               const std::string doubt = certificate_of(r.from->evaluation, r.node).doubt(*r.from->tree);
+               if (!doubt.empty()) notices.push_back(doubt);
+             }
              if (report.snapped.rounds > 0) notices.push_back(report.snapped.text());
              return py::make_tuple(report.moved, report.embedded, notices, report.snapped.warnings());
            })
+      .def("json", [](const OneResult& r) { return json_of(r.result); })
       .def("join",
            [](const OneResult& r, const py::handle& distance, const py::object& progress) {
              const Rational within = to_rational(distance, "a distance");

@@ -155,6 +155,14 @@ void bind_result_arrays(py::module_& module) {
              }
              return out;
            })
+      .def("centroids",
+           [](const Object& o) {
+             py::list out;
+             for (const auto& centroid :
+                  watched(py::none(), [&](const Watch& w) { return o.measures().centroids(w); }))
+               out.append(centroid ? py::object(to_fractions(*centroid)) : py::object(py::none()));
+             return out;
+           })
       .def("squared_length",
            [edge](const Object& o, std::size_t i) { return to_fraction(o.measures().squared_length(edge(o, i))); })
       .def("squared_area",

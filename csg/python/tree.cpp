@@ -10,6 +10,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <variant>
 
 #include "bind.h"
 #include "csg/tree/expression.h"
@@ -85,13 +86,24 @@ std::string mesh_text(const MeshData& data) {
   return text + "]";
 }
 
-/// Replaces the empty meshes of the text by those given as arrays.
-void put_meshes(Tree& tree, const std::map<std::string, std::shared_ptr<const MeshData>>& meshes) {
-  for (const auto& [name, data] : meshes) {
+using InMemory = std::map<std::string, std::variant<std::shared_ptr<const MeshData>, ResultLeaf>>;
+
+template <class Shape>
+Shape& shape_of(Node& node) {
+  auto* const shape = node.shape ? std::get_if<Shape>(&*node.shape) : nullptr;
+  if (shape == nullptr) throw InvariantError("the node " + node.name + " is another leaf");
+  return *shape;
+}
+
+/// Replaces what the text only names: the empty meshes by those given as arrays, and results.
+void put(Tree& tree, const InMemory& in_memory) {
+  for (const auto& [name, data] : in_memory) {
     Node& node = tree.nodes[tree.find(name)];
-    auto* const mesh = node.shape ? std::get_if<MeshShape>(&*node.shape) : nullptr;
-    if (mesh == nullptr) throw InvariantError("the node " + name + " is no mesh");
-    mesh->data = data;
+    if (const auto* const mesh = std::get_if<std::shared_ptr<const MeshData>>(&data)) {
+      shape_of<MeshShape>(node).data = *mesh;
+    } else {
+      shape_of<ResultShape>(node).in_memory = std::get<ResultLeaf>(data).leaf;
+    }
   }
 }
 
@@ -261,11 +273,10 @@ class Records {
   }
 };
 
-TreeObject parse(const std::string& text, const std::string& file,
-                 const std::map<std::string, std::shared_ptr<const MeshData>>& meshes, const std::string& inside,
-                 const std::map<std::string, std::string>& parameters) {
+TreeObject parse(const std::string& text, const std::string& file, const InMemory& in_memory,
+                 const std::string& inside, const std::map<std::string, std::string>& parameters) {
   Tree tree = parse_tree(text, file, {inside, parameters});
-  put_meshes(tree, meshes);
+  put(tree, in_memory);
   return {std::make_shared<const Tree>(std::move(tree)), text};
 }
 
@@ -318,7 +329,7 @@ void bind_tree(py::module_& module) {
             return TreeObject{std::make_shared<const Tree>(tree), std::move(text)};
           },
           py::arg("path"), py::arg("inside"), py::arg("parameters"))
-      .def_static("parse", &parse, py::arg("text"), py::arg("file"), py::arg("meshes"), py::arg("inside"),
+      .def_static("parse", &parse, py::arg("text"), py::arg("file"), py::arg("in_memory"), py::arg("inside"),
                   py::arg("parameters"))
       .def_property_readonly("file", [](const TreeObject& t) { return t.tree->file; })
       .def_property_readonly("result", [](const TreeObject& t) { return t.tree->result.index(); })

@@ -128,6 +128,36 @@ std::optional<Rational> Measures::volume(std::size_t region) const {
   return cnrg::volume(result_.complex(), result_.cells().regions[region].cells);
 }
 
+// The tetrahedra from one point to the triangles around the region have signed volumes det / 6 and centres (a + b
+// + c) / 4, seen from that point.
+std::optional<RationalPoint> Measures::centroid(std::size_t region) const {
+  if (arrays_.regions.bounded[region] == 0) return {};
+  std::optional<RationalPoint> base;
+  std::vector<Rational> volumes;
+  std::array<std::vector<Rational>, 3> moments;
+  const auto& shells = arrays_.regions.shells.offsets;
+  for (auto shell = static_cast<std::size_t>(shells[region]); shell < static_cast<std::size_t>(shells[region + 1]);
+       ++shell) {
+    for (const std::int32_t side : list(arrays_.regions.shell_sides, shell)) {
+      const auto& corners = arrays_.faces.triangles;
+      const auto face = static_cast<std::size_t>(side / 2);
+      for (auto t = static_cast<std::size_t>(corners.offsets[face]);
+           t < static_cast<std::size_t>(corners.offsets[face + 1]); ++t) {
+        if (!base) base = point(corners.values[3 * t]);
+        const RationalPoint a = point(corners.values[3 * t]) - *base, b = point(corners.values[3 * t + 1]) - *base,
+                            c = point(corners.values[3 * t + 2]) - *base;
+        const Rational volume = (side % 2 == 0 ? -1 : 1) * dot(a, cross(b, c));
+        for (std::size_t k = 0; k < 3; ++k) moments[k].push_back(volume * (a[k] + b[k] + c[k]));
+        volumes.push_back(volume);
+      }
+    }
+  }
+  const Rational whole = 4 * sum(std::move(volumes));
+  RationalPoint out = *base;
+  for (std::size_t k = 0; k < 3; ++k) out[k] += sum(std::move(moments[k])) / whole;
+  return out;
+}
+
 std::vector<double> Measures::lengths(const Watch& watch) const {
   return of_all<double>(arrays_.edges.component.size(), watch, [&](std::size_t i) { return length(i); });
 }
@@ -150,6 +180,11 @@ std::vector<double> Measures::area_vectors(const Watch& watch) const {
 std::vector<std::optional<Rational>> Measures::volumes(const Watch& watch) const {
   return of_all<std::optional<Rational>>(arrays_.regions.component.size(), watch,
                                          [&](std::size_t i) { return volume(i); });
+}
+
+std::vector<std::optional<RationalPoint>> Measures::centroids(const Watch& watch) const {
+  return of_all<std::optional<RationalPoint>>(arrays_.regions.component.size(), watch,
+                                              [&](std::size_t i) { return centroid(i); });
 }
 
 }  // namespace cnrg

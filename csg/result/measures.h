@@ -33,12 +33,15 @@ class Measures {
 
   /// In cubic units; nothing for a region that is not bounded.
   std::optional<Rational> volume(std::size_t region) const;
+  /// The centre of mass; nothing for a region that is not bounded.
+  std::optional<RationalPoint> centroid(std::size_t region) const;
 
   /// Of all edges, faces and regions, on all threads; vectors three by three, NaN where there is none.
   std::vector<double> lengths(const Watch& watch = {}) const;
   std::vector<double> areas(const Watch& watch = {}) const;
   std::vector<double> area_vectors(const Watch& watch = {}) const;
   std::vector<std::optional<Rational>> volumes(const Watch& watch = {}) const;
+  std::vector<std::optional<RationalPoint>> centroids(const Watch& watch = {}) const;
 
  private:
   RationalPoint point(std::int32_t i) const;

@@ -228,12 +228,7 @@ std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std:
   const result::Cursor root(file);
   result::ResultFile read = result::read_file(root);
   result::Check(root, read).run();
-  const auto forget_origins = [](auto& cells) {  // their leaves are not at hand
-    for (auto& cell : cells) cell.origin.leaves = {}, cell.origin.cells = {};
-  };
-  FlatComplex& cells = read.value.cells;
-  forget_origins(cells.vertices), forget_origins(cells.edges);
-  forget_origins(cells.faces), forget_origins(cells.regions);
+  forget_origins(read.value.cells);
   return leaf_of(std::move(read.value));
 }
 

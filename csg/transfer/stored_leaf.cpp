@@ -12,6 +12,8 @@
 
 #include "csg/leaves/parameters.h"
 #include "csg/result/file_numbers.h"
+#include "csg/result/result_data.h"
+#include "csg/text/escape.h"
 #include "csg/transfer/stored_value.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -152,6 +154,26 @@ StoredValue store(const ResultView& view, FlatComplex cells) {
   out.cells = std::move(cells);
   if (view.volume_bound) out.volume_bound = view.volume_bound();
   return out;
+}
+
+void forget_origins(FlatComplex& cells) {
+  const auto forget = [](auto& list) {
+    for (auto& cell : list) cell.origin.leaves = {}, cell.origin.cells = {};
+  };
+  forget(cells.vertices), forget(cells.edges), forget(cells.faces), forget(cells.regions);
+}
+
+std::shared_ptr<const PreparedLeaf> leaf_of(const Result& result) {
+  const ResultView view = result.data().view(true);
+  FlatComplex cells = flatten(view);
+  if (!cells.frame_points.empty()) {
+    throw InputError("`" + shown(result.name()) +
+                     "` has no bounds, and those of a leaf must have some; cut the node with a box before");
+  }
+  forget_origins(cells);
+  StoredValue stored = store(view, std::move(cells));
+  if (!view.volume_bound) stored.volume_bound = std::nullopt;
+  return leaf_of(std::move(stored));
 }
 
 }  // namespace cnrg

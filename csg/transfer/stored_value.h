@@ -45,6 +45,10 @@ struct StoredValue {
 std::unique_ptr<PreparedLeaf> leaf_of(StoredValue value);
 /// That of a result, as a file of it would have it, but with origins; all of it must have bounds.
 StoredValue store(const ResultView& view, FlatComplex cells);
+/// For a value whose leaves are not at hand.
+void forget_origins(FlatComplex& cells);
+/// A result as a leaf, without a file. InputError for what has no bounds.
+std::shared_ptr<const PreparedLeaf> leaf_of(const Result& result);
 
 namespace result {
 

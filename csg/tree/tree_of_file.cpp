@@ -1,8 +1,11 @@
 #include "csg/tree/tree_of_file.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <set>
+#include <string_view>
 
 #include "csg/imports/mesh_file.h"
 #include "csg/openscad/openscad_tree.h"
@@ -57,6 +60,20 @@ std::optional<std::pair<Shape, const char*>> shape_of(const std::string& path) {
   return std::nullopt;
 }
 
+/// Files of programs and of our own that are no trees, and that no leaf reads.
+void refuse_others(const std::string& path) {
+  const std::string extension = extension_of(path);
+  const auto is = [&](std::initializer_list<std::string_view> those) {
+    return std::find(those.begin(), those.end(), extension) != those.end();
+  };
+  std::string remedy;
+  if (is({".ifc"})) remedy = "convert it to .step or .obj, such as by IfcConvert";
+  if (is({".dxf", ".dwg", ".igs", ".iges", ".sat", ".x_t"})) remedy = "export it as .step";
+  if (is({".msh", ".mesh", ".smesh", ".poly", ".inp", ".bdf", ".h5m", ".med", ".xdmf", ".3mf", ".glb", ".gltf"}))
+    remedy = "write a result as .json, which is exact, or a surface as .stl, .ply or .vtu";
+  if (!remedy.empty()) throw TreeError(path, {}, "a " + extension + " file is not read; " + remedy);
+}
+
 /// The tree in the text that `read` gives.
 template <class Read>
 Tree tree_in(const std::string& file, const ReadOptions& options, Read read) {
@@ -83,7 +100,10 @@ Tree read_tree_from_input(const ReadOptions& options) {
 
 Tree tree_of_file(const std::string& path, const ReadOptions& options) {
   auto found = shape_of(path);
-  if (!found) return read_tree(path, options);
+  if (!found) {
+    refuse_others(path);
+    return read_tree(path, options);
+  }
   for (const auto& [name, text] : options.parameters) {
     if (options.unknown != nullptr) options.unknown->insert(name);
   }

@@ -15,8 +15,8 @@ namespace {
 using Catch::Contains;
 using Words = std::vector<std::string>;
 
-const char* const kCommands[] = {"eval",    "check",  "locate", "explain", "view",      "mesh",
-                                 "compare", "tables", "schema", "manual",  "completion"};
+const char* const kCommands[] = {"eval",    "check",  "locate", "explain", "view",       "mesh",
+                                 "compare", "tables", "schema", "manual",  "completion", "help"};
 
 std::string plain(std::string text) {
   for (const auto& [from, to] : {std::pair("\\fB", ""), std::pair("\\fI", ""), std::pair("\\fR", ""),
@@ -125,6 +125,8 @@ TEST_CASE("bash completes commands, options, files, nodes and choices", "[app][m
     CHECK(std::set<std::string>(found.begin(), found.end()) == known);
   }
   CHECK(completed(w, {"cnrg", "eval", "--th"}) == Words{"--threads"});
+  CHECK(completed(w, {"cnrg", "completion", ""}) == Words{"bash", "fish", "zsh"});
+  CHECK(completed(w, {"cnrg", "help", "c"}) == Words{"check", "compare", "completion"});
 
   CHECK(completed(w, {"cnrg", "eval", ""}) == Words{"models", "my model.json", "slope.yaml"});
   CHECK(completed(w, {"cnrg", "eval", "s"}) == Words{"slope.yaml"});

@@ -25,9 +25,9 @@ TEST_CASE("faults of options name the nearest one and the right help", "[app][me
   CHECK_THAT(fault("mesh t.yaml -o m.msh --qualitie=2"), Contains("did you mean `--quality`?"));
   CHECK(fault("mesh t.yaml -o m.msh --qualty 1.4") ==
         "cnrg: error: not expected: --qualty 1.4; did you mean `--quality`? see `cnrg mesh --help`\n");
-  CHECK(fault("mesh t.yaml -o m.msh -q 1.4") ==
-        "cnrg: error: not expected: -q 1.4; did you mean `--quality` or `--quads` or `--quiet`? see `cnrg mesh "
-        "--help`\n");
+  CHECK(fault("mesh t.yaml -o m.msh -g 1.4") ==
+        "cnrg: error: not expected: -g 1.4; did you mean `--growth`? see `cnrg mesh --help`\n");
+  CHECK_THAT(fault("eval t.yaml -t"), Contains("did you mean `--trace` or `--topology` or `--threads`?"));
   CHECK(fault("check t.yaml -z") == "cnrg: error: not expected: -z; see `cnrg check --help`\n");
   CHECK_THAT(fault("locate t.yaml --zzzzzz"),
              !Contains("did you mean") && EndsWith("; see `cnrg locate --help`\n"));
@@ -61,7 +61,7 @@ TEST_CASE("an empty name on the command line is told as such", "[app][messages]"
     CHECK(o.status == 2);
     CHECK_THAT(o.err, StartsWith("cnrg: error: ") && Contains(": the name is empty; see `cnrg "));
   }
-  CHECK(w.run("eval t.yaml -o ''").err == "cnrg: error: -o: the name is empty; see `cnrg eval --help`\n");
+  CHECK(w.run("eval t.yaml -o ''").err == "cnrg: error: --output: the name is empty; see `cnrg eval --help`\n");
   CHECK_FALSE(std::filesystem::exists(w.path("a.json")));
 }
 

@@ -212,6 +212,52 @@ TEST_CASE("VTK's XML and its variants") {
   check_vtk_tetrahedron(files.write("d.vtp", binary("DAAAAAAAAAEAAAABAAAAAQ==")));
 }
 
+std::string vtu(const std::string& cells, const std::string& types, const std::string& data = "") {
+  return "<VTKFile type=\"UnstructuredGrid\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"4\" NumberOfCells=\"" +
+         std::to_string(std::count(types.begin(), types.end(), ' ') + 1) + "\">\n" + points(kXmlPoints) +
+         "<Cells>\n" + cells + array("UInt8", "types", types) + "</Cells>\n" + data +
+         "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+TEST_CASE("unstructured grids in VTK's XML") {
+  const Files files;
+  const auto lists = [](const std::string& connectivity, const std::string& offsets) {
+    return array("Int64", "connectivity", connectivity) + array("Int64", "offsets", offsets);
+  };
+  const std::string polys = lists("0 2 1 0 1 3 1 2 3 2 0 3", "3 6 9 12");
+  check_vtk_tetrahedron(files.write("a.vtu", vtu(polys, "5 5 7 5")));
+  const MeshData all =
+      read_mesh(files.write("b.vtu", vtu(lists("3 0 1 0 2 1 1 2 3 0 1 2 3", "1 3 6 9 13"), "1 3 5 5 8",
+                                         "<CellData>" + array("Int32", "label", "1 1 7 8 8") + "</CellData>")),
+                true);
+  CHECK(all.points == std::vector<std::uint32_t>{3});
+  CHECK(all.wires == std::vector<std::array<std::uint32_t, 2>>{{0, 1}});
+  CHECK(all.corners == std::vector<std::uint32_t>{0, 2, 1, 1, 2, 3, 0, 1, 3, 2});
+  CHECK(all.groups.size() == 3);
+  CHECK(all.groups[0] != all.groups[1]);
+  CHECK(all.groups[1] == all.groups[2]);
+  // Of a file of our own, a region and what bounds none.
+  const std::string twice = lists("0 2 1 0 1 3 1 2 3 2 0 3 0 1 2 1 2 3", "3 6 9 12 15 18");
+  const auto ours = [&](const std::string& dimension, const std::string& bounded) {
+    return read_mesh(files.write("c.vtu", vtu(twice, "5 5 5 5 5 5",
+                                              "<CellData>" + array("Int32", "dimension", dimension) +
+                                                  array("Int32", "regions_bounded", bounded) + "</CellData>")),
+                     true)
+        .face_count();
+  };
+  CHECK(ours("3 3 3 3 2 2", "-1 -1 -1 -1 1 0") == 5);
+  CHECK(ours("3 3 3 3 2 2", "-1 -1 -1 -1 2 1") == 4);
+  const auto error = [&](const std::string& text) {
+    return error_of(MeshShape{files.write("bad.vtu", text), {}, false});
+  };
+  CHECK_THAT(error(vtu(lists("0 1 2 3", "4"), "10")),
+             Contains("bad.vtu") && Contains("cell 0 is of type 10") && Contains("write the surface of the grid"));
+  CHECK_THAT(error(vtu(polys, "5 5 5 9")), Contains("cell 3 has 3 points, and one of type 9 has 4"));
+  CHECK_THAT(error(vtu(lists("0 2 1", "3"), "5 5")), Contains("1 offsets of 2 cells"));
+  CHECK_THAT(error(vtu(lists("0 2 9", "3"), "5")), Contains("polygon 0 has the point 9"));
+  CHECK_THAT(error("<VTKFile type=\"UnstructuredGrid\"/>"), Contains("no element UnstructuredGrid"));
+}
+
 TEST_CASE("VTK's XML that is broken") {
   const Files files;
   const auto error = [&](const std::string& text) {
@@ -230,8 +276,8 @@ TEST_CASE("VTK's XML that is broken") {
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<a>";
   CHECK_THAT(error(deep), Contains("nested too deep"));
-  CHECK_THAT(error("<VTKFile type=\"UnstructuredGrid\"/>"),
-             Contains("a VTKFile of type 'UnstructuredGrid' is no surface: write its surface as PolyData"));
+  CHECK_THAT(error("<VTKFile type=\"ImageData\"/>"),
+             Contains("a VTKFile of type 'ImageData' is no surface: write its surface as PolyData"));
   CHECK_THAT(error("<VTKFile type=\"PolyData\"/>"), Contains("no element PolyData"));
   CHECK_THAT(error(vtp("", " byte_order=\"Middle\"")), Contains("bad.vtp:2: error: the byte_order 'Middle'"));
   CHECK_THAT(error(vtp("", " header_type=\"UInt16\"")), Contains("the header_type 'UInt16'"));

@@ -70,6 +70,9 @@ TEST_CASE("the manual page and the completions are installed, and are those of t
   succeed(w, kInstall);
   CHECK(w.read("installed/share/man/man1/cnrg.1") == succeed(w, "installed/bin/cnrg manual"));
   CHECK(w.read("installed/share/bash-completion/completions/cnrg") == succeed(w, "installed/bin/cnrg completion"));
+  CHECK(w.read("installed/share/zsh/site-functions/_cnrg") == succeed(w, "installed/bin/cnrg completion zsh"));
+  CHECK(w.read("installed/share/fish/vendor_completions.d/cnrg.fish") ==
+        succeed(w, "installed/bin/cnrg completion fish"));
   CHECK(w.read("installed/share/cnrg/tree.schema.json") == succeed(w, "installed/bin/cnrg schema"));
   CHECK(succeed(w, "MANPATH=\"$PWD/installed/share/man\" man -w cnrg").find("cnrg.1") != std::string::npos);
   CHECK(

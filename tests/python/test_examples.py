@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 FOLDER = Path(os.environ["CNRG_SOURCES"]) / "csg/python/examples"
-OTHERS = ("h5py", "meshio")  # packages that some of them show how to work with
+OTHERS = ("dask", "h5py", "meshio")  # packages that some of them show how to work with
 
 
 def expected(text):

@@ -481,7 +481,7 @@ class Files(Folder):
                 dict(region="low"), dict(region=1), dict(dimension=3, touching=corner), dict(name="low"),
                 dict(region=["low"], inside=[low, high]),
             ],
-            (0, 0, 0, 0): [dict(attributes={"diameter": "25"}), dict(region="1")],
+            (0, 0, 0, 0): [dict(attributes={"diameter": "25"})],
         }
         for counts, criteria in picked.items():
             for given in criteria:

@@ -72,7 +72,8 @@ TEST_CASE("what was probably meant is said", "[tree][errors]") {
               {"`rotate` must be a map, such as {axis: [0, 0, 1], degrees: 90}, not a list of 3"});
   expect_node("simplify: p, mirror: 1", 22,
               {"`mirror` must be a map, such as {normal: [1, 0, 0], point: [0, 0, 0]}"});
-  expect_node("cnrg: x.vtu", 7, {"`x.vtu` is none; write the result by `cnrg eval -o` as .json"});
+  expect_node("cnrg: x.msh", 7, {"`x.msh` is none; write the result by `cnrg eval -o` as .json"});
+  expect_node("cnrg: x.vtu", 7, {"{mesh: {file: x.vtu}}"});
   expect_node("cnrg: part.PLY", 7, {"{mesh: {file: part.PLY}}"});
   expect_node("cnrg: part.stp", 7, {"{step: {file: part.stp}}"});
   expect_node("cnrg: part.brep", 7, {"{brep: {file: part.brep}}"});

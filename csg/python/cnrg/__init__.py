@@ -12,8 +12,11 @@
 A node is an expression, as a tree file has it, and means the same. Everything is computed in exact arithmetic.
 """
 
+import typing as _typing
+
+from . import habits as _habits
 from ._cnrg import __version__
-from .cells import Cells, Component, Edges, Faces, Lists, Regions, Said, SaidTable, Vertices
+from .cells import Cells, Component, Edges, Faces, Lists, Region, Regions, Said, SaidTable, Vertices
 from .errors import Error, FileError, InputError, InvariantError, Notice, Stopped
 from .evaluation import Certificate, Diagnostic, Evaluation, Row, UncertainPlace, evaluate
 from .nodes import (
@@ -28,9 +31,9 @@ from .nodes import (
     material,
     product,
     subtract,
-    sum,
     union,
 )
+from .nodes import sum as sum
 from .pictures import View
 from .result import Places, Result
 from .shapes import (
@@ -64,7 +67,7 @@ from .surface import Meshed, SurfaceMesh
 from .tetrahedra import Filled, Simplices, Tetrahedra
 from .tree import Tree, parse, read
 
-# Name by name: checkers of types take no other names for those of users.
+# Name by name: checkers of types take no other names for those of users. `import *` hides nothing of Python: cnrg.sum.
 __all__ = [
     "__version__",
     "Cells",
@@ -87,6 +90,7 @@ __all__ = [
     "Node",
     "Notice",
     "Places",
+    "Region",
     "Regions",
     "Result",
     "Row",
@@ -137,8 +141,13 @@ __all__ = [
     "revolve",
     "sphere",
     "subtract",
-    "sum",
     "tetrahedron",
     "torus",
     "union",
 ]
+
+
+if not _typing.TYPE_CHECKING:  # a checker knows itself what there is
+
+    def __getattr__(name):
+        raise _habits.missing("cnrg", name, __all__)

@@ -18,10 +18,17 @@ from typing import Any, Iterator, Mapping, Sequence, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from .convert import imported
+
 Ints = NDArray[np.int32]
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
 _KINDS = ("point", "wire", "face", "region")
+
+
+def doubles_of(points: Sequence[Any]) -> Floats:
+    """(n, 3) float64: the nearest doubles."""
+    return np.array([[float(x) for x in p] for p in points], dtype=np.float64).reshape(-1, 3)
 
 
 class Lists(Sequence[Any]):
@@ -136,6 +143,17 @@ class Cells:
         """The numbers of those that are part of the result."""
         return np.flatnonzero(self.component).astype(np.int32)
 
+    def to_pandas(self) -> Any:
+        """A pandas.DataFrame with a row for each cell and a column for each array that has one number of it, for each side
+        of a face and end of an edge one. ImportError without pandas."""
+        pandas = imported("pandas", "pandas", "to_pandas")
+        columns = {}
+        for name, values in vars(self).items():
+            if isinstance(values, np.ndarray):
+                parts = [values] if values.ndim == 1 else list(values.T)
+                columns.update({name if len(parts) == 1 else f"{name}_{k}": part for k, part in enumerate(parts)})
+        return pandas.DataFrame({name: part for name, part in columns.items() if name[0] != "_"})
+
     def origin(self, i: int) -> list[tuple[str, str, int]]:
         """Of cell i, each as (name of the leaf, "face", number); kinds are point, wire, face, region."""
         return [(self._leaves[leaf], _KINDS[d], int(n)) for leaf, d, n in self.origin_cells[_number(i, len(self))]]
@@ -158,7 +176,7 @@ class Vertices(Cells):
         self.free: Flags = data["free"]
         """(n,) bool: no edge ends there"""
         self.region: Ints = data["region"]
-        """(n,) int32: the region around a vertex on no edge and no face, else -1"""
+        """(n,) int32: the region around a vertex on no edge and no face, else -1, as for the outside"""
         self.edges: Lists = Lists._of(data["edges"])
         """of each vertex the edges that end there, ascending; one with both ends there twice"""
 
@@ -183,7 +201,7 @@ class Edges(Cells):
         self.slit: Flags = data["slit"]
         """(n,) bool: a face is on both of its sides"""
         self.region: Ints = data["region"]
-        """(n,) int32: the region around a wire, else -1"""
+        """(n,) int32: the region around a wire, else -1, as for the outside"""
         self.around: Lists = Lists._of(data["around"])
         """of each edge the faces about it in radial order, counter-clockwise as seen with the edge pointing towards
         you, each by the side that is met first, 2 * face + side; a slit twice"""
@@ -217,7 +235,8 @@ class Faces(Cells):
         self.isolated: Lists = Lists._of(data["isolated"])
         """of each face the points in its interior that are vertices"""
         self.regions: Ints = data["regions"]
-        """(n, 2) int32: the regions in front and behind; -1 for one that is not listed"""
+        """(n, 2) int32: the regions in front and behind; -1 for the outside, which has no bounds and is no part of the
+        result"""
         self.patch: Ints = data["patch"]
         """(n,) int32: faces with one number are of one patch of a leaf"""
         self.flat: Flags = data["flat"]
@@ -258,18 +277,54 @@ class Faces(Cells):
         return self._arrays.area_vector(_number(i, len(self)))
 
 
+@dataclass(frozen=True)
+class Region:
+    """A region of the result."""
+
+    number: int
+    """among the regions, as in arrays and files"""
+    name: str
+    material: str
+    """"" if it has none"""
+    volume: Fraction | None
+    """exact, in cubic units; None: unbounded"""
+    centroid: tuple[Fraction, Fraction, Fraction] | None
+    """exact"""
+    attributes: Mapping[str, Fraction | str] = field(default_factory=dict, repr=False, hash=False)
+
+
 class Regions(Cells):
-    """Regions: connected pieces of space. Some may be no part of the result, among them mostly the outside."""
+    """Regions: connected pieces of space. Some may be no part of the result, among them mostly the outside; iterated are
+    those that are part of it, as `Region`."""
 
     _kind = "regions"
 
-    def __init__(self, data: dict[str, Any], arrays: Any, leaves: tuple[str, ...]):
+    def __init__(self, data: dict[str, Any], arrays: Any, leaves: tuple[str, ...], components: Sequence[Any] = ()):
         super().__init__(data, arrays, leaves)
+        self._components = components
         self.bounded: Flags = data["bounded"]
         """(n,) bool"""
         self.shells: Lists = Lists._of(data["shells"])
         """of each region the connected parts of its boundary, each a list of sides of faces, 2 * face + side"""
         self._volumes: list[Fraction | None] | None = None
+        self._centroids: list[Any] | None = None
+
+    def __iter__(self) -> Iterator[Region]:
+        for i in self.active.tolist():
+            name, material, _, attributes = self._components[self.component[i] - 1]
+            yield Region(i, name, material, self.exact_volumes[i], self.exact_centroids[i], attributes)
+
+    @property
+    def exact_centroids(self) -> list[tuple[Fraction, Fraction, Fraction] | None]:
+        """Of each the centre of mass; None for one without bounds."""
+        if self._centroids is None:
+            self._centroids = self._arrays.centroids()
+        return list(self._centroids)
+
+    @property
+    def centroids(self) -> Floats:
+        """(n, 3) float64: the nearest doubles; NaN for what has no bounds."""
+        return doubles_of([(np.nan,) * 3 if c is None else c for c in self.exact_centroids])
 
     @property
     def exact_volumes(self) -> list[Fraction | None]:

@@ -1,11 +1,18 @@
-"""Results for other packages. None of them is needed unless it is asked for: each is imported in its function."""
+"""Results for other packages, and their meshes. None of them is needed unless it is asked for: each is imported in its
+function, and their meshes are known by what they have."""
 
 from __future__ import annotations
 
 import importlib
+import warnings
+from functools import partial
 from typing import Any, Mapping, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
+
+from .errors import Notice
+from .place import fault, site_of_caller
 
 # VTK's numbers of cells, of straight and of curved simplices by dimension.
 VERTEX, LINE, TRIANGLE, QUAD, TETRA = 1, 3, 5, 9, 10
@@ -24,6 +31,53 @@ def imported(module: str, package: str, method: str) -> Any:
     except ImportError as error:
         raise ImportError(f"{method} needs the package {package}, which is not here ({error}); install it: "
                           f"pip install {package}") from error
+
+
+def is_mesh(value: Any) -> bool:
+    """A mesh of trimesh (vertices, faces), PyVista (points, faces) or meshio (points, cells)."""
+    has = partial(hasattr, value)
+    return (has("faces") and (has("vertices") or has("points"))) or (has("points") and has("cells_dict"))
+
+
+def arrays_of(mesh: Any) -> tuple[Any, Any]:
+    """Points and faces of such a mesh. InputError for one whose faces do not say all of it."""
+    if not is_mesh(mesh):
+        raise TypeError("mesh: give points and faces, or a mesh of trimesh, PyVista or meshio")
+    if hasattr(mesh, "cells_dict"):
+        return mesh.points, _faces_of_meshio(mesh)
+    if hasattr(mesh, "vertices"):
+        return mesh.vertices, mesh.faces
+    others = [kind for kind in ("lines", "strips", "verts") if getattr(mesh, "n_" + kind, 0)]
+    if others:
+        raise fault(f"mesh: the mesh has {' and '.join(others)} beside faces; take the faces alone, such as by "
+                    ".extract_surface().triangulate()")
+    return mesh.points, _faces_of_vtk(np.asarray(mesh.faces))
+
+
+def _faces_of_vtk(row: NDArray[np.int64]) -> Any:
+    """Faces one after the other, each behind the number of its corners."""
+    if len(row) and len(row) % (row[0] + 1) == 0:
+        table = row.reshape(-1, row[0] + 1)
+        if (table[:, 0] == row[0]).all():
+            return table[:, 1:]
+    faces, at = [], 0
+    while at < len(row):
+        faces.append(row[at + 1 : at + 1 + row[at]])
+        at += 1 + row[at]
+    return faces
+
+
+def _faces_of_meshio(mesh: Any) -> list[Any]:
+    taken = [block for block in mesh.cells if block.type in ("triangle", "quad", "polygon")]
+    left = sorted({block.type for block in mesh.cells} - {block.type for block in taken})
+    if not taken:
+        raise fault(f"mesh: cells of meshio that are triangle, quad or polygon are wanted, not {', '.join(left)}; give "
+                    "the surface of the mesh")
+    if left:
+        warnings.warn_explicit(f"mesh: cells {', '.join(left)} are left out; faces are taken", Notice, *site_of_caller())
+    if len(taken) == 1:
+        return taken[0].data
+    return [face for block in taken for face in block.data]
 
 
 class Block:
@@ -125,3 +179,18 @@ def blocks_to_vtk(points: Any, blocks: Sequence[Block], names: Mapping[str, Sequ
     return to_vtk(points, np.concatenate(kinds) if blocks else np.zeros(0, dtype=np.uint8), offsets,
                   np.concatenate(connectivity) if blocks else np.zeros(0, dtype=np.int64),
                   {name: np.concatenate(parts) for name, parts in data.items()}, names)
+
+
+class ForPyVista:
+    """What has `to_vtk`, for PyVista."""
+
+    def to_vtk(self) -> Any:
+        raise NotImplementedError
+
+    def to_pyvista(self) -> Any:
+        """A pyvista.UnstructuredGrid, as `to_vtk`. ImportError without pyvista."""
+        return imported("pyvista", "pyvista", "to_pyvista").wrap(self.to_vtk())
+
+    def plot(self, **options: Any) -> Any:
+        """A window by PyVista, `to_pyvista().plot(**options)`; `Result.picture` and `.view` need no other package."""
+        return self.to_pyvista().plot(**options)

@@ -11,7 +11,8 @@ from typing import Any, Iterator, Sequence
 
 from . import _cnrg
 from .errors import Notice
-from .nodes import Node, Number, site_of_caller
+from .nodes import Node, Number
+from .place import site_of_caller
 from .progress import Progress, Shown, threads_of
 from .result import Result
 from .tree import Tree
@@ -122,7 +123,7 @@ class Evaluation(Sequence[Row]):
     def notices(self) -> list[Diagnostic]:
         """Notices and warnings, each with its place."""
         out = []
-        for level, file, line, column, message in self._evaluation.diagnostics():
+        for level, file, line, column, message in self._evaluation.diagnostics(self._kept):
             out.append(Diagnostic(level, self._tree.translated(message), *self._tree.site(file, line, column)))
         return out
 

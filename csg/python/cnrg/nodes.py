@@ -12,13 +12,15 @@ from __future__ import annotations
 import difflib
 import os
 import re
-import sys
 from decimal import Decimal
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Union
 
 from . import _cnrg
 from .errors import InputError
+from .habits import missing
+from .operands import Operand, as_nodes
+from .place import Site, fault, site_of_caller
 
 if TYPE_CHECKING:
     from .evaluation import Evaluation
@@ -28,9 +30,6 @@ Number = Union[int, float, str, Fraction, Decimal]
 """Exact: a float is that double, a str is a decimal or a fraction such as "0.1" or "1/3". Numbers of numpy, too."""
 Point = Sequence[Number]
 """Three numbers: a tuple, a list, an array of numpy."""
-
-Site = Tuple[Any, ...]
-"""Where something was made, for messages: file, line, and the column where it is known."""
 
 _PLAIN = re.compile(r"(?:[A-Za-z_][A-Za-z0-9_]*|[-+]?\.?[0-9][0-9A-Za-z./+-]*)\Z")
 _WORDS = {"true", "false", "null", "yes", "no", "on", "off", "y", "n"}  # some reader of YAML takes these for no text
@@ -118,20 +117,6 @@ def text_of(data: Any) -> str:
     if isinstance(data, dict):
         return "{" + ", ".join(f"{quoted(key)}: {text_of(item)}" for key, item in data.items()) + "}"
     return "[" + ", ".join(text_of(item) for item in data) + "]"
-
-
-def site_of_caller() -> Site:
-    """File and line of the innermost call from outside of this package."""
-    here = os.path.dirname(__file__)
-    frame = sys._getframe(1)
-    while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == here:
-        frame = frame.f_back
-    return frame.f_code.co_filename, frame.f_lineno
-
-
-def fault(message: str) -> InputError:
-    """An error at the caller's place."""
-    return InputError(message, *site_of_caller())
 
 
 class Material:
@@ -229,7 +214,7 @@ class Picked:
         self.inside = inside
 
 
-class Node:
+class Node(Operand):
     """A node of a tree: a leaf or an operator, with its attributes.
 
     Operators: `a | b` union, `a & b` intersection, `a - b` difference (of groups, by the tables of Pereira et al.),
@@ -286,19 +271,12 @@ class Node:
     def __deepcopy__(self, memo: Any) -> Node:
         return self
 
-    # Operators of groups.
+    if not TYPE_CHECKING:  # a checker knows itself what there is
 
-    def __or__(self, other: Node) -> Node:
-        """The union: cells of both, and which of two that coincide stays is a matter of dominance."""
-        return _boolean("union", self, other)  # type: ignore[no-any-return]
+        def __getattr__(self, name):
+            from .result import Result
 
-    def __and__(self, other: Node) -> Node:
-        """The intersection."""
-        return _boolean("intersection", self, other)  # type: ignore[no-any-return]
-
-    def __sub__(self, other: Node) -> Node:
-        """The difference: this without the other one's regions."""
-        return _boolean("difference", self, other)  # type: ignore[no-any-return]
+            raise missing("a node", name, Node, Result, "it is of the result, node.evaluate().")
 
     def __invert__(self) -> Node:
         """The complement."""
@@ -413,13 +391,24 @@ class Node:
         """Moved by a vector (units of the model)."""
         return self.with_(translate=vector)
 
-    def rotate(self, axis: Point, degrees: Number, center: Point | None = None) -> Node:
+    def rotate(self, axis: Point, degrees: Number | None = None, center: Point | None = None) -> Node:
         """Turned about an axis through `center` (the origin) by the right-hand rule. About coordinate axes multiples
         of 90 degrees are exact; any other angle is off by less than 1e-15, the rotation exactly orthogonal."""
+        if degrees is None:
+            raise TypeError("rotate: an axis and degrees are wanted, such as .rotate([0, 0, 1], 45); three angles are "
+                            "three of these")
         turn: dict[str, Any] = {"axis": axis, "degrees": degrees}
         if center is not None:
             turn["center"] = center
         return self.with_(rotate=turn)
+
+    def transform(self, matrix: Sequence[Sequence[Number]]) -> Node:
+        """Moved by an affine map as other packages have it: four rows of four numbers, the last 0, 0, 0, 1; points are
+        columns. InputError for a perspective."""
+        rows = _exactly(matrix)
+        if len(rows) == 4 and [Fraction(x) for x in rows[3]] == [0, 0, 0, 1]:
+            return self.matrix(rows[:3])
+        raise fault("transform: four rows of four numbers are wanted, the last [0, 0, 0, 1]; three rows: .matrix(rows)")
 
     def scale(self, factor: Number | Point) -> Node:
         """Scaled from the origin by a number or by three; none is 0."""
@@ -537,7 +526,7 @@ def _property(value: Any) -> Any:
 def _listed(what: str, given: Node | Iterable[Node] | None) -> tuple[Node, ...]:
     if given is None:
         return ()
-    return _operands(what, (given,) if isinstance(given, (Node, str)) else tuple(given))
+    return as_nodes(what, (given,))
 
 
 def criterion(key: str, value: Any) -> Any:
@@ -576,27 +565,6 @@ def _exactly(value: Any) -> Any:
     return visit(data)
 
 
-def _boolean(operator: str, a: Node, b: Node) -> Any:
-    if not isinstance(b, Node):
-        return NotImplemented
-    # The list of operands is worked off from the left, so `a - b - c` may be one node.
-    plain = a.operator == operator and not a.attributes and a.key is None and not a.is_inline
-    return made(operator, a.operands + (b,) if plain else (a, b))
-
-
-def _operands(operator: str, nodes: Sequence[Any]) -> tuple[Node, ...]:
-    if len(nodes) == 1 and not isinstance(nodes[0], (Node, str)) and isinstance(nodes[0], Iterable):
-        nodes = tuple(nodes[0])
-    for node in nodes:
-        if isinstance(node, str):
-            raise TypeError(
-                f"{operator}: a node is wanted, not its name {node!r}; give the variable that holds it, or tree[{node!r}]"
-            )
-        if not isinstance(node, Node):
-            raise TypeError(f"{operator}: nodes are wanted, not {type(node).__name__}")
-    return tuple(nodes)
-
-
 def made(
     operator: str,
     operands: Iterable[Node] = (),
@@ -630,14 +598,14 @@ def union(
     number is that of the value; without it the operand with the larger number dominates. blend: "linear" mixes the
     materials of regions that overlap."""
     given = _attributes({"dominance": dominance, "blend": blend, **attributes})
-    return made("union", _operands("union", nodes), attributes=given)
+    return made("union", as_nodes("union", nodes), attributes=given)
 
 
 def intersection(*nodes: Node, dominance: Number | str | None = None, **attributes: Any) -> Node:
     """The intersection of groups, from left to right; dominance as of `union`."""
     return made(
         "intersection",
-        _operands("intersection", nodes),
+        as_nodes("intersection", nodes),
         attributes=_attributes({"dominance": dominance, **attributes}),
     )
 
@@ -646,41 +614,41 @@ def difference(*nodes: Node, dominance: Number | str | None = None, **attributes
     """The first group without the others, from left to right; dominance as of `union`."""
     return made(
         "difference",
-        _operands("difference", nodes),
+        as_nodes("difference", nodes),
         attributes=_attributes({"dominance": dominance, **attributes}),
     )
 
 
 def sum(*nodes: Node, dominance: Number | str | None = None, **attributes: Any) -> Node:  # noqa: A001
     """The sum of components (Rossignac and Requicha): where operands overlap are components of their own."""
-    return made("sum", _operands("sum", nodes), attributes=_attributes({"dominance": dominance, **attributes}))
+    return made("sum", as_nodes("sum", nodes), attributes=_attributes({"dominance": dominance, **attributes}))
 
 
 def product(*nodes: Node, dominance: Number | str | None = None, **attributes: Any) -> Node:
     """The product of components: what all operands have in common."""
-    return made("product", _operands("product", nodes), attributes=_attributes({"dominance": dominance, **attributes}))
+    return made("product", as_nodes("product", nodes), attributes=_attributes({"dominance": dominance, **attributes}))
 
 
 def subtract(*nodes: Node, **attributes: Any) -> Node:
     """The components of the first operand without the point sets of the others."""
-    return made("subtract", _operands("subtract", nodes), attributes=_attributes(attributes))
+    return made("subtract", as_nodes("subtract", nodes), attributes=_attributes(attributes))
 
 
 def aggregate(*nodes: Node, **attributes: Any) -> Node:
     """Values that do not overlap, side by side: each stays a component."""
-    return made("aggregate", _operands("aggregate", nodes), attributes=_attributes(attributes))
+    return made("aggregate", as_nodes("aggregate", nodes), attributes=_attributes(attributes))
 
 
 def below(surface: Node, within: Node, **attributes: Any) -> Node:
     """What of the solid `within` lies below an open surface that parts it."""
-    return made("below", _operands("below", (surface, within)), attributes=_attributes(attributes))
+    return made("below", as_nodes("below", (surface, within)), attributes=_attributes(attributes))
 
 
 def above(surface: Node, within: Node, **attributes: Any) -> Node:
     """What of the solid `within` lies above an open surface that parts it."""
-    return made("above", _operands("above", (surface, within)), attributes=_attributes(attributes))
+    return made("above", as_nodes("above", (surface, within)), attributes=_attributes(attributes))
 
 
 def complement(node: Node) -> Node:
     """All of space that is not in it."""
-    return _operands("complement", (node,))[0].complement()
+    return as_nodes("complement", (node,))[0].complement()

@@ -8,10 +8,12 @@ is not given has the default of the tree file.
 from __future__ import annotations
 
 import os
-from typing import Any, Mapping, Sequence
+from fractions import Fraction
+from typing import Any, Mapping, Sequence, overload
 
-from . import _cnrg
+from . import _cnrg, convert
 from .errors import InputError
+from .operands import Operand
 from .nodes import MeshArrays, Node, Number, Point, _attributes, _exactly, data_of, exact, fault, leaf, made
 
 Loop = Sequence[Point]
@@ -26,9 +28,40 @@ def _line(value: Any) -> Any:
     return _optional(value)
 
 
-def box(min: Point, max: Point, **attributes: Any) -> Node:  # noqa: A002
-    """A box from its least to its greatest corner. Faces 0 to 5: least x, greatest x, least y, ..., greatest z."""
-    return leaf("box", {"min": _exactly(min), "max": _exactly(max)}, attributes)
+@overload
+def box(min: Point, max: Point, **attributes: Any) -> Node: ...  # noqa: A002
+@overload
+def box(
+    min: Point | None = None, *, size: Number | Point, center: Point | bool | None = None, **attributes: Any  # noqa: A002
+) -> Node: ...
+def box(
+    min: Point | None = None,  # noqa: A002
+    max: Point | None = None,  # noqa: A002
+    *,
+    size: Number | Point | None = None,
+    center: Point | bool | None = None,
+    **attributes: Any,
+) -> Node:
+    """A box from its least to its greatest corner. Faces 0 to 5: least x, greatest x, least y, ..., greatest z.
+
+    Or by its size, one number or three: from `min`, else from the origin; with a `center` around that point, with
+    center=True around the origin.
+    """
+    if size is None:
+        if min is None or max is None or center is not None:
+            raise TypeError("box: give min and max, or size and where wanted min or center")
+        return leaf("box", {"min": _exactly(min), "max": _exactly(max)}, attributes)
+    if max is not None or (min is not None and center is not None):
+        raise TypeError("box: with a size give min or center, or none of them")
+    sides = _exactly(size)
+    sides = [Fraction(x) for x in (sides if isinstance(sides, list) else [sides] * 3)]
+    about = None if center is None or center is False else [0, 0, 0] if center is True else _exactly(center)
+    corner = [Fraction(x) for x in (about if about is not None else [0, 0, 0] if min is None else _exactly(min))]
+    if len(sides) != 3 or len(corner) != 3:
+        raise fault("box: three numbers are wanted, or one for the size of a cube")
+    if about is not None:
+        corner = [x - s / 2 for x, s in zip(corner, sides)]
+    return leaf("box", {"min": _exactly(corner), "max": _exactly([x + s for x, s in zip(corner, sides)])}, attributes)
 
 
 def prism(base: Loop, vector: Point, *, holes: Sequence[Loop] | None = None, **attributes: Any) -> Node:
@@ -46,8 +79,10 @@ def tetrahedron(a: Point, b: Point, c: Point, d: Point, **attributes: Any) -> No
     return leaf("tetrahedron", _exactly([a, b, c, d]), attributes)
 
 
-def hull(points: Loop, **attributes: Any) -> Node:
+def hull(points: Loop, *others: Any, **attributes: Any) -> Node:
     """The convex hull of points that are not all in one plane, a face for each of its planes."""
+    if others or isinstance(points, Operand):
+        raise TypeError("hull: a list of points is wanted; those of nodes: cnrg.hull([*a.evaluate().exact_points, ...])")
     return leaf("hull", _exactly(points), attributes)
 
 
@@ -238,8 +273,9 @@ def _path(path: Any) -> str | None:
     return data_of(os.path.abspath(name)) if name else ""
 
 
-def mesh(points: Any, faces: Any, *, fill: str | None = None, weld: Number | None = None, **attributes: Any) -> Node:
-    """A mesh from arrays.
+def mesh(points: Any, faces: Any = None, *, fill: str | None = None, weld: Number | None = None, **attributes: Any) -> Node:
+    """A mesh from arrays, or from one object: of trimesh (`.vertices`, `.faces`), PolyData of PyVista, or a mesh of
+    meshio, of whose cells triangles, quadrilaterals and polygons are taken.
 
     points: (n, 3), of any float or integer type; each is taken exactly. faces: (m, 3) or (m, k) numbers of points from
         0, or a list of polygons of different sizes; counter-clockwise as seen from outside.
@@ -250,6 +286,10 @@ def mesh(points: Any, faces: Any, *, fill: str | None = None, weld: Number | Non
     """
     import numpy
 
+    if isinstance(points, Operand):
+        raise TypeError("mesh: a result is an operand itself, and result.node the leaf of it")
+    if faces is None:
+        points, faces = convert.arrays_of(points)
     xyz = numpy.asarray(points)
     if xyz.dtype.kind not in "iuf":
         raise TypeError(f"mesh: points must be an array of numbers, not of {xyz.dtype}")
@@ -301,7 +341,7 @@ _NUMBERS = ("chord", "segments", "weld", "base")
 
 
 def load(path: str | os.PathLike[str], **keys: Any) -> Node:
-    """A leaf from a file, by its extension: meshes (.off .obj .stl .ply .vtp .vtk .ts .pl .wl), CAD models (.step .stp
+    """A leaf from a file, by its extension: meshes (.off .obj .stl .ply .vtp .vtu .vtk .ts .pl .wl), CAD models (.step .stp
     .brep), grids of heights (.asc), results (.json of `Result.write`), OpenSCAD (.csg). The path is relative to the current folder. keys:
     those of the leaf in a tree file (fill, weld, chord, segments, unit, solids, seams, coordinates, base), and
     attributes."""

@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Mapping
+from typing import TYPE_CHECKING, Any, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import convert
 from .cells import SaidTable
+from .habits import missing
 
 _DATA = ("cell", "component", "region", "region_front", "region_back", "material", "source_leaf", "source_face")
 
@@ -57,7 +58,7 @@ class Simplices:
         return len(self.cell)
 
 
-class Mesh:
+class Mesh(convert.ForPyVista):
     """What tetrahedra and surface meshes have in common."""
 
     _mesh: Any
@@ -79,6 +80,11 @@ class Mesh:
             data = {"dimension": np.full(len(of), d, dtype=np.int32), **data, **self.said._tags(of.said, d)}
             blocks.append(convert.Block(d, kind, of.points, of.cell, data))
         return [block for block in blocks if len(block.cells)]
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            raise missing("a mesh", name, type(self))
 
     def to_meshio(self) -> Any:
         """A meshio.Mesh: groups are cell_sets and, by number and dimension, field_data. ImportError without meshio."""

@@ -15,67 +15,25 @@ from typing import Any, Callable, Iterable, Iterator, Mapping
 
 from . import _cnrg
 from .errors import Error, InputError
-from .nodes import Exact, Material, MeshArrays, Node, Number, Picked, Site, Text, criterion, data_of, exact, quoted, text_of
+from .named import (
+    mixed, named_regions, of_regions, own_material, own_materials, picked_materials, region_names, sources,
+)
+from .nodes import (
+    Exact, Material, MeshArrays, Node, Number, Picked, Text, criterion, data_of, exact, quoted, text_of,
+)
+from .operands import StoredResult
+from .place import Site
 
 _EXPRESSION = "<expression>"
 _PLACE = re.compile(re.escape(_EXPRESSION) + r":(\d+):(\d+)")
 _LINE = re.compile(r" \(line \d+\)")
 
 
-def _mixed(data: Any) -> Iterator[str]:
-    """The materials that the stops of a graded one name."""
-    for grade in ("linear", "distance"):
-        stops = data.get(grade, {}).get("stops", []) if isinstance(data.get(grade), dict) else []
-        for stop in stops if isinstance(stops, list) else []:
-            mixture = stop[1] if isinstance(stop, list) and len(stop) == 2 else None
-            if isinstance(mixture, str) and not isinstance(mixture, Exact):
-                yield mixture
-            elif isinstance(mixture, dict):
-                yield from mixture
-
-
-def _of_regions(node: Node) -> Iterator[str]:
-    """The materials that the regions of a group name."""
-    regions = node.value.get("regions") if node.operator == "group" and isinstance(node.value, dict) else None
-    for region in regions.values() if isinstance(regions, dict) else ():
-        name = region.get("material") if isinstance(region, dict) else None
-        if isinstance(name, str):
-            yield name
-
-
-def _picked_materials(node: Node) -> list[str]:
-    """The names of the materials by which a node picks."""
-    wanted = node.value.criteria.get("material", []) if isinstance(node.value, Picked) else []
-    return [wanted] if isinstance(wanted, str) else list(wanted)
-
-
-def _sources(node: Node) -> tuple[Node, ...]:
-    """Nodes that a node names beside its operands."""
-    return tuple(chain.from_iterable(node.value.sources.values())) if isinstance(node.value, Picked) else ()
-
-
-def _own_material(node: Node) -> Material | None:
-    return next((value for name, value in node.attributes if name == "material"), None)
-
-
-def _own_materials(node: Node) -> list[Material]:
-    """The materials that the node has or picks by, and those in their stops, at any depth, each once."""
-    own = _own_material(node)
-    listed = [] if own is None else [own]
-    if isinstance(node.value, Picked):
-        listed += node.value.materials
-    seen = {id(m) for m in listed}
-    for m in listed:
-        for inner in m.mixed:
-            if id(inner) not in seen:
-                seen.add(id(inner))
-                listed.append(inner)
-    return listed
-
-
 def _operator_value(node: Node, operand: Callable[[Node], Any], path: Callable[[str], str]) -> Iterator[Any]:
     """The value of the operator's key in pieces: texts, and what `operand` makes of operands."""
-    if isinstance(node.value, MeshArrays):
+    if isinstance(node.value, StoredResult):
+        yield node.value.leaf
+    elif isinstance(node.value, MeshArrays):
         keys = "".join(f", {key}: {text_of(value)}" for key, value in node.value.keys.items())
         yield node.value.arrays
         yield keys + "}"
@@ -128,18 +86,23 @@ def _attribute_text(node: Node) -> str:
     return text
 
 
+def _in_place_of(leaf: Any) -> str:
+    """What stands in a text for what is handed over in memory."""
+    return "{points: [], faces: []" if isinstance(leaf, _cnrg.MeshData) else "memory"
+
+
 def check_form(node: Node) -> None:
     """Raises InputError if the reader of tree files does not take the node. Operands are not looked at again: points
     stand in their place, two of them for a list of any length."""
-    names = {name for name in _of_regions(node)}
-    own = _own_material(node)
+    names = {name for name in of_regions(node)}
+    own = own_material(node)
     if own is not None:
         names.add(own.name)
-    names.update(_picked_materials(node))
+    names.update(picked_materials(node))
     is_short = len(node.operands) <= 2 or isinstance(node.value, Picked)
     short = node if is_short else Node(node.operator, node.operands[:2], node.value, node.attributes)
     value = "".join(
-        "{points: [], faces: []" if isinstance(piece, _cnrg.MeshData) else piece
+        piece if isinstance(piece, str) else _in_place_of(piece)
         for piece in _operator_value(short, lambda below: "p", lambda path: path)
     )
     text = "cnrg: 1\n" + (f"materials: {{{', '.join(quoted(name) + ': {}' for name in sorted(names))}}}\n" if names else "")
@@ -149,7 +112,7 @@ def check_form(node: Node) -> None:
 
 def check_material(m: Material) -> None:
     """Raises InputError for a material that the reader of tree files does not take."""
-    materials = [f"{quoted(name)}: {{}}" for name in sorted(set(_mixed(m.data)) - {m.name})]
+    materials = [f"{quoted(name)}: {{}}" for name in sorted(set(mixed(m.data)) - {m.name})]
     materials.append(f"{quoted(m.name)}: {_material_text(m, 'p')}")
     text = f"cnrg: 1\nmaterials: {{{', '.join(materials)}}}\nnodes: {{p: {{points: [[0, 0, 0]]}}}}\nresult: p\n"
     _checked_text(text, m.site)
@@ -170,6 +133,14 @@ def _material_text(m: Material, to: str | None) -> str:
     return text_of(data)
 
 
+def _text_for_file(piece: Any, leaf: Node) -> str:
+    """The mesh or result of a leaf in the text of a file."""
+    if isinstance(piece, _cnrg.MeshData):
+        return "{" + piece.text()
+    raise InputError(f"the result {leaf.value.name!r} stands in no file, and a tree names a file: write it, "
+                     'result.write("part.json"), and build on cnrg.load("part.json")', *leaf.site)
+
+
 class _Text:
     """The text of a tree, with the place of each node in it."""
 
@@ -178,7 +149,7 @@ class _Text:
         self.nodes = self._listed(list(roots), list(order))
         self.keys = self._named()
         self.materials = self._declared(materials)
-        self.meshes: dict[str, Any] = {}
+        self.in_memory: dict[str, Any] = {}
         self._places: list[tuple[int, int, int, Node]] = []  # line, columns from and to, node
 
     def _listed(self, roots: list[Node], order: list[Node]) -> list[Node]:
@@ -194,14 +165,14 @@ class _Text:
                 elif id(node) not in seen:
                     seen.add(id(node))
                     stack.append((node, True))
-                    stack.extend((own.to, False) for own in _own_materials(node) if own.to is not None)
-                    stack.extend((source, False) for source in _sources(node))
+                    stack.extend((own.to, False) for own in own_materials(node) if own.to is not None)
+                    stack.extend((source, False) for source in sources(node))
                     stack.extend((below, False) for below in reversed(node.operands))
         place = {id(node): i for i, node in enumerate(order)}
         known = [node for node in listed if id(node) in place]
         self._inline = {id(node) for node in listed if node.is_inline and all(node is not root for root in roots)}
         for node in listed:  # what a distance is measured to, or a selection is from, needs a name
-            named = [own.to for own in _own_materials(node)] + list(_sources(node))
+            named = [own.to for own in own_materials(node)] + list(sources(node))
             self._inline -= {id(other) for other in named if other is not None}
         return sorted(known, key=lambda node: place[id(node)]) + [n for n in listed if id(n) not in place]
 
@@ -242,22 +213,39 @@ class _Text:
         for m in given:
             declare(m)
         for node in self.nodes:
-            for m in _own_materials(node) + [Material(name, {}, None, node.site) for name in _of_regions(node)]:
+            for m in own_materials(node) + [Material(name, {}, None, node.site) for name in of_regions(node)]:
                 declare(m)
+        for node in self.nodes:
+            if isinstance(node.value, StoredResult):
+                for name, color in node.value.materials:
+                    declared.setdefault(name, Material(name, {"color": color} if color else {}, None, node.site))
         for m in list(declared.values()):
-            for name in _mixed(m.data):
+            for name in mixed(m.data):
                 if name not in declared:
                     declared[name] = Material(name, {}, None, m.site)
         for node in self.nodes:
-            for name in _picked_materials(node):
+            for name in picked_materials(node):
                 if name not in declared:
                     near = difflib.get_close_matches(name, declared, 1)
                     hint = f"did you mean {near[0]!r}?" if near else f"if a file has it, give cnrg.material({str(name)!r})"
                     raise InputError(f"select: no node has the material {str(name)!r}; {hint}", *node.site)
         return list(declared.values())
 
+    def check_regions(self) -> None:
+        """InputError where a node picks a region by a name that none can have."""
+        known = region_names(self.nodes, self.keys.values())
+        if known is None:
+            return
+        for node in self.nodes:
+            for name in named_regions(node):
+                if name not in known:
+                    near = difflib.get_close_matches(name, known, 1)
+                    hint = f"did you mean {near[0]!r}?" if near else "result.selectables() lists what there is"
+                    hint = "a number is no text" if name.isdecimal() else hint
+                    raise InputError(f"select: no region can have the name {name!r}; {hint}", *node.site)
+
     def write(self, result: Node, path: Callable[[str], str], for_file: bool) -> str:
-        """The text. For a file meshes stand in it; otherwise they are in `meshes`, and empty ones in their place."""
+        """The text. For a file meshes stand in it; otherwise they are in `in_memory`, as results are."""
         lines = ["cnrg: 1"]
         if self._weld is not None:
             lines.append(f"weld: {self._weld}")
@@ -313,12 +301,13 @@ class _Text:
                 begin, made = open_.pop()
                 self._places.append((line, begin, column, made))
                 continue
-            elif isinstance(piece, _cnrg.MeshData):
+            elif not isinstance(piece, str):
+                leaf = open_[-1][1]
                 if for_file:
-                    piece = "{" + piece.text()
+                    piece = _text_for_file(piece, leaf)
                 else:
-                    self.meshes[self.keys[id(open_[-1][1])]] = piece
-                    piece = "{points: [], faces: []"
+                    self.in_memory[self.keys[id(leaf)]] = piece
+                    piece = _in_place_of(piece)
             texts.append(piece)
             column += len(piece)
         return "".join(texts)
@@ -353,6 +342,7 @@ class Tree:
         if not nodes or not all(isinstance(node, Node) for node in nodes):
             raise TypeError("a tree is made of one node or more")
         text = _Text(nodes, (), (), None if weld is None else exact(weld))
+        text.check_regions()
         return Tree._parsed(text, nodes[0])
 
     @staticmethod
@@ -361,7 +351,7 @@ class Tree:
         words = text.write(result, os.path.abspath, False)
         tree = Tree({text.keys[id(n)]: n for n in text.nodes if id(n) in text.keys}, result, text, None, text.materials)
         with tree.placed():
-            tree._tree = _cnrg.Tree.parse(words, _EXPRESSION, text.meshes, inside, {})
+            tree._tree = _cnrg.Tree.parse(words, _EXPRESSION, text.in_memory, inside, {})
         return tree
 
     @property
@@ -481,14 +471,16 @@ class _Placed:
 
 
 def read(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str] | Mapping[str, Any],
     *,
     inside: str | os.PathLike[str] | None = None,
     parameters: Mapping[str, Number] | None = None,
 ) -> Tree:
-    """Reads a tree file (YAML or JSON). inside: a folder that every file named in the tree must lie in, for trees that
+    """Reads a tree file (YAML or JSON), or a map that says what such a file does. inside: a folder that every file named in the tree must lie in, for trees that
     are not trusted. parameters: numbers in place of those that the tree gives its parameters. InputError with line and column for a fault, FileError for a file that cannot be read. Leaves and
     their files are looked at by `.check()` and `.evaluate()`."""
+    if isinstance(path, Mapping):
+        return parse(text_of(data_of(path)), inside=inside, parameters=parameters)
     name = os.fspath(path)
     tree = _cnrg.Tree.read(name, "" if inside is None else os.fspath(inside), _given(parameters))
     return _as_expressions(tree, name)
@@ -592,7 +584,7 @@ def _as_expressions(tree: Any, file: str) -> Tree:
     for m in materials.values():
         if m.to is not None:
             m.to = nodes[m.to]  # type: ignore[call-overload]
-        m.mixed = tuple(materials[name] for name in _mixed(m.data))
+        m.mixed = tuple(materials[name] for name in mixed(m.data))
     ordered = [materials[name] for name in graded]
     known: dict[str, Node] = {}
     for r, n in zip(records, nodes):  # inline ones come last, and give way

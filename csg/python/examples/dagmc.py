@@ -10,12 +10,15 @@ by the tag GEOM_SENSE_2 the volume behind and the one in front of these; a set f
 surfaces as children; groups have names such as `mat:fuel`, and the volumes. All is numbered through: nodes, triangles,
 sets. Here the file is read back and each volume summed up over its surfaces, in fractions.
 """
+import warnings
 from fractions import Fraction
 
 import h5py
 import numpy as np
 
 import cnrg
+
+warnings.simplefilter("ignore", cnrg.Notice)  # how near the faces of a file are to their surfaces
 
 # Three solids as a CAD program would give them, in files of their own.
 cell = cnrg.box([-1, -1, 0], [1, 1, 4])
