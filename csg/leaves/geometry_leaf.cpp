@@ -10,6 +10,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 namespace {
@@ -208,20 +209,8 @@ LeafParameters::Corner LeafBuilder::corner(PointId p, const std::array<const Rat
 
 bool LeafBuilder::coplanar(PointId a, PointId b, PointId c, PointId d) const {
   const std::array<PointId, 4> all{a, b, c, d};
-  if (std::ranges::none_of(all, [&](PointId p) { return soup_.rational(p) != nullptr; })) {
-    // By doubles, where their error leaves no doubt (shewchuk1997, orient3d).
-    double m[3][3], volume = 0, most = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) m[i][k] = soup_.xyz(all[i])[k] - soup_.xyz(d)[k];
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t y = (k + 1) % 3, z = (k + 2) % 3;
-      const double p = m[1][y] * m[2][z], q = m[1][z] * m[2][y];
-      volume += m[0][k] * (p - q);
-      most += std::abs(m[0][k]) * (std::abs(p) + std::abs(q));
-    }
-    if (most > 1e-250 && std::abs(volume) > 1e-15 * most) return false;
-  }
+  if (std::ranges::none_of(all, [&](PointId p) { return soup_.rational(p) != nullptr; }))
+    return orient3d(soup_.xyz(a), soup_.xyz(b), soup_.xyz(c), soup_.xyz(d)) == 0;
   return volume6(value(a), value(b), value(c), value(d)) == 0;
 }
 
