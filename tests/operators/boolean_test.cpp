@@ -3,12 +3,12 @@
 
 #include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/paper_classification.h"
 #include "csg/operators/table_engine.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
 #include "tests/catch.h"
 #include "tests/operators/pieces.h"
+#include "tests/oracles/paper_classification.h"
 
 namespace cnrg {
 namespace {

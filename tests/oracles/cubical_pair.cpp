@@ -7,9 +7,9 @@
 #include "csg/operators/boolean.h"
 #include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/paper_classification.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/simplify.h"
+#include "tests/oracles/paper_classification.h"
 
 namespace cubical {
 namespace {
