@@ -4,6 +4,7 @@
 #include <queue>
 
 #include "csg/mesh/improved.h"
+#include "csg/mesh/reach.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
@@ -35,7 +36,7 @@ constexpr ThinShapes kThinShapes[] = {{2, kPerCube}, {24, kPerSquare}};
 /// Edges grow from those of a thin region into what lies beside it.
 constexpr double kBesideThin = 1.8;
 
-double volume_of(const Vector& half) { return 8 * half[0] * half[1] * half[2]; }
+double box_volume(const Vector& half) { return 8 * half[0] * half[1] * half[2]; }
 
 class Estimate {
  public:
@@ -86,17 +87,16 @@ class Estimate {
 
   double size_at(const Vector& p, Index region) const { return std::max(sizes_.at(p, region), least_); }
   double count(const Vector& half, double size) const {
-    return volume_of(half) * std::max(per_cube_ / size / size / size, density_);
+    return box_volume(half) * std::max(per_cube_ / size / size / size, density_);
   }
 
   void add_box() {
-    Vector low = points_[0], high = low, middle, half;
-    for (const Vector& p : points_) {
-      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-    }
+    const Reach reach(points_);
+    least_ = kLeastShare * reach.longest_side();
+    Vector middle, half;
     for (std::size_t k = 0; k < 3; ++k) {
-      middle[k] = low[k] / 2 + high[k] / 2, half[k] = high[k] / 2 - low[k] / 2;
-      least_ = std::max(least_, kLeastShare * 2 * half[k]);
+      const double low = reach.box.lo[k], high = reach.box.hi[k];
+      middle[k] = low / 2 + high / 2, half[k] = high / 2 - low / 2;
     }
     add(middle, half);
   }
@@ -259,14 +259,18 @@ ThinForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
     const MeshForecast mesh = unbounded(view, flat, points, complex_points, watch);
     return {mesh, mesh};
   }
-  const ExpectedTetrahedra expected =
-      sizes.empty() ? expected_tetrahedra(flat, points, mesh_sizes(view, flat, points, {0, kGrowthOfShapes, true}),
-                                          RegionLocator(flat, points), mesher, options.max_volume, watch)
-                    : expected_tetrahedra(flat, points, sizes, *regions, mesher, options.max_volume, watch);
+  const auto expected = [&](bool wide) {  // narrow features ask for nothing where shapes may be flat
+    if (!sizes.empty())
+      return expected_tetrahedra(flat, points, sizes, *regions, mesher, options.max_volume, watch);
+    const MeshSizes features = mesh_sizes(view, flat, points, {0, kGrowthOfShapes, true, false, wide});
+    return expected_tetrahedra(flat, points, features, RegionLocator(flat, points), mesher, options.max_volume,
+                               watch);
+  };
   const auto range = [&](double n) {
     return with_costs(n, n / kFactor, kFactor * for_quality(options.quality) * n, kSecondsEach);
   };
-  ThinForecast mesh{range(expected.good_shapes()), range(expected.flat_shapes())};
+  const ExpectedTetrahedra good = expected(false), flat_ones = sizes.empty() ? expected(true) : good;
+  ThinForecast mesh{range(good.good_shapes()), range(flat_ones.flat_shapes())};
   if (options.keep_boundary) {  // bounds hold where faces leave room for them
     const MeshForecast kept = unbounded(view, flat, points, complex_points, watch);
     for (MeshForecast* one : {&mesh.good, &mesh.flat}) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernel/base/limits.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/refine/box_tree.h"
 
@@ -96,8 +97,7 @@ RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& point
   const auto add_facet = [&](const std::vector<FlatComplex::Loop>& loops) {
     std::vector<Index>& of = facets.emplace_back();
     for (const FlatComplex::Loop& loop : loops) of.insert(of.end(), loop.begin(), loop.end());
-    std::sort(of.begin(), of.end());
-    of.erase(std::unique(of.begin(), of.end()), of.end());
+    sort_unique(of);
   };
   for (Index f = 0; f < flat.faces.size(); ++f) {
     const FlatComplex::Face& face = flat.faces[f];

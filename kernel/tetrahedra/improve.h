@@ -8,8 +8,9 @@
 // for who asks for it.
 //
 // Is it worth its lines? TetGen's own optimization of 82 models (fracture networks, geology, triangle meshes) left
-// 18,420 of 43,729 tetrahedra with a shape below 0.1; these moves leave 510 of 102,784. Vertices in the middle of
-// spheres (klingner2007), beside halves of edges, left 506: they were not.
+// 18,420 of 43,729 tetrahedra with a shape below 0.1; these moves leave 510 of 102,784. New vertices in the middle
+// of spheres (klingner2007), besides halves of edges, left 506; of constrained tetrahedra of 65 models, 1.9 % in
+// place of 2.1 %, in 1.4 of the time: these were not.
 #pragma once
 
 #include <cstdint>

@@ -71,8 +71,7 @@ class Moves {
   bool fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool closing, std::int32_t facet,
                 double bar, double longest);
   bool peel(Index t, Index a, Index b, std::int32_t facet);
-  bool keeps_facets(Index a, Index b) const;
-  bool turned_like(std::int32_t facet, Index before, Index after, Index p, Index q) const;
+  bool turned_like(std::int32_t facet, const Point& before, const Point& after, Index p, Index q) const;
   /// What moves make larger: the worst shape, or less costs.
   double value(const Stars::Tetrahedron& t) const { return aim_ ? -aim_->cost(mesh_, t) : t.shape; }
   double both(double a, double b) const { return aim_ ? a + b : std::min(a, b); }
