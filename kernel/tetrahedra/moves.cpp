@@ -306,9 +306,9 @@ bool Moves::collapse(Index a, Index b, double enough, double longest) {
   return true;
 }
 
-Index Moves::split(Index a, Index b, double part) {
+Index Moves::split(Index a, Index b) {
   const Point &p = mesh_.point(a), &q = mesh_.point(b);
-  const Point m{p[0] + (q[0] - p[0]) * part, p[1] + (q[1] - p[1]) * part, p[2] + (q[2] - p[2]) * part};
+  const Point m{p[0] + (q[0] - p[0]) / 2, p[1] + (q[1] - p[1]) / 2, p[2] + (q[2] - p[2]) / 2};
   const std::int32_t line = mesh_.line(a, b);
   old_ = at_edge(a, b);
   std::int32_t facet = Stars::kNone;

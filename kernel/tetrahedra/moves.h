@@ -40,9 +40,8 @@ class Moves {
   /// Pulls `a` into `b`. All shapes must be above `enough` or above the worst that there was, or all cost less.
   /// `longest`: no new edge is longer (squared length).
   bool collapse(Index a, Index b, double enough, double longest);
-  /// A new vertex on an edge, after that part of the way from a to b; its number, or kNoTetrahedron where
-  /// something would turn.
-  Index split(Index a, Index b, double part = 0.5);
+  /// A new vertex in the middle of an edge; its number, or kNoTetrahedron where something would turn.
+  Index split(Index a, Index b);
   /// A new vertex on an edge, moved to where that is better than before; false, and nothing is done, if there is
   /// no such place. Where costs count.
   bool divide(Index a, Index b);
