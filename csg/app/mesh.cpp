@@ -228,7 +228,7 @@ std::string table_of(const SurfaceTriangles& made, bool quads) {
 /// A mesh of fewer that nothing is asked of is made before somebody has read what it will be.
 constexpr double kWorthTelling = 10'000;
 
-/// Do the options say how many tetrahedra there will be? (What sizes of nodes make is told closely.)
+/// Do the options say how many tetrahedra there will be?
 bool bounds(const TetrahedraOptions& options) {
   return options.size > 0 || options.quality > 0 || options.max_volume > 0;
 }
@@ -376,8 +376,8 @@ int run_mesh(const MeshArguments& arguments) {
       asked.foretold = [&](const MeshForecast& mesh) {
         const char* why = again ? "TetGen has made no mesh to these bounds, so others are made: " : "";
         again = true;
-        bar.foretell("the mesh", mesh.seconds, !is_close(mesh));
-        if (!is_close(mesh) && !bounds(asked) && mesh.tetrahedra < kWorthTelling) return;
+        bar.foretell("the mesh", mesh.seconds, true);
+        if (!bounds(asked) && mesh.tetrahedra < kWorthTelling) return;
         bar.clear();
         tell("notice: " + (why + forecast_text(mesh)));
         if (const double free = double(memory_available()); free > 0 && mesh.bytes > free) {

@@ -10,6 +10,7 @@
 #include "csg/result/solid.h"
 #include "kernel/base/parallel.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/refine/box.h"
 
 namespace cnrg {
 namespace {
@@ -46,10 +47,9 @@ class Collector {
   std::map<cnrg::Attributes, Index, AttributesOrder> said_;
 
   void measure() {
-    CadPoint low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (const CadPoint& p : parts_.points) {
-      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-    }
+    Box box;
+    for (const CadPoint& p : parts_.points) box.extend(p, p);
+    const auto& [low, high] = box;
     if (!parts_.points.empty()) parts_.size = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
   }
 

@@ -106,8 +106,7 @@ std::vector<std::vector<std::size_t>> group_nodes(const Mesh& mesh, std::size_t 
   if (dimension == 2) collect(mesh, 2, mesh.quads, kSecondOrderPoint, nodes);
   if (dimension == 3) collect(mesh, 3, mesh.tetrahedra, kSecondOrderEdges, nodes);
   for (auto& of : nodes) {
-    std::sort(of.begin(), of.end());
-    of.erase(std::unique(of.begin(), of.end()), of.end());
+    sort_unique(of);
   }
   return nodes;
 }

@@ -19,6 +19,7 @@
 #include "csg/materials/attributes.h"
 #include "csg/text/escape.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
@@ -194,8 +195,7 @@ class H5mWriter {
       for (Index t = surface.first; t < surface.end; ++t) {
         for (const Index p : mesh_.triangles[t].points) points.push_back(p + 1);
       }
-      std::sort(points.begin(), points.end());
-      points.erase(std::unique(points.begin(), points.end()), points.end());
+      sort_unique(points);
       contents_.insert(contents_.end(), points.begin(), points.end());
       for (Index t = surface.first; t < surface.end; ++t) contents_.push_back(first_triangle_ + t);
       for (const EntityHandle sense : surface.senses) {

@@ -1,30 +1,13 @@
-// Meshes of a result and their files, step by step: the caller sees the mesh before it is written.
+// Meshes and their files.
 #pragma once
 
 #include <stop_token>
 #include <string>
 #include <vector>
 
-#include "csg/mesh/curved_mesh.h"
-#include "csg/mesh/surface_triangles.h"
-#include "csg/mesh/tetrahedra.h"
-#include "csg/result/result.h"
+#include "csg/mesh/mesh_of_result.h"
 
 namespace cnrg {
-
-/// As tetrahedra.h has it, with the fractions of graded materials.
-TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options);
-/// The same of a result that rounding would break: this one is snapped, and `report` says what that did.
-TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report);
-
-/// As surface_triangles.h has it.
-SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& options);
-/// The same of a result that rounding would break: this one is snapped, and `report` says what that did.
-SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions& options, SnapReport& report);
-
-/// Brings tetrahedra to the true surfaces, with elements of second order (csg/mesh/curved_mesh.h). InputError for
-/// a result that knows no parameters, such as a snapped one.
-CurvedReport curve(const Result& result, TetrahedralMesh& made, const Watch& watch = {});
 
 /// The formats of meshes of second order: those of tetrahedra but .mesh and .h5m. Throws InputError for any other
 /// extension; the message names `others`, which the caller writes itself, too.

@@ -19,7 +19,9 @@
 #include "csg/formats/group_names.h"
 #include "csg/mesh/mesh.h"
 #include "csg/text/escape.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
+#include "kernel/refine/box.h"
 
 namespace cnrg {
 namespace {
@@ -65,9 +67,6 @@ class MshWriter {
  private:
   const Mesh& mesh_;
   std::string text_;
-  struct Box {
-    Vector low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  };
   std::array<std::vector<Box>, 4> boxes_;
   std::array<std::vector<std::string>, 4> names_;          ///< of groups
   std::array<std::vector<std::vector<Index>>, 4> groups_;  ///< of entities
@@ -114,13 +113,8 @@ class MshWriter {
   template <class Simplices, class Edges>
   void extend(std::size_t dimension, const Simplices& simplices, const Edges& edges) {
     for (const auto& s : simplices) {
-      Box& box = boxes_[dimension][s.entity];
-      for (const Index p : mesh_.nodes(s, edges)) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          box.low[k] = std::min(box.low[k], mesh_.points[p][k]);
-          box.high[k] = std::max(box.high[k], mesh_.points[p][k]);
-        }
-      }
+      for (const Index p : mesh_.nodes(s, edges))
+        boxes_[dimension][s.entity].extend(mesh_.points[p], mesh_.points[p]);
     }
   }
   /// The box of each entity; that of a region is the box of what bounds it.
@@ -131,13 +125,8 @@ class MshWriter {
     extend(2, mesh_.triangles, kEdges2);
     extend(2, mesh_.quads, kEdges0);
     for (std::size_t i = 0; i < boxes_[3].size(); ++i) {
-      for (const std::int32_t b : mesh_.entities[3][i].boundary) {
-        const Box& part = boxes_[2][std::size_t(std::abs(b)) - 1];
-        for (std::size_t k = 0; k < 3; ++k) {
-          boxes_[3][i].low[k] = std::min(boxes_[3][i].low[k], part.low[k]);
-          boxes_[3][i].high[k] = std::max(boxes_[3][i].high[k], part.high[k]);
-        }
-      }
+      for (const std::int32_t b : mesh_.entities[3][i].boundary)
+        boxes_[3][i].extend(boxes_[2][std::size_t(std::abs(b)) - 1]);
     }
   }
 
@@ -150,10 +139,10 @@ class MshWriter {
         const auto& entity = mesh_.entities[d][i];
         add(std::int64_t(i + 1));
         text_ += ' ';
-        append(text_, boxes_[d][i].low);
+        append(text_, boxes_[d][i].lo);
         if (d > 0) {
           text_ += ' ';
-          append(text_, boxes_[d][i].high);
+          append(text_, boxes_[d][i].hi);
         }
         const std::vector<Index>& groups = groups_[d][i];
         text_ += ' ' + std::to_string(groups.size()) + ' ';
@@ -327,8 +316,7 @@ class MshWriter {
       normal = n;
       along = minus(b, a);
     }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    sort_unique(points);
     const Vector u = unit(along), v = cross(unit(normal), u), origin = mesh_.points[points[0]];
     text_ += std::to_string(mesh_.triangles[begin].entity + 1) + "\n" + std::to_string(points.size()) + " " +
              std::to_string(end - begin) + "\n";

@@ -3,9 +3,7 @@
 #include "csg/formats/result_file.h"
 
 #include <array>
-#include <exception>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -16,19 +14,13 @@
 #include "csg/formats/writer.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/prepare_shapes.h"
-#include "csg/mesh/material_field.h"
-#include "csg/mesh/straight_order.h"
-#include "csg/result/join.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
-#include "csg/result/vanished.h"
 #include "csg/text/file.h"
 #include "csg/text/plugin.h"
-#include "csg/text/table.h"
 #include "csg/topology/region_graph.h"
 #include "csg/transfer/leaf_value.h"
 #include "kernel/selection/canonical.h"
-#include "kernel/tetrahedra/constrained.h"
 
 namespace cnrg {
 namespace {
@@ -183,231 +175,6 @@ void check_mesh_file_name(const std::string& path, const std::string& others) {
   require_no_directory(path);
   mesh_format_of(path, others);
   require_plugin_of(path);
-}
-
-namespace {
-
-/// As a part of work that has a deadline.
-TetrahedralMesh tetrahedra_in_time(const Result& result, const TetrahedraOptions& options,
-                                   const Deadline& deadline, const TetgenTrial& trial = {}) {
-  const ResultView view = result.data().view();
-  TetrahedralMesh made = tetrahedra(view, options, deadline, trial);
-  sample_materials(view, made.mesh);
-  add_properties(view, made.mesh);
-  if (options.order == 2) add_straight_middles(made.mesh);
-  return made;
-}
-
-/// What `make` makes of a result, or of the snapped one where rounding would break it.
-template <class Make>
-auto snapped_if_broken(Result& result, SnapReport& report, const Watch& watch, const Make& make) {
-  try {
-    return make();
-  } catch (const RoundingFault&) {
-    result = snap(result, &report, watch);
-  }
-  return make();
-}
-
-/// The longest side of the box around a result.
-Rational extent_of(const Result& result) {
-  const ResultView view = result.data().view();
-  const FlatComplex flat = flatten(view, Flattening::shapes);
-  const RoundedPoints points = round_points(view, flat);
-  double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto [low, high] = std::minmax_element(points.xyz.begin(), points.xyz.end(),
-                                                 [&](const auto& p, const auto& q) { return p[k] < q[k]; });
-    longest = std::max(longest, (*high)[k] - (*low)[k]);
-  }
-  return from_double(longest);
-}
-
-/// What is joined so that there is a good mesh, in parts of the extent: some of the last digits of doubles, then
-/// more, and not more than somebody who draws by hand would see. The first ones nobody draws, and they are joined
-/// where that takes nothing away.
-constexpr double kJoined[] = {0x1p-40, 0x1p-32, 0x1p-24, 0x1p-16};
-constexpr std::size_t kDigits = 2;
-
-/// A result, and what is made of it in doubles: as it is, or with joined what is near.
-template <class Made>
-class MadeOfDoubles {
- public:
-  MadeOfDoubles(Result& result, SnapReport& report, const Watch& watch)
-      : result_(result), exact_(result), whole_(result), report_(report), watch_(watch) {}
-
-  template <class Make>
-  Made as_it_is(const Make& make) {
-    result_ = whole_;
-    report_ = snapped_;
-    try {
-      return snapped_if_broken(result_, report_, watch_, make);
-    } catch (const InputError&) {  // it need not be snapped once more
-      whole_ = result_;
-      snapped_ = report_;
-      throw;
-    }
-  }
-  /// What the user may join himself, since it was not to be joined unasked; empty: nothing.
-  std::string advice() const {
-    const auto refused = std::ranges::find_if(joined_, [](const Joined& j) { return j.report.refused; });
-    if (refused == joined_.end()) return {};
-    const std::string d = decimal(to_double(refused->within), "%.2g");
-    return "features nearer than " + d +
-           " were not joined, since that would take a region or a wire away, or be hundreds; --join " + d +
-           " does it and names what vanishes";
-  }
-  /// Nothing if nothing was so near, or was joined. `part`: of the extent; `before`: how it was without that, for
-  /// the notice.
-  template <class Make>
-  std::optional<Made> joined(double part, Joins joins, const std::string& before, const Make& make) {
-    const Joined& joined = joined_by(part, joins);
-    if (joined.report.rounds == 0) return {};
-    result_ = joined.result;
-    report_ = {};
-    Made made = snapped_if_broken(result_, report_, watch_, make);
-    const std::string text =
-        (before.empty() ? "" : before + " without that: ") + joined.report.text(joined.within);
-    made.notice = text + (made.notice.empty() ? "" : "; ") + made.notice;
-    made.warnings = vanished_warnings(joined.report.lost_regions, to_decimal(joined.within, 6));
-    return made;
-  }
-
- private:
-  Result& result_;
-  const Result exact_;
-  Result whole_;  // exact, or snapped
-  SnapReport snapped_;
-  SnapReport& report_;
-  const Watch& watch_;
-
-  struct Joined {
-    double part;
-    Joins joins;
-    Rational within;
-    JoinReport report{};
-    Result result;
-  };
-  std::vector<Joined> joined_;
-
-  const Joined& joined_by(double part, Joins joins) {
-    for (const Joined& known : joined_) {
-      if (known.part == part && known.joins == joins) return known;
-    }
-    Joined joined{part, joins, extent_of(exact_) * from_double(part), {}, exact_};
-    joined.result = join(exact_, joined.within, &joined.report, watch_, joins);
-    return joined_.emplace_back(std::move(joined));
-  }
-};
-
-/// By TetGen; where it fails, of what has been joined in the last digits, which it stumbles over. Then constrained
-/// ones of that, for what is so near makes bad shapes; and where there are none in doubles, of what has been
-/// joined more and more.
-TetrahedralMesh snapped_in_time(Result& result, TetrahedraOptions options, SnapReport& report,
-                                const Deadline& deadline) {
-  MadeOfDoubles<TetrahedralMesh> made_of(result, report, deadline.watch());
-  TetgenTrial trial{!options.constrained && plugin_fault(kTetgenPlugin).empty(), {}};
-  const auto make = [&] { return tetrahedra_in_time(result, options, deadline, trial); };
-  const std::span<const double> digits(kJoined, kDigits);
-  if (trial.only) {
-    std::string fault;
-    try {
-      return made_of.as_it_is(make);
-    } catch (const TetgenFault& e) {
-      fault = e.what();
-    } catch (const NearFault& e) {
-      fault = e.what();
-    }
-    const auto foretold = std::exchange(options.foretold, {});  // it was told already
-    for (const double part : digits) {
-      try {
-        if (auto made = made_of.joined(part, Joins::harmless, without_remedy(fault), make))
-          return std::move(*made);
-      } catch (const TetgenFault&) {
-      } catch (const NearFault&) {
-      }
-    }
-    trial = {false, fault};
-    options.foretold = foretold;  // others are made now
-    for (auto part = digits.rbegin(); part != digits.rend(); ++part) {
-      try {
-        if (auto made = made_of.joined(*part, Joins::harmless, {}, make)) return std::move(*made);
-      } catch (const NearFault&) {
-      }
-    }
-  }
-  std::exception_ptr near;
-  try {
-    TetrahedralMesh made = made_of.as_it_is(make);
-    if (const std::string advice = made_of.advice(); made.quality.bad > 0 && !advice.empty())
-      made.notice += "; " + advice;
-    return made;
-  } catch (const NearFault&) {
-    near = std::current_exception();
-  }
-  options.foretold = {};
-  for (const double part : kJoined) {
-    try {
-      if (auto made = made_of.joined(part, Joins::all, "there were no tetrahedra in doubles", make))
-        return std::move(*made);
-    } catch (const NearFault&) {
-    }
-  }
-  std::rethrow_exception(near);
-}
-
-}  // namespace
-
-TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options) {
-  const Deadline deadline(options.watch, options.seconds.value_or(0));
-  return deadline.run([&] { return tetrahedra_in_time(result, options, deadline); });
-}
-
-TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
-  const Deadline deadline(options.watch, options.seconds.value_or(0));
-  return deadline.run([&] { return snapped_in_time(result, options, report, deadline); });
-}
-
-SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& options) {
-  const ResultView view = result.data().view();
-  SurfaceTriangles made = surface_triangles(view, options);
-  add_properties(view, made.mesh);
-  if (options.order == 2) add_straight_middles(made.mesh);
-  return made;
-}
-
-SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions& options, SnapReport& report) {
-  const Deadline deadline(options.watch, options.seconds, "--size");
-  SurfaceOptions bound = options;
-  bound.watch = deadline.watch();
-  bound.seconds = 0;  // the watch knows
-  return deadline.run([&] {
-    MadeOfDoubles<SurfaceTriangles> made_of(result, report, bound.watch);
-    const auto make = [&] { return surface_triangles(result, bound); };
-    std::exception_ptr near;
-    std::string words;
-    try {
-      return made_of.as_it_is(make);
-    } catch (const NearFault& fault) {
-      near = std::current_exception();
-      words = fault.what();
-    }
-    if (auto made = made_of.joined(kJoined[0], Joins::harmless, without_remedy(words), make))
-      return std::move(*made);
-    std::rethrow_exception(near);
-  });
-}
-
-CurvedReport curve(const Result& result, TetrahedralMesh& made, const Watch& watch) {
-  const ResultView view = result.data().view(true);
-  if (view.parameters == nullptr) {
-    throw InputError("the result knows nothing of its true surfaces; mesh one that was not snapped");
-  }
-  const CurvedReport report = curve(view, made, watch);
-  made.mesh.fields.clear();
-  sample_materials(view, made.mesh);
-  add_properties(view, made.mesh);
-  return report;
 }
 
 void check_second_order_file_name(const std::string& path, const std::string& others) {

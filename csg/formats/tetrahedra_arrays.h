@@ -59,8 +59,8 @@ class TetrahedralResult {
   TetrahedraArrays arrays() const;
   /// That TetGen made none, and so no bound is kept; else empty.
   const std::string& notice() const;
-  /// How many tetrahedra were expected before any was made: within 30 % where sizes or volumes were asked for,
-  /// else roughly; 0 where nothing was foretold.
+  /// How many tetrahedra were expected before any was made, mostly within a factor of two where sizes or volumes
+  /// were asked for; 0 where nothing was foretold.
   double expected() const;
   /// In the formats of check_mesh_file_name (result_file.h); of second order not .mesh and .h5m. Throws InputError
   /// for another extension, FileError, Stopped: then the old file is untouched.

@@ -23,6 +23,7 @@
 #include "csg/text/table.h"
 #include "csg/text/xml.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
@@ -80,8 +81,7 @@ class XdmfWriter {
         if (numbers_[p] == kNone) fresh.push_back(p);
       }
     }
-    std::sort(fresh.begin(), fresh.end());
-    fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
+    sort_unique(fresh);
     for (const Index p : fresh) {
       numbers_[p] = Index(points_.size());
       points_.push_back(p);

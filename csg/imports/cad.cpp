@@ -32,7 +32,9 @@
 #include "csg/imports/cad_weld.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
+#include "csg/text/table.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/coplanar.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -154,7 +156,7 @@ class CadLeaf {
     Index back = 0, front = 0;
   };
 
-  std::string what() const { return std::string(shape_.name()) + ": '" + shape_.file + "': "; }
+  std::string what() const { return cad_subject(shape_); }
   std::string face_name(Index f) const { return "face " + std::to_string(f); }
   std::string solid_name(Index s) const {
     const std::string& name = model_.solids[s];
@@ -306,8 +308,7 @@ class CadLeaf {
     /// The border, in numbers of the model's points. Points are numbered anew: a face needs few of all.
     std::vector<ChainEdge> border() {
       for (const PolygonSide& side : sides_) points_.insert(points_.end(), {side.low, side.high});
-      std::sort(points_.begin(), points_.end());
-      points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+      sort_unique(points_);
       const auto local = [&](Index p) {
         return static_cast<Index>(std::lower_bound(points_.begin(), points_.end(), p) - points_.begin());
       };
@@ -349,46 +350,43 @@ class CadLeaf {
                      ": give another `chord` or `segments`, or repair the face where it was made");
   }
 
-  void fail_open(const std::string& subject, const ChainEdge& e, const Chain& chain, std::size_t count) const {
+  /// `ways(f)`: the ways round in which a face is of what has to be closed.
+  template <class Ways>
+  void check_closed(const std::string& subject, const Ways& ways) const {
+    Chain chain;
+    for (Index f = 0; f < model_.faces.size(); ++f) {
+      for (const bool forward : ways(f)) {
+        for (const Triangle& t : model_.faces[f].triangles) chain.add(t, forward, f);
+      }
+    }
+    const std::vector<ChainEdge> rest = chain.border();
+    ChainEdge open{};
+    if (vanishes(
+            rest, false, [&](Index p) { return value(p); }, &open))
+      return;
     std::string at;
-    for (const Index f : chain.faces_at(e)) at += (at.empty() ? " of " : ", ") + face_name(f);
-    throw InputError(what() + subject + " not closed, along " + std::to_string(count) +
-                     (count == 1 ? " segment" : " segments") + ", such as " + between(e) + at +
+    for (const Index f : chain.faces_at(open)) at += (at.empty() ? " of " : ", ") + face_name(f);
+    throw InputError(what() + subject + " not closed, along " + counted(rest.size(), "segment", "segments") +
+                     ", such as " + between(open) + at +
                      ": sew its faces where it was made, or give `fill: none` for surfaces or `fill: cells` for "
                      "their cavities");
   }
 
-  void check_closed(Chain& chain, const std::string& subject) const {
-    const std::vector<ChainEdge> rest = chain.border();
-    ChainEdge example{};
-    if (vanishes(
-            rest, false, [&](Index p) { return value(p); }, &example))
-      return;
-    fail_open(subject, example, chain, rest.size());
-  }
-
   void check_solid(Index s) const {
-    Chain chain;
-    for (Index f = 0; f < model_.faces.size(); ++f) {
+    check_closed(solid_name(s) + " is", [&](Index f) {
       const CadModel::Face& face = model_.faces[f];
-      for (const bool forward : {true, false}) {
-        for (const Index solid : forward ? face.behind : face.before) {
-          if (solid != s) continue;
-          for (const Triangle& t : face.triangles) chain.add(t, forward, f);
-        }
-      }
-    }
-    check_closed(chain, solid_name(s) + " is");
+      std::vector<bool> ways(std::size_t(std::ranges::count(face.behind, s)), true);
+      ways.insert(ways.end(), std::size_t(std::ranges::count(face.before, s)), false);
+      return ways;
+    });
   }
 
   void check_all() const {
-    Chain chain;
-    for (Index f = 0; f < model_.faces.size(); ++f) {
-      for (const Use& use : uses(f)) {
-        for (const Triangle& t : model_.faces[f].triangles) chain.add(t, use.forward, f);
-      }
-    }
-    check_closed(chain, "its faces together are");
+    check_closed("its faces together are", [&](Index f) {
+      std::vector<bool> ways;
+      for (const Use& use : uses(f)) ways.push_back(use.forward);
+      return ways;
+    });
   }
 
   Fill decide_fill() const {

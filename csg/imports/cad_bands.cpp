@@ -9,6 +9,7 @@
 
 #include "csg/carriers/axes.h"
 #include "csg/geometry/circle.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
@@ -28,22 +29,13 @@ bool is_round(Kind kind) {
 bool has_arcs(Kind kind) { return kind == Kind::sphere || kind == Kind::torus; }
 
 const char* name_of(Kind kind) {
-  switch (kind) {
-    case Kind::cylinder: return "a cylinder";
-    case Kind::cone: return "a cone";
-    case Kind::sphere: return "a sphere";
-    case Kind::torus: return "a torus";
-    default: return "a surface";
-  }
+  static constexpr const char* kNames[] = {"a surface", "a cylinder", "a cone", "a sphere", "a torus"};
+  return kNames[is_round(kind) ? static_cast<std::size_t>(kind) : 0];
 }
 const char* name_of(CadCurve::Kind kind) {
-  switch (kind) {
-    case CadCurve::Kind::line: return "a line";
-    case CadCurve::Kind::circle: return "a circle";
-    case CadCurve::Kind::ellipse: return "an ellipse";
-    case CadCurve::Kind::spline: return "a spline";
-    default: return "a curve of another kind";
-  }
+  static constexpr const char* kNames[] = {
+      "a curve of another kind", "a line", "a circle", "an ellipse", "a spline", "a curve of another kind"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 [[noreturn]] void refuse(const std::string& words) { throw NotDrawn{words}; }
@@ -465,8 +457,7 @@ class Finder {
         (side == Side::start ? starts : stops) = true;
       }
     }
-    std::sort(band.edges.begin(), band.edges.end());
-    band.edges.erase(std::unique(band.edges.begin(), band.edges.end()), band.edges.end());
+    sort_unique(band.edges);
     if (!face.whole && (!starts || !stops)) refuse(face_name(face.face) + " has no meridian at one side");
     if (face.whole) {
       if (!starts) band.start = band.marks.empty() ? frame_of(face) : band.marks[0];

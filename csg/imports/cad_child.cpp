@@ -11,6 +11,7 @@
 // take as much memory as the machine has.
 #include <algorithm>
 #include <new>
+#include <utility>
 
 #include "csg/imports/cad_model.h"
 #include "csg/imports/leaf_file.h"
@@ -34,71 +35,77 @@ ChildLimits limits(const std::string& content) {
   return {.seconds = kSeconds + content.size() / kBytesPerSecond, .bytes = memory_of_machine()};
 }
 
+// --- a model, field by field: the same order in the child, which writes it, and in the parent, which reads it
+
+template <class Archive, class Knots>
+void pass_knots(const Archive& to, Knots& knots) {
+  to.value(knots.degree);
+  to.value(knots.periodic);
+  to.list(knots.values);
+  to.list(knots.counts);
+}
+
+template <class Archive, class Curve>
+void pass_curve(const Archive& to, Curve& curve) {
+  to.kind(curve.kind, CadCurve::Kind::other);
+  for (auto* x : {&curve.first, &curve.last, &curve.radius, &curve.minor_radius}) to.value(*x);
+  to.value(curve.axes);
+  to.list(curve.points);
+  to.list(curve.weights);
+  pass_knots(to, curve.knots);
+  to.list(curve.name);
+}
+
+template <class Archive, class Surface>
+void pass_surface(const Archive& to, Surface& surface) {
+  to.kind(surface.kind, CadSurface::Kind::other);
+  to.value(surface.turned);
+  to.value(surface.axes);
+  for (auto* x : {&surface.radius, &surface.minor_radius, &surface.half_angle}) to.value(*x);
+  to.value(surface.rows);
+  to.list(surface.points);
+  to.list(surface.weights);
+  for (auto& knots : surface.knots) pass_knots(to, knots);
+  pass_curve(to, surface.profile);
+  to.list(surface.name);
+}
+
+template <class Archive, class Model>
+void pass_model(const Archive& to, Model& model) {
+  to.list(model.points);
+  to.each(model.faces, [&](auto& face) {
+    to.list(face.triangles);
+    to.list(face.places);
+    to.each(face.border, [&](auto& step) { to.value(step.first), to.value(step.second); });
+    to.list(face.behind);
+    to.list(face.before);
+    to.value(face.outside);
+    pass_surface(to, face.surface);
+  });
+  to.each(model.edges, [&](auto& edge) {
+    to.list(edge.points);
+    to.list(edge.parameters);
+    to.value(edge.seam);
+    pass_curve(to, edge.curve);
+  });
+  to.each(model.vertices, [&](auto& vertex) { to.value(vertex.point), to.value(vertex.seam); });
+  for (auto* texts : {&model.solids, &model.notices}) to.each(*texts, [&](auto& text) { to.list(text); });
+}
+
 // --- in the child
 
-template <class T, class Write>
-void write_each(const MemoryFile& file, const std::vector<T>& list, const Write& write) {
-  file.write_value(std::uint64_t(list.size()));
-  for (const T& item : list) write(item);
-}
+struct ModelWriter {
+  const MemoryFile& file;
 
-void write_knots(const MemoryFile& file, const CadKnots& knots) {
-  file.write_value(knots.degree);
-  file.write_value(knots.periodic);
-  file.write_list(knots.values);
-  file.write_list(knots.counts);
-}
-
-void write_curve(const MemoryFile& file, const CadCurve& curve) {
-  file.write_value(curve.kind);
-  for (const double x : {curve.first, curve.last, curve.radius, curve.minor_radius}) file.write_value(x);
-  file.write_value(curve.axes);
-  file.write_list(curve.points);
-  file.write_list(curve.weights);
-  write_knots(file, curve.knots);
-  file.write_list(curve.name);
-}
-
-void write_surface(const MemoryFile& file, const CadSurface& surface) {
-  file.write_value(surface.kind);
-  file.write_value(surface.turned);
-  file.write_value(surface.axes);
-  for (const double x : {surface.radius, surface.minor_radius, surface.half_angle}) file.write_value(x);
-  file.write_value(surface.rows);
-  file.write_list(surface.points);
-  file.write_list(surface.weights);
-  for (const CadKnots& knots : surface.knots) write_knots(file, knots);
-  write_curve(file, surface.profile);
-  file.write_list(surface.name);
-}
-
-void write_model(const MemoryFile& file, const CadModel& model) {
-  file.write_list(model.points);
-  write_each(file, model.faces, [&](const CadModel::Face& face) {
-    file.write_list(face.triangles);
-    file.write_list(face.places);
-    write_each(file, face.border, [&](const auto& step) {
-      file.write_value(step.first);
-      file.write_value(step.second);
-    });
-    file.write_list(face.behind);
-    file.write_list(face.before);
-    file.write_value(face.outside);
-    write_surface(file, face.surface);
-  });
-  write_each(file, model.edges, [&](const CadModel::Edge& edge) {
-    file.write_list(edge.points);
-    file.write_list(edge.parameters);
-    file.write_value(edge.seam);
-    write_curve(file, edge.curve);
-  });
-  write_each(file, model.vertices, [&](const CadModel::Vertex& vertex) {
-    file.write_value(vertex.point);
-    file.write_value(vertex.seam);
-  });
-  for (const auto* texts : {&model.solids, &model.notices})
-    write_each(file, *texts, [&](const std::string& text) { file.write_list(text); });
-}
+  void value(const auto& x) const { file.write_value(x); }
+  void kind(const auto& x, const auto&) const { file.write_value(x); }
+  void list(const auto& items) const { file.write_list(items); }
+  template <class T, class Pass>
+  void each(const std::vector<T>& items, const Pass& pass) const {
+    file.write_value(std::uint64_t(items.size()));
+    for (const T& item : items) pass(item);
+  }
+};
 
 void write_error(const MemoryFile& file, Answer kind, const std::string& words) {
   file.write_value(kind);
@@ -111,7 +118,7 @@ int read_in_child(decltype(&cnrg_cad_read) read, const CadShape& shape, const st
     CadModel model;
     read(shape, content, model);
     file.write_value(Answer::model);
-    write_model(file, model);
+    pass_model(ModelWriter{file}, std::as_const(model));
   } catch (const LeafFileError& error) {
     write_error(file, Answer::leaf_file_error, error.fault());
     file.write_value(error.line());
@@ -130,83 +137,33 @@ class ModelReader {
   explicit ModelReader(const MemoryFile& file) : file_(file) {}
 
   CadModel read() {
-    file_.read_list(model_.points);
-    read_each(model_.faces, [&](CadModel::Face& face) {
-      file_.read_list(face.triangles);
-      file_.read_list(face.places);
-      read_each(face.border, [&](auto& step) {
-        step.first = file_.read_value<Index>();
-        step.second = read_bool();
-      });
-      file_.read_list(face.behind);
-      file_.read_list(face.before);
-      face.outside = read_bool();
-      read_surface(face.surface);
-    });
-    read_each(model_.edges, [&](CadModel::Edge& edge) {
-      file_.read_list(edge.points);
-      file_.read_list(edge.parameters);
-      edge.seam = read_bool();
-      read_curve(edge.curve);
-    });
-    read_each(model_.vertices, [&](CadModel::Vertex& vertex) {
-      vertex.point = file_.read_value<Index>();
-      vertex.seam = read_bool();
-    });
-    for (auto* texts : {&model_.solids, &model_.notices})
-      read_each(*texts, [&](std::string& text) { file_.read_list(text); });
+    pass_model(*this, model_);
     check();
     return std::move(model_);
+  }
+
+  template <class T>
+  void value(T& x) const {
+    x = file_.read_value<T>();
+  }
+  void value(bool& x) const { x = file_.read_value<std::uint8_t>() != 0; }
+  /// A kind up to `last`.
+  template <class Kind>
+  void kind(Kind& x, Kind last) const {
+    const auto number = file_.read_value<std::uint8_t>();
+    require_sound(number <= static_cast<std::uint8_t>(last));
+    x = static_cast<Kind>(number);
+  }
+  void list(auto& items) const { file_.read_list(items); }
+  template <class T, class Pass>
+  void each(std::vector<T>& items, const Pass& pass) const {
+    const auto n = file_.read_value<std::uint64_t>();
+    for (std::uint64_t i = 0; i < n; ++i) pass(items.emplace_back());  // ends with the file, if n is wrong
   }
 
  private:
   const MemoryFile& file_;
   CadModel model_;
-
-  bool read_bool() const { return file_.read_value<std::uint8_t>() != 0; }
-
-  void read_knots(CadKnots& knots) const {
-    knots.degree = file_.read_value<int>();
-    knots.periodic = read_bool();
-    file_.read_list(knots.values);
-    file_.read_list(knots.counts);
-  }
-  void read_curve(CadCurve& curve) const {
-    curve.kind = read_kind(CadCurve::Kind::other);
-    for (double* x : {&curve.first, &curve.last, &curve.radius, &curve.minor_radius})
-      *x = file_.read_value<double>();
-    curve.axes = file_.read_value<CadAxes>();
-    file_.read_list(curve.points);
-    file_.read_list(curve.weights);
-    read_knots(curve.knots);
-    file_.read_list(curve.name);
-  }
-  void read_surface(CadSurface& surface) const {
-    surface.kind = read_kind(CadSurface::Kind::other);
-    surface.turned = read_bool();
-    surface.axes = file_.read_value<CadAxes>();
-    for (double* x : {&surface.radius, &surface.minor_radius, &surface.half_angle})
-      *x = file_.read_value<double>();
-    surface.rows = file_.read_value<std::array<std::uint32_t, 2>>();
-    file_.read_list(surface.points);
-    file_.read_list(surface.weights);
-    for (CadKnots& knots : surface.knots) read_knots(knots);
-    read_curve(surface.profile);
-    file_.read_list(surface.name);
-  }
-  /// A kind up to `last`.
-  template <class Kind>
-  Kind read_kind(Kind last) const {
-    const auto number = file_.read_value<std::uint8_t>();
-    require_sound(number <= static_cast<std::uint8_t>(last));
-    return static_cast<Kind>(number);
-  }
-
-  template <class T, class Read>
-  void read_each(std::vector<T>& list, const Read& read) const {
-    const auto n = file_.read_value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < n; ++i) read(list.emplace_back());  // ends with the file, if n is wrong
-  }
 
   static void require_below(std::size_t limit, const std::vector<Index>& numbers) {
     for (const Index n : numbers) require_below(limit, n);

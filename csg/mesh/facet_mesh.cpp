@@ -41,9 +41,7 @@ void FacetMesh::add_segments(const FlatComplex& flat) {
 void FacetMesh::add_facets(const FlatComplex& flat) {
   for (Index i = 0; i < flat.faces.size(); ++i) {
     const auto& face = flat.faces[i];
-    Index begin = 0;
-    for (std::size_t k = 0; k < std::max<std::size_t>(face.facets.size(), 1); ++k) {
-      const Index end = face.facets.empty() ? Index(face.triangles.size()) : face.facet_ends[k];
+    for_each_facet(face, [&](const auto&, const auto&, Index begin, Index end) {
       Vector normal{}, center{};
       for (Index t = begin; t < end; ++t) {
         const auto& [a, b, c] = face.triangles[t];
@@ -54,16 +52,15 @@ void FacetMesh::add_facets(const FlatComplex& flat) {
           center[j] += (xyz_[a][j] + xyz_[b][j] + xyz_[c][j]) / (3.0 * (end - begin));
         }
       }
-      begin = end;
-      const double length = std::sqrt(dot(normal, normal));
-      for (double& x : normal) x = length > 0 ? x / length : 0;
+      const double size = length(normal);
+      for (double& x : normal) x = size > 0 ? x / size : 0;
       std::uint8_t w = 0;
       for (std::uint8_t j = 1; j < 3; ++j)
         if (std::abs(normal[j]) > std::abs(normal[w])) w = j;
       Projection axes{std::uint8_t((w + 1) % 3), std::uint8_t((w + 2) % 3)};
       if (normal[w] < 0) std::swap(axes.u, axes.v);
       facets_.push_back({i, axes, false, normal, center});
-    }
+    });
   }
 }
 
@@ -374,8 +371,7 @@ FacetMesh::Cavity FacetMesh::cavity(Index triangle, const Vector& at) const {
     }
   }
   auto& list = result.segments;
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
+  sort_unique(list);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 #include "kernel/base/vectors.h"
 
@@ -91,8 +92,7 @@ void InputLines::find_sharp(const FacetMesh& mesh, Rays& rays) {
       for (const Index p : mesh.segments()[t.segments[k]].ends) corners.push_back({t.facet, p, t.segments[k]});
     }
   }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  sort_unique(corners);
   for (std::size_t i = 0, end = 0; i < corners.size(); i = end) {
     std::vector<Ray*> list;
     for (;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/mesh/reach.h"
 #include "csg/result/flat.h"
 #include "csg/result/sizes.h"
 #include "kernel/base/limits.h"
@@ -136,11 +137,8 @@ class SizeCollector {
 
 double least_asked(const RoundedPoints& points) {
   if (points.xyz.empty()) return 0;
-  Vector low = points.xyz[0], high = low;
-  for (const Vector& p : points.xyz) {
-    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-  }
-  return kLeastShare * std::sqrt(dot(minus(high, low), minus(high, low)));
+  const Box box = Reach(points.xyz).box;
+  return kLeastShare * distance(box.hi, box.lo);
 }
 
 MeshSizes mesh_sizes(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,

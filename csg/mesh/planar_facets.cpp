@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "csg/geometry/canonical_loop.h"
+#include "csg/mesh/reach.h"
 #include "csg/result/rounding.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
@@ -194,11 +195,7 @@ FlatComplex flatten_for_mesh(const ResultView& view) {
   std::vector<Vector> xyz(flat.points.size());
   for_each_index(xyz.size(),
                  [&](std::size_t p) { xyz[p] = nearest_doubles(view.complex->points, flat.points[p]); });
-  double largest = 0;
-  for (const Vector& p : xyz) {
-    for (const double x : p) largest = std::max(largest, std::abs(x));
-  }
-  const double slack = kPlanarDigits * std::ldexp(1.0, std::ilogb(largest) - 52);
+  const double slack = kPlanarDigits * std::ldexp(1.0, std::ilogb(Reach(xyz).largest) - 52);
   const std::vector<DirectedEdge> kept = sides_of_edges(flat);
   for_each_index(
       flat.faces.size(),

@@ -7,6 +7,7 @@
 #include "csg/mesh/cell_mesh.h"
 #include "csg/mesh/exact_volume.h"
 #include "csg/mesh/improved.h"
+#include "csg/mesh/reach.h"
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
@@ -206,15 +207,10 @@ class Proof {
     const auto& all = mesh_.tetrahedra;
     std::size_t at = 0;
     const std::vector<std::vector<std::array<Index, 3>>> boundary = given_triangles();
-    Vector low = plc_.points[0], high = low;
-    for (const Vector& p : plc_.points) {
-      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-    }
     // New points on faces are off them by rounding, in the last digits of their coordinates.
-    const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    double far = 0;
-    for (std::size_t k = 0; k < 3; ++k) far = std::max({far, std::fabs(low[k]), std::fabs(high[k])});
-    const double off = std::max(1e-8 * size, 64 * std::numeric_limits<double>::epsilon() * far);
+    const Reach reach(plc_.points);
+    const double off =
+        std::max(1e-8 * reach.longest_side(), 64 * std::numeric_limits<double>::epsilon() * reach.largest);
     for (Index i = 0; i < flat_.regions.size(); ++i) {
       const Index entity = region_entity_[i];
       if (entity == kNone) continue;

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "csg/mesh/near_cells.h"
+#include "csg/mesh/reach.h"
 #include "csg/mesh/size_field.h"
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
@@ -40,21 +41,6 @@ double dihedral(const std::array<Vector, 4>& p, std::size_t edge) {
 std::string short_text(double x) {
   char buffer[32];
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, 3).ptr};
-}
-
-/// The largest coordinate of a mesh, and the longest side of the box around it.
-struct Reach {
-  double largest = 0, extent = 0;
-};
-Reach reach_of(const Mesh& mesh) {
-  Reach out;
-  for (std::size_t k = 0; k < 3 && !mesh.points.empty(); ++k) {
-    const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
-                                                 [k](const Vector& p, const Vector& q) { return p[k] < q[k]; });
-    out.extent = std::max(out.extent, (*high)[k] - (*low)[k]);
-    out.largest = std::max({out.largest, std::abs((*low)[k]), std::abs((*high)[k])});
-  }
-  return out;
 }
 
 /// Less than this part of the longest edge is short.
@@ -405,7 +391,7 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
   }
   out.median = median(all);
   out.bad = bad.size();
-  out.extent = reach_of(mesh).extent;
+  out.extent = Reach(mesh.points).longest_side();
   if (bad.empty()) return out;
   const std::size_t shown = std::min(bad.size(), MeshQuality::kShown);
   std::partial_sort(bad.begin(), bad.begin() + std::ptrdiff_t(shown), bad.end());
@@ -447,8 +433,8 @@ std::string larger_text(const MeshQuality& quality) {
 }
 
 PlaceText::PlaceText(const Mesh& mesh) {
-  const Reach all = reach_of(mesh);
-  const double largest = all.largest, extent = all.extent;
+  const Reach all(mesh.points);
+  const double largest = all.largest, extent = all.longest_side();
   constexpr int kMost = std::numeric_limits<double>::max_digits10;
   if (extent > 0) digits_ = std::min(kMost, digits_ + std::max(0, int(std::ceil(std::log10(largest / extent)))));
 }

@@ -8,9 +8,11 @@
 #include <queue>
 
 #include "csg/mesh/input_lines.h"
+#include "csg/mesh/reach.h"
 #include "csg/result/rounding.h"
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/constrained.h"
 
@@ -41,11 +43,8 @@ class Refiner {
  public:
   Refiner(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said, SurfaceNarrow narrow)
       : mesh_(mesh), options_(options), said_(said), has_narrow_(narrow == SurfaceNarrow::left), lines_(mesh) {
-    double largest = 0;
-    for (const Vector& p : mesh_.points())
-      for (const double x : p) largest = std::max(largest, std::abs(x));
     // Angles of smaller triangles are those of rounding.
-    shortest_ = std::ldexp(largest, -32);
+    shortest_ = std::ldexp(Reach(mesh_.points()).largest, -32);
     double area = 0;
     for (Index t = 0; t < mesh_.triangles().size(); ++t) {
       const auto p = corners(t);
@@ -417,8 +416,7 @@ class Refiner {
 
   void look_at_changed() {
     std::vector<Index> changed = mesh_.take_changed();
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    sort_unique(changed);
     for (const Index t : changed) look_at(t);
   }
   void look_at(Index s, Index p) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernel/base/limits.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/refine/box_tree.h"
 
@@ -57,22 +58,13 @@ struct Ray {
   }
 };
 
-/// Planes at an angle of some 25 degrees at most, and of half a degree.
-constexpr double kAlike = 0.9, kEven = 0.99996;
-bool are_parallel(const Vector& n, const Vector& m, double cosine) {
+/// Planes at an angle of some 25 degrees at most.
+bool are_parallel(const Vector& n, const Vector& m) {
+  constexpr double kAlike = 0.9;
   const double both = dot(n, m);
-  return both * both >= cosine * cosine * dot(n, n) * dot(m, m);
+  return both * both >= kAlike * kAlike * dot(n, n) * dot(m, m);
 }
 Vector normal_of(const LocatedTriangle& c) { return cross(minus(c.at[1], c.at[0]), minus(c.at[2], c.at[0])); }
-
-/// About parallel and not in one plane.
-bool are_across(const LocatedTriangle& one, const LocatedTriangle& other, double even) {
-  const Vector n = normal_of(one), m = normal_of(other);
-  if (!are_parallel(n, m, kAlike)) return false;
-  const double most = even * std::sqrt(dot(n, n));
-  return std::any_of(other.at.begin(), other.at.end(),
-                     [&](const Vector& p) { return std::abs(dot(n, minus(p, one.at[0]))) > most; });
-}
 
 }  // namespace
 
@@ -82,7 +74,6 @@ struct RegionLocator::Data {
   std::vector<std::vector<Index>> facets;  // the points that they have, ascending
   BoxTree boxes;
   Index outside = FlatComplex::kNone;
-  double even = 0;  // what lies no further from a plane lies in it
 
   /// Two facets with an edge in common.
   bool meet(const LocatedTriangle& one, const LocatedTriangle& other) const {
@@ -106,8 +97,7 @@ RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& point
   const auto add_facet = [&](const std::vector<FlatComplex::Loop>& loops) {
     std::vector<Index>& of = facets.emplace_back();
     for (const FlatComplex::Loop& loop : loops) of.insert(of.end(), loop.begin(), loop.end());
-    std::sort(of.begin(), of.end());
-    of.erase(std::unique(of.begin(), of.end()), of.end());
+    sort_unique(of);
   };
   for (Index f = 0; f < flat.faces.size(); ++f) {
     const FlatComplex::Face& face = flat.faces[f];
@@ -134,9 +124,9 @@ RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& point
   }
   const auto outside =
       std::find_if(flat.regions.begin(), flat.regions.end(), [](const auto& region) { return !region.bounded; });
-  data_.reset(new Data{flat, std::move(triangles), std::move(facets), BoxTree(std::move(boxes)),
-                       outside == flat.regions.end() ? FlatComplex::kNone : Index(outside - flat.regions.begin()),
-                       1e4 * room});
+  data_.reset(
+      new Data{flat, std::move(triangles), std::move(facets), BoxTree(std::move(boxes)),
+               outside == flat.regions.end() ? FlatComplex::kNone : Index(outside - flat.regions.begin())});
 }
 
 RegionLocator::~RegionLocator() = default;
@@ -149,23 +139,6 @@ bool RegionLocator::meets_faces(const Vector& low, const Vector& high) const {
   data_->boxes.query([&](const Box& other) { return !met && other.meets(box); },
                      [&](std::uint32_t) { met = true; });
   return met;
-}
-
-bool RegionLocator::may_have_plates(const Vector& low, const Vector& high) const {
-  constexpr std::size_t kMany = 16;  // of which some are parallel in nearly all cases
-  std::array<const LocatedTriangle*, kMany> met;
-  std::size_t count = 0;
-  Box box;
-  box.extend(low, high);
-  bool may = false;
-  data_->boxes.query([&](const Box& other) { return !may && other.meets(box); },
-                     [&](std::uint32_t item) {
-                       const LocatedTriangle& one = data_->triangles[item];
-                       for (std::size_t i = 0; i < count && !may; ++i) may = are_across(one, *met[i], data_->even);
-                       if (count == kMany) may = true;
-                       else met[count++] = &one;
-                     });
-  return may;
 }
 
 Index RegionLocator::at(const Vector& p) const {
@@ -210,33 +183,8 @@ double RegionLocator::gap(const Vector& p, const Vector& into, Index region, std
   const Vector n = normal_of(*ahead.triangle);
   const bool front = dot(n, into) < 0;
   const bool met = data_->flat.faces[ahead.triangle->face].regions[front ? 0 : 1] == region;
-  return met && are_parallel(into, n, kEven) && !data_->meet(data_->triangles[triangle], *ahead.triangle)
-             ? ahead.distance
-             : most;
-}
-
-RegionLocator::Plate RegionLocator::plate(const Vector& p, double most) const {
-  constexpr double kDiagonal = 0.5773502691896258;  // of a cube with the diagonal 1
-  constexpr Vector kWays[] = {{1, 0, 0},
-                              {0, 1, 0},
-                              {0, 0, 1},
-                              {kDiagonal, kDiagonal, kDiagonal},
-                              {kDiagonal, kDiagonal, -kDiagonal},
-                              {kDiagonal, -kDiagonal, kDiagonal},
-                              {-kDiagonal, kDiagonal, kDiagonal}};
-  Plate least{most};
-  for (const Vector& way : kWays) {
-    const Wall ahead = wall(p, way, least.thickness);
-    if (ahead.triangle == nullptr) continue;
-    const Wall behind = wall(p, {-way[0], -way[1], -way[2]}, least.thickness - ahead.distance);
-    if (behind.triangle == nullptr) continue;
-    const Vector n = normal_of(*ahead.triangle), m = normal_of(*behind.triangle);
-    if (!are_parallel(n, m, kAlike)) continue;
-    const Vector across = cross(n, m);
-    least = {ahead.distance + behind.distance, std::sqrt(dot(across, across) / dot(n, n) / dot(m, m)),
-             data_->meet(*ahead.triangle, *behind.triangle)};
-  }
-  return least;
+  return met && are_parallel(into, n) && !data_->meet(data_->triangles[triangle], *ahead.triangle) ? ahead.distance
+                                                                                                   : most;
 }
 
 }  // namespace cnrg

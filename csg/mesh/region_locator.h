@@ -24,29 +24,14 @@ class RegionLocator {
   /// The number of the region of a point that lies on no face; kNone if it has none. Any number of threads may
   /// ask.
   FlatComplex::Index at(const Vector& p) const;
-  /// How thick the region is at a point, where it is a plate: the shortest of some chords between faces that are
-  /// about parallel, or `most`, if there is none as short. (Near an edge each chord across is short.)
-  double thickness(const Vector& p, double most) const { return plate(p, most).thickness; }
-  /// The same, the sine of the angle between the faces of the chord, and whether these meet: a wedge has no
-  /// thickness where they do, and nobody refines for that.
-  struct Plate {
-    double thickness;
-    double sine = 0;
-    bool meet = false;
-    /// Parallel but for half a degree; else a wedge.
-    bool even() const { return sine < 0.009; }
-  };
-  Plate plate(const Vector& p, double most) const;
-  /// How far the face that is parallel in this way is from a point of a triangle, seen through a region along the
-  /// unit vector that points into it; or `most`, if there is none as near, if it meets that of the triangle, or if
+  /// How far the face that is about parallel is from a point of a triangle, seen through a region along the unit
+  /// vector that points into it; or `most`, if there is none as near, if it meets that of the triangle, or if
   /// another one is first. `triangle`: its place among all, face by face.
   double gap(const Vector& p, const Vector& into, FlatComplex::Index region, std::size_t triangle,
              double most) const;
 
   /// False only if no face passes through the box.
   bool meets_faces(const Vector& low, const Vector& high) const;
-  /// False only if no chord of a plate lies in the box.
-  bool may_have_plates(const Vector& low, const Vector& high) const;
 
  private:
   struct Data;

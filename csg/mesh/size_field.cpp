@@ -10,6 +10,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
+#include "kernel/refine/box.h"
 
 namespace cnrg {
 namespace {
@@ -87,8 +88,8 @@ class SizeField::Tree {
  private:
   static constexpr std::size_t kBlock = 4;
   struct Node {
-    Vector low, high;
-    double size;               // the least
+    Box box{};
+    double size = kInfinity;   // the least
     std::uint32_t second = 0;  // the second child; the first one follows its parent. 0: a leaf
     std::uint32_t begin, end;  // its sources
   };
@@ -98,7 +99,7 @@ class SizeField::Tree {
   static double bid(const Node& node, const Vector& p, double growth) {
     double distance = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double d = std::max({node.low[k] - p[k], 0.0, p[k] - node.high[k]});
+      const double d = std::max({node.box.lo[k] - p[k], 0.0, p[k] - node.box.hi[k]});
       distance += d * d;
     }
     return node.size + growth * std::sqrt(distance);
@@ -111,26 +112,16 @@ class SizeField::Tree {
 
   void build(std::size_t begin, std::size_t end) {
     const std::size_t number = nodes_.size();
-    Node node{{kInfinity, kInfinity, kInfinity},
-              {-kInfinity, -kInfinity, -kInfinity},
-              kInfinity,
-              0,
-              std::uint32_t(begin),
-              std::uint32_t(end)};
+    Node node{.begin = std::uint32_t(begin), .end = std::uint32_t(end)};
     for (std::size_t i = begin; i < end; ++i) {
       node.size = std::min(node.size, sources_[i].size);
-      for (const Vector& corner : sources_[i].corners) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          node.low[k] = std::min(node.low[k], corner[k]);
-          node.high[k] = std::max(node.high[k], corner[k]);
-        }
-      }
+      for (const Vector& corner : sources_[i].corners) node.box.extend(corner, corner);
     }
     nodes_.push_back(node);
     if (end - begin <= kBlock) return;
     std::size_t axis = 0;
     for (std::size_t k = 1; k < 3; ++k) {
-      if (node.high[k] - node.low[k] > node.high[axis] - node.low[axis]) axis = k;
+      if (node.box.hi[k] - node.box.lo[k] > node.box.hi[axis] - node.box.lo[axis]) axis = k;
     }
     const std::size_t half = begin + (end - begin) / 2;
     const auto at = [&](std::size_t i) { return sources_.begin() + std::ptrdiff_t(i); };

@@ -8,6 +8,7 @@
 #include "kernel/base/counts.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
@@ -33,8 +34,7 @@ void add_straight_middles(Mesh& mesh) {
   add_edges(edges, mesh.tetrahedra, kSecondOrderEdges);
   add_edges(edges, mesh.triangles, kSecondOrderTriangle);
   add_edges(edges, mesh.segments, kSecondOrderLine);
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   for (const Edge& edge : edges) {
     const auto &a = mesh.points[edge[0]], &b = mesh.points[edge[1]];
     const std::array<double, 3> middle{a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2};

@@ -13,6 +13,7 @@
 #include "csg/mesh/mesh_sizes.h"
 #include "csg/mesh/planar_facets.h"
 #include "csg/mesh/quads.h"
+#include "csg/mesh/reach.h"
 #include "csg/mesh/rounded_result.h"
 #include "csg/result/solid.h"
 #include "kernel/base/error.h"
@@ -206,9 +207,7 @@ class SurfaceMaker {
 
   /// Each point is off the face by its last digits at most.
   void prove_areas(const std::vector<Vector>& points) const {
-    double largest = 0;
-    for (const Vector& p : points)
-      for (const double x : p) largest = std::max(largest, std::abs(x));
+    const double largest = Reach(points).largest;
     std::vector<CompensatedSum> area(flat_.faces.size());
     std::vector<double> bound(flat_.faces.size(), 0);
     const auto add = [&](Index face, const std::array<Index, 3>& t, double sign) {

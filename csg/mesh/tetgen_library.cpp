@@ -15,6 +15,7 @@
 #define TETLIBRARY
 #include <tetgen.h>
 
+#include "csg/mesh/reach.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/text/child.h"
 #include "csg/text/plugin.h"
@@ -31,17 +32,15 @@ void set_polygon(tetgenio::polygon& polygon, const auto& points) {
 
 /// A box around the complex, half its size away from it, or on each side a little further than on the one before.
 void add_frame(TetgenFrame frame, std::vector<std::array<double, 3>>& points, std::vector<Plc::Facet>& facets) {
-  auto low = points[0], high = points[0];
-  for (const auto& p : points) {
-    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-  }
-  const double margin = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}) / 2;
+  const Reach reach(points);
+  const double margin = reach.longest_side() / 2;
   const double more = frame == TetgenFrame::uneven ? margin / 16 : 0;
   const auto first = Plc::Index(points.size());
   for (unsigned corner = 0; corner < 8; ++corner) {
     auto& p = points.emplace_back();
     for (unsigned k = 0; k < 3; ++k) {
-      p[k] = corner >> k & 1 ? high[k] + (margin + (k + 4) * more) : low[k] - (margin + (k + 1) * more);
+      p[k] = corner >> k & 1 ? reach.box.hi[k] + (margin + (k + 4) * more)
+                             : reach.box.lo[k] - (margin + (k + 1) * more);
     }
   }
   constexpr Plc::Index kSides[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},

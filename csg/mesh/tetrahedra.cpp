@@ -68,7 +68,7 @@ class TetrahedraMaker {
     if (asks_tetgen() && bounded() && (filled_ || !refused.empty())) {  // others than it would have made
       ours_ = true;
       set_sizes_of_shapes(rounded.points());
-      foretell(rounded, thin_ ? Maker::flat : Maker::own);
+      foretell(rounded, Mesher::own);
     }
     to_sizes_ = filled_ && !sizes_.empty() && !options_.keep_boundary;  // halves beside kept faces are flat
     if (options_.constrained || !refused.empty()) {
@@ -135,10 +135,10 @@ class TetrahedraMaker {
   std::optional<RegionLocator> regions_;
   TooLarge too_large_;                                    // where sizes are asked for
   TooLarge has_to_be_split_;                              // where what is wide is bounded
-  std::array<std::optional<MeshForecast>, 3> forecasts_;  // by makers
+  std::array<std::optional<ThinForecast>, 2> forecasts_;  // by meshers
   double expected_ = 0;
-  double for_shapes_ = 0;      // as many would be made if points that nobody asks for were not rationed
-  double expected_most_ = 0;   // or, where that is not told closely, the most
+  double for_shapes_ = 0;  // as many would be made if points that nobody asks for were not rationed
+  double expected_most_ = 0;
   bool not_foretold_ = false;  // since that takes too long
   bool late_ = false;          // TetGen has not come to an end of refining
   bool surface_first_ = options_.surface_first;
@@ -162,7 +162,7 @@ class TetrahedraMaker {
     find_thin(rounded.points());
     set_sizes_of_shapes(rounded.points());
     const bool own = options_.constrained || (!asks_tetgen() && bounded());
-    foretell(rounded, rationed_ || thin_ ? Maker::flat : own ? Maker::own : Maker::tetgen);
+    foretell(rounded, own ? Mesher::own : Mesher::tetgen);
   }
 
   void set_sizes(const RoundedPoints& points, bool wide) {
@@ -189,16 +189,18 @@ class TetrahedraMaker {
   void find_thin(const RoundedPoints& points) {
     constexpr double kFar = 3;
     if (options_.keep_boundary || !bounded()) return;
-    const MeshForecast told = for_good_shapes(points);
+    const Mesher mesher = options_.constrained && sized() ? Mesher::own : Mesher::tetgen;
+    MeshForecast told = forecast_of(points, mesher).good;
+    if (options_.constrained) told.seconds = kSecondsOfShapes * told.tetrahedra;
     const double good = told.tetrahedra;
     if (takes_too_long(told)) {
       set_sizes(points, true);
-      rationed_ = good > kFar * forecast_of(points, Maker::flat).tetrahedra;
+      rationed_ = good > kFar * forecast_of(points, mesher).flat.tetrahedra;
       if (rationed_) return ration(points, told);
       set_sizes(points, false);
     }
     if (surface_first_ && sized() && options_.quality == 0 && options_.max_volume == 0 &&
-        good > kFar * forecast_of(points, Maker::own).tetrahedra)
+        good > kFar * forecast_of(points, mesher).flat.tetrahedra)
       keep_flat();
   }
   void ration(const RoundedPoints& points, const MeshForecast& told) {
@@ -213,13 +215,6 @@ class TetrahedraMaker {
         count_text(told.tetrahedra) + " tetrahedra of a good shape would fill regions that are very thin; " +
         (options_.quality == 0 ? "since no --quality was asked for, those there are as flat as they have to be"
                                : "those there are as flat as they have to be" + to_have_all(told));
-  }
-  /// As whoever is asked would make them, shapes in thin regions included.
-  MeshForecast for_good_shapes(const RoundedPoints& points) {
-    if (!options_.constrained) return forecast_of(points, Maker::tetgen);
-    MeshForecast told = forecast_of(points, sized() ? Maker::own : Maker::tetgen);
-    told.seconds = kSecondsOfShapes * told.tetrahedra;
-    return told;
   }
   bool takes_too_long(const MeshForecast& told) const {
     constexpr double kPatience = 20;  // seconds
@@ -242,8 +237,8 @@ class TetrahedraMaker {
 
   /// To the sizes that there are; each is made once. With few seconds the mesh is worth more than to know its
   /// size: it gets a quarter of them, and is empty where that is too little.
-  const MeshForecast& forecast_of(const RoundedPoints& points, Maker maker) {
-    std::optional<MeshForecast>& made = forecasts_[std::size_t(maker)];
+  const ThinForecast& forecast_of(const RoundedPoints& points, Mesher mesher) {
+    std::optional<ThinForecast>& made = forecasts_[std::size_t(mesher)];
     if (made) return *made;
     made.emplace();
     if (not_foretold_) return *made;
@@ -251,7 +246,7 @@ class TetrahedraMaker {
     const Deadline part(watch_, deadline_.seconds_left() / 4);
     try {
       made =
-          forecast(view_, flat_, points, sizes_, regions_, maker, options_, part.watch(), surface_.points.size());
+          forecast(view_, flat_, points, sizes_, regions_, mesher, options_, part.watch(), surface_.points.size());
     } catch (const Stopped&) {
       if (watch_.stop.stop_requested()) throw;
       not_foretold_ = true;
@@ -259,14 +254,15 @@ class TetrahedraMaker {
     return *made;
   }
 
-  void foretell(const RoundedResult& rounded, Maker maker) {
-    const MeshForecast mesh = forecast_of(rounded.points(), maker);
+  void foretell(const RoundedResult& rounded, Mesher mesher) {
+    const ThinForecast& both = forecast_of(rounded.points(), mesher);
+    const MeshForecast& mesh = rationed_ || thin_ ? both.flat : both.good;
     if (mesh.tetrahedra == 0) return;
     if (!options_.keep_boundary) require_possible(mesh, double(memory_of_machine()));  // else few may do
     if (std::isinf(mesh.most)) return;
     expected_ = mesh.tetrahedra;
     for_shapes_ = mesh.for_shapes;
-    expected_most_ = is_close(mesh) ? mesh.tetrahedra : mesh.most;
+    expected_most_ = mesh.most;
     const bool told = !trial_.fault.empty() && !bounded();  // with TetGen, and it is the same
     if (options_.foretold && !told) options_.foretold(mesh);
   }

@@ -146,21 +146,27 @@ class Flattener {
     return {{of.begin(), of.end()}, {on.begin(), on.end()}};
   }
 
-  /// Of leaves and of what has one in `leaf_of`: by the places of leaves.
-  template <class List, class LeafOf>
-  void put_in_order_of_place(List& list, const LeafOf& leaf_of) const {
+  static LeafId leaf_of(LeafId leaf) { return leaf; }
+  static LeafId leaf_of(const LeafCell& cell) { return cell.leaf; }
+  static LeafId leaf_of(const FlatComplex::Patch& patch) { return patch.first; }
+  static LeafId leaf_of(const std::pair<FlatComplex::Patch, std::vector<PatchCorner>>& cells) {
+    return leaf_of(cells.first);
+  }
+
+  /// By the places of leaves.
+  template <class List>
+  void put_in_order_of_place(List& list) const {
     if (by_number_) return;
     std::stable_sort(list.begin(), list.end(), [&](const auto& a, const auto& b) {
       return view_.place(leaf_of(a)) < view_.place(leaf_of(b));
     });
   }
-  static LeafId leaf_of_patch(const FlatComplex::Patch& patch) { return patch.first; }
 
   /// The last word on an origin: its lists are ascending until then.
   void finish(FlatComplex::Provenance& origin) const {
     name_makers(origin);
-    put_in_order_of_place(origin.leaves, [](LeafId leaf) { return leaf; });
-    put_in_order_of_place(origin.cells, [](const LeafCell& cell) { return cell.leaf; });
+    put_in_order_of_place(origin.leaves);
+    put_in_order_of_place(origin.cells);
   }
 
   /// What a joined leaf stands for is in its place (csg/evaluate/leaf_numbers.h).
@@ -174,26 +180,12 @@ class Flattener {
       if (told) named.push_back(*it);
     }
     if (named.empty()) return;
-    const auto is_named = [&](LeafId leaf) { return std::binary_search(named.begin(), named.end(), leaf); };
-    std::vector<LeafId> leaves;
-    std::vector<LeafCell> cells;
-    for (const LeafId leaf : origin.leaves) {
-      if (!is_named(leaf)) leaves.push_back(leaf);
-    }
-    for (const LeafCell& cell : origin.cells) {
-      if (!is_named(cell.leaf)) cells.push_back(cell);
-    }
-    origin.leaves = {leaves.begin(), leaves.end()};
-    origin.cells = {cells.begin(), cells.end()};
-  }
-
-  template <class List = Loop, class Range>
-  List numbers(const Range& vertices) const {
-    List list;
-    for (const VertexId v : vertices) {
-      if (points_.number(v) != kNone) list.push_back(points_.number(v));
-    }
-    return list;
+    const auto drop_named = [&](auto& list) {
+      std::vector kept(list.begin(), list.end());
+      std::erase_if(kept, [&](const auto& of) { return std::ranges::binary_search(named, leaf_of(of)); });
+      list = {kept.begin(), kept.end()};
+    };
+    drop_named(origin.leaves), drop_named(origin.cells);
   }
 
   template <class Range>
@@ -206,24 +198,15 @@ class Flattener {
     return loop;
   }
 
-  /// As seen from the front of its cells.
-  FlatComplex::Facet flat_facet(const SimplifiedFacet& from) const {
-    FlatComplex::Facet facet;
-    for (const auto& walk : from.walks) facet.loops.push_back(loop_of(walk));
-    put_in_order(facet.loops);
-    facet.isolated = numbers<decltype(facet.isolated)>(from.isolated);
-    std::sort(facet.isolated.begin(), facet.isolated.end());
-    return facet;
-  }
-
-  /// +1 if the normal on the cell's front is lexicographically positive.
-  int normal_order(HalfFace cell) const {
-    const PlaneId plane = complex_.plane(cell.face());
-    for (int k = 0; k < 3; ++k) {
-      const int s = normal_sign(complex_.points, plane, k);
-      if (s != 0) return cell.side() == 0 ? s : -s;
+  /// The loops and isolated points of a face or facet, as seen from the front of its cells.
+  template <class Cell, class Walks, class Points>
+  void set_boundary(Cell& cell, const Walks& walks, const Points& isolated) const {
+    for (const auto& walk : walks) cell.loops.push_back(loop_of(walk));
+    put_in_order(cell.loops);
+    for (const VertexId v : isolated) {
+      if (points_.number(v) != kNone) cell.isolated.push_back(points_.number(v));
     }
-    return 0;
+    std::sort(cell.isolated.begin(), cell.isolated.end());
   }
 
   /// So that the cell's front is seen.
@@ -245,7 +228,6 @@ class Flattener {
       for (const Index p : loop) walk.push_back(flat_.points[p]);
     }
     std::vector<VertexId> inner;
-    inner.reserve(isolated.size());
     for (const Index p : isolated) inner.push_back(flat_.points[p]);
     std::vector<std::array<Index, 3>> here;
     for (const auto& t : triangulate(complex_.points, projection(cell), walks, inner)) {
@@ -267,7 +249,7 @@ class Flattener {
     std::vector<OrderedFacet> out;
     for (SimplifiedFacet& from : facets_of(complex_, simple_, face)) {
       OrderedFacet& to = out.emplace_back();
-      to.facet = flat_facet(from);
+      set_boundary(to.facet, from.walks, from.isolated);
       to.cells = std::move(from.cells);
       for (const Loop& loop : to.facet.loops) to.points.append(loop.begin(), loop.end());
       std::sort(to.points.begin(), to.points.end());
@@ -284,10 +266,7 @@ class Flattener {
       FlatComplex::Face& face = flat_.faces[i];
       face.component = from.component;
       face.regions = from.regions;
-      for (const auto& loop : from.loops) face.loops.push_back(loop_of(loop));
-      put_in_order(face.loops);
-      face.isolated = numbers<decltype(face.isolated)>(from.isolated);
-      std::sort(face.isolated.begin(), face.isolated.end());
+      set_boundary(face, from.loops, from.isolated);
       const bool flat = is_flat(complex_, from);
       std::vector<OrderedFacet> facets;
       if (!flat) facets = ordered_facets(Index(i));
@@ -383,13 +362,18 @@ class Flattener {
       }
     }
     sort_unique(face.cells_of_patches);
-    put_in_order_of_place(face.cells_of_patches, [](const auto& cell) { return cell.first.first; });
+    put_in_order_of_place(face.cells_of_patches);
   }
 
+  /// The front is the outside, else where the normal of the first cell is lexicographically positive.
   bool must_flip(const FlatComplex::Face& face, HalfFace first) const {
     const bool front = flat_.active(face.regions[0]), back = flat_.active(face.regions[1]);
     if (front != back) return front;
-    return normal_order(first) < 0;
+    for (int k = 0; k < 3; ++k) {
+      const int sign = normal_sign(complex_.points, complex_.plane(first.face()), k);
+      if (sign != 0) return (sign < 0) == (first.side() == 0);
+    }
+    return false;
   }
 
   static void flip(FlatComplex::Face& face, std::vector<OrderedFacet>& facets) {
@@ -413,10 +397,17 @@ class Flattener {
     return std::all_of(regions.begin(), regions.end(), [&](auto r) { return inside_component(component, r); });
   }
 
-  /// Around a cell.
-  struct Regions {
-    std::vector<RegionId> list;
-  };
+  /// Of an edge or vertex: is it more than the interior of a region of its component?
+  template <class Cell, class IdT>
+  void set_entity(Cell& cell, IdT id) const {
+    struct Around {
+      std::vector<RegionId> regions;
+    };
+    auto& regions = PerThread<Around>::own().regions;
+    complex_.star_regions(id, regions);
+    cell.entity = cell.component != 0 && !inside_component(cell.component, regions);
+    cell.own = cell.entity || sources_.said(id) != nullptr;
+  }
 
   Index region_index(RegionId region) const {
     const auto place = simple_.region_place[region.index()];
@@ -427,22 +418,16 @@ class Flattener {
   template <class T, class Value>
   const std::vector<T>& common_of(const SimplifiedComplex::Face& face, Value value) const {
     struct Lists {
-      std::vector<T> common, here, both;
+      std::vector<T> common, here;
     };
-    auto& [common, here, both] = PerThread<Lists>::own();
+    auto& [common, here] = PerThread<Lists>::own();
     common.clear();
     for (std::size_t i = 0; i < face.cells.size(); ++i) {
-      here.clear(), both.clear();
+      here.clear();
       for (const Cover& cover : complex_.cover(face.cells[i].face())) {
         if (const std::optional<T> found = value(cover, complex_.sources[cover.source])) here.push_back(*found);
       }
-      sort_unique(here);
-      if (i == 0) {
-        common = here;
-      } else {
-        std::set_intersection(common.begin(), common.end(), here.begin(), here.end(), std::back_inserter(both));
-        common.swap(both);
-      }
+      keep_common(common, here, i == 0);
       if (common.empty()) break;
     }
     return common;
@@ -492,11 +477,8 @@ class Flattener {
         Loop reversed(edge.points.rbegin(), edge.points.rend());
         if (reversed < edge.points) edge.points = std::move(reversed);
       }
-      auto& regions = PerThread<Regions>::own().list;
       const EdgeId first = from.chain[0].edge();
-      complex_.star_regions(first, regions);
-      edge.entity = from.component != 0 && !inside_component(from.component, regions);
-      edge.own = edge.entity || sources_.said(first) != nullptr;
+      set_entity(edge, first);
       if (edge.wire) edge.region = region_index(complex_.some_region(first));
       const auto& features = value_.features.edges;
       edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
@@ -538,8 +520,8 @@ class Flattener {
       keep_common(patches, around, i == 0);
       keep_common(curves, on, i == 0);
     }
-    put_in_order_of_place(patches, leaf_of_patch);
-    put_in_order_of_place(curves, leaf_of_patch);
+    put_in_order_of_place(patches);
+    put_in_order_of_place(curves);
     edge.patches = {patches.begin(), patches.end()};
     if (!curves.empty()) edge.curve = curves.front();
     const auto uses = complex_.edge_uses[from.chain[0].edge()];
@@ -551,13 +533,11 @@ class Flattener {
     }
   }
 
-  static void keep_common(std::vector<FlatComplex::Patch>& list, std::vector<FlatComplex::Patch>& other,
-                          bool first) {
+  template <class T>
+  static void keep_common(std::vector<T>& list, std::vector<T>& other, bool first) {
     sort_unique(other);
     if (first) return list.assign(other.begin(), other.end());
-    std::erase_if(list, [&](const FlatComplex::Patch& patch) {
-      return !std::binary_search(other.begin(), other.end(), patch);
-    });
+    std::erase_if(list, [&](const T& item) { return !std::binary_search(other.begin(), other.end(), item); });
   }
 
   void make_vertices() {
@@ -580,10 +560,7 @@ class Flattener {
       vertex.component = from.component;
       vertex.free = !on_edge[vertex.point];
       if (shapes_ && !vertex.free) return;
-      auto& regions = PerThread<Regions>::own().list;
-      complex_.star_regions(from.cell, regions);
-      vertex.entity = from.component != 0 && !inside_component(from.component, regions);
-      vertex.own = vertex.entity || sources_.said(from.cell) != nullptr;
+      set_entity(vertex, from.cell);
       if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));
       const auto& features = value_.features.vertices;
       vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);

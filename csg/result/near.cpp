@@ -69,12 +69,11 @@ Parts::Parts(const ResultView& view, const FlatComplex& flat) : flat_(flat) {
     const FlatComplex::Face& face = flat.faces[f];
     for (const FlatComplex::Facet& facet : face.facets)
       for_each_side(facet.loops, [&](Index a, Index b) { add_segment(a, b, kNone, f); });
-    std::size_t begin = 0;
-    for (Index i = 0; i < std::max<std::size_t>(face.facets.size(), 1); ++i) {
-      const std::size_t end = face.facets.empty() ? face.triangles.size() : face.facet_ends[i];
-      Facet& facet = facets_.emplace_back(Facet{f, i, {}});
-      for (; begin < end; ++begin) {
-        const auto& t = face.triangles[begin];
+    Index number = 0;
+    for_each_facet(face, [&](const auto&, const auto&, Index begin, Index end) {
+      Facet& facet = facets_.emplace_back(Facet{f, number++, {}});
+      for (Index i = begin; i < end; ++i) {
+        const auto& t = face.triangles[i];
         facet.corners.insert(facet.corners.end(), t.begin(), t.end());
         triangles_.push_back({t, Index(facets_.size() - 1)});
       }
@@ -82,7 +81,7 @@ Parts::Parts(const ResultView& view, const FlatComplex& flat) : flat_(flat) {
       for (const Index p : facet.corners) {
         if (cell_of_point_[p] == kUnknown) cell_of_point_[p] = {2, f};
       }
-    }
+    });
   }
   std::sort(segments_.begin(), segments_.end(),
             [](const Segment& a, const Segment& b) { return a.ends < b.ends; });

@@ -16,6 +16,8 @@
 #include "csg/text/number.h"
 #include "csg/topology/around.h"
 #include "csg/topology/topology.h"
+#include "kernel/base/sorted.h"
+#include "kernel/base/vectors.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/manifold.h"
 #include "kernel/selection/measure.h"
@@ -221,9 +223,8 @@ Json radial_orders(const Complex& complex, const SimplifiedComplex& s, PageTable
     const std::array<VertexId, 2> ends{complex.origin(about.way), complex.target(about.way)};
     from.push_back(tables.point(ends[0]));
     to.push_back(tables.point(ends[1]));
-    const auto a = complex.points.approx(ends[0]), b = complex.points.approx(ends[1]);
-    const std::array<double, 3> d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    std::array<double, 3> first{}, across{};
+    const DoubleVector d = minus(complex.points.approx(ends[1]), complex.points.approx(ends[0]));
+    DoubleVector first{}, across{};
     double before = 0;
     for (const FaceAbout& face : about.faces) {
       const bool is_first = &face == &about.faces.front();
@@ -231,17 +232,9 @@ Json radial_orders(const Complex& complex, const SimplifiedComplex& s, PageTable
       const ExactPlane& plane = complex.points.exact_plane(complex.plane(face.use.face));
       const Integer size = abs(plane.a) + abs(plane.b) + abs(plane.c);
       const double sign = face.use.half_edge.direction() == about.way.direction() ? 1 : -1;
-      const std::array<double, 3> n{sign * to_double(Rational(plane.a, size)),
-                                    sign * to_double(Rational(plane.b, size)),
-                                    sign * to_double(Rational(plane.c, size))};
-      const auto cross = [](const std::array<double, 3>& x, const std::array<double, 3>& y) {
-        return std::array<double, 3>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2],
-                                     x[0] * y[1] - x[1] * y[0]};
-      };
-      const auto dot = [](const std::array<double, 3>& x, const std::array<double, 3>& y) {
-        return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-      };
-      const std::array<double, 3> into = cross(n, d);
+      const DoubleVector n{sign * to_double(Rational(plane.a, size)), sign * to_double(Rational(plane.b, size)),
+                           sign * to_double(Rational(plane.c, size))};
+      const DoubleVector into = cross(n, d);
       if (is_first) {
         first = into;
         across = cross(d, into);
@@ -327,8 +320,7 @@ void add_topology(const Evaluation& evaluation, const KeptValue& kept, const Fla
     for (const auto& [cell, c] : cells) components.push_back(c);
   };
   see(selection.vertices), see(selection.edges), see(selection.faces), see(selection.regions);
-  std::sort(components.begin(), components.end());
-  components.erase(std::unique(components.begin(), components.end()), components.end());
+  sort_unique(components);
   const std::vector<BettiNumbers> numbers = betti_numbers(selection, components, counter);
   Json betti = Json::array();
   for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "csg/weld/inside.h"
 #include "kernel/base/limits.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
@@ -98,8 +99,7 @@ class PlaneFinder {
         part.corners.insert(part.corners.end(), loop.begin(), loop.end());
       }
     }
-    std::sort(part.corners.begin(), part.corners.end());
-    part.corners.erase(std::unique(part.corners.begin(), part.corners.end()), part.corners.end());
+    sort_unique(part.corners);
     for (const Box& box : part.boxes) part.box.extend(box);
     if (part.corners.size() < 3 || largest(part.area) == 0) return false;
     if (slab(part.area, part.corners).width > d_ * length(part.area)) return false;
@@ -329,8 +329,7 @@ class PlaneFinder {
         append(carrier.corners, found_.parts[p].corners);
         found_.carrier_of[p] = static_cast<Index>(found_.carriers.size());
       }
-      std::sort(carrier.corners.begin(), carrier.corners.end());
-      carrier.corners.erase(std::unique(carrier.corners.begin(), carrier.corners.end()), carrier.corners.end());
+      sort_unique(carrier.corners);
       carrier.overlap = overlap_[i];
       place(carrier, clusters_[i]);
       found_.carriers.push_back(std::move(carrier));

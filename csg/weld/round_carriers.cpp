@@ -9,6 +9,7 @@
 
 #include "csg/geometry/circle.h"
 #include "csg/weld/planes.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/integers.h"
@@ -93,8 +94,7 @@ Index number_in(const std::vector<Value>& sorted, const Value& value) {
 }
 template <class Value>
 void make_set(std::vector<Value>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
+  sort_unique(values);
 }
 
 class RoundWelder {

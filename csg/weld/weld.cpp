@@ -9,6 +9,7 @@
 #include "csg/weld/inside.h"
 #include "csg/weld/order.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
@@ -171,8 +172,7 @@ class Welder {
     foreign_.resize(spots_.size());
     for (Index s = 0; s < spots_.size(); ++s) {
       std::vector<Index>& on = on_[s];
-      std::sort(on.begin(), on.end());
-      on.erase(std::unique(on.begin(), on.end()), on.end());
+      sort_unique(on);
       for (const Index p : spots_[s]) {
         Box at;
         at.extend(near_[p], near_[p]);
@@ -181,8 +181,7 @@ class Welder {
                    [&](Index part) { note_foreign(s, p, part); });
       }
       std::vector<Index>& more = foreign_[s];
-      std::sort(more.begin(), more.end());
-      more.erase(std::unique(more.begin(), more.end()), more.end());
+      sort_unique(more);
       on.insert(on.end(), more.begin(), more.end());
       std::sort(on.begin(), on.end());
     }

@@ -20,6 +20,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/per_thread.h"
 #include "kernel/exact/cross_filter.h"
+#include "kernel/exact/determinant_sum.h"
 #include "kernel/exact/enclosure.h"
 #include "kernel/exact/plane_filter.h"
 
@@ -153,10 +154,15 @@ int orient3d(const double* a, const double* b, const double* c, const double* d)
     return s;
   }
   ++counts().exact;
-  const auto exactly = [](const double* p) {
-    return ExactPoint::from({from_double(p[0]), from_double(p[1]), from_double(p[2])});
-  };
-  return exact_orient3d(exactly(a), exactly(b), exactly(c), exactly(d));
+  ScaledPoints points;
+  for (const double* const p : {a, b, c, d}) points.add(p);
+  points.scale();
+  DeterminantSum sum(points);
+  sum.add(1, 2, 3, true);
+  sum.add(0, 2, 3, false);
+  sum.add(0, 1, 3, true);
+  sum.add(0, 1, 2, false);
+  return sgn(sum.value());
 }
 
 int side_of_plane(const PointTable& t, PlaneId plane, const PointView& p) {

@@ -10,7 +10,6 @@
 #include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/bounds.h"
-#include "kernel/tetrahedra/insertion.h"
 #include "kernel/tetrahedra/lengths.h"
 #include "kernel/tetrahedra/moves.h"
 #include "kernel/tetrahedra/shapes.h"
@@ -51,21 +50,11 @@ constexpr std::size_t kFew = 25'000;
 constexpr double kSaved = 0.9;
 /// Halvings more than a bad shape needs at least.
 constexpr int kSpare = 2;
-/// Where no larger part is bad, the mesh is good.
-constexpr double kGood = 0.01;
-/// Where a larger part is bad nearly all tetrahedra may lead from small features to far ones, with room for
-/// vertices between.
-constexpr double kMuch = 0.5;
-/// New vertices are put in while a part is bad that is so much smaller than a round before.
-constexpr double kFewerBad = 0.95;
-constexpr int kInsertRounds = 30;
+/// Edges are halved to their length as long as a round has so many fewer to halve.
+constexpr double kFewerLong = 0.95;
 /// Moves that cost less end when so large a part of what was bad is left.
 constexpr double kFewer = 0.98;
 constexpr int kFewerRounds = 12;
-/// Of a line in the way: it gets a vertex beside the corner over it if that is so many times as far from its ends
-/// as from the line; else so many times as far from its end as the corner, if it is twice as long; else in the
-/// middle, if it is so many times as long as the shortest edge of what is bad.
-constexpr double kBeside = 2, kAway = 6, kLongLine = 3;
 
 class Improver {
  public:
@@ -74,7 +63,6 @@ class Improver {
         watch_(watch),
         mesh_(mesh, watch),
         moves_(mesh_, options.fixed, options.keep_boundary),
-        insertion_(mesh_, options.fixed, options.keep_boundary),
         lengths_(mesh_, moves_, options),
         bounds_{cube(options.shape), options.radius_edge, options.volume},
         in_the_end_{bounds_.shape, bounds_.radius_edge, bounds_.volume, options.longest},
@@ -123,14 +111,12 @@ class Improver {
   const Watch& watch_;
   Stars mesh_;
   Moves moves_;
-  Insertion insertion_;
   Lengths lengths_;
   const Bounds bounds_, in_the_end_;
   const std::chrono::steady_clock::time_point begin_;
-  std::vector<int> halvings_;         // by vertex
-  std::vector<std::uint64_t> tried_;  // by tetrahedron: when no new vertex made it better
-  double gain_of_bad_ = kNotable;     // in the next sweep
-  std::string stage_;                 // of a walk through all tetrahedra: how many of them it takes nobody knows
+  std::vector<int> halvings_;      // by vertex
+  double gain_of_bad_ = kNotable;  // in the next sweep
+  std::string stage_;              // of a walk through all tetrahedra: how many of them it takes nobody knows
   std::size_t steps_ = 0, asked_ = 0;
   bool wide_only_ = false;  // what is narrow stays as it is
   double part_ = 1;         // of the steps and seconds, for what is done now
@@ -242,7 +228,7 @@ class Improver {
       sweep(cube(kRough * options_.good), Bad::notably);
       if (longer > Lengths::kLong) continue;
       patience =
-          double(done) < kFewerBad * double(fewest) ? kPatience : patience - 1;  // moves may undo what it does
+          double(done) < kFewerLong * double(fewest) ? kPatience : patience - 1;  // moves may undo what it does
       fewest = std::min(fewest, done);
       if (patience == 0 || done * kFewDone < mesh_.size()) break;
     }
@@ -402,17 +388,6 @@ class Improver {
     return now;
   }
 
-  double bad_shapes() const {
-    std::size_t all = 0, bad = 0;
-    for (Index t = 0; t < mesh_.size(); ++t) {
-      if (!mesh_.alive(t)) continue;
-      ++all, bad += has_bad_shape(t);
-    }
-    return static_cast<double>(bad) / static_cast<double>(std::max<std::size_t>(all, 1));
-  }
-  bool has_bad_shape(Index t) const {
-    return mesh_.at(t).region >= 0 && mesh_.at(t).shape < cube(options_.shape) && !(wide_only_ && is_narrow(t));
-  }
   bool is_narrow(Index t) const {
     const auto& c = mesh_.at(t).corners;
     for (const Index v : c)
@@ -423,84 +398,15 @@ class Improver {
   /// What is narrow comes last, and gets no more points than its ration.
   void to_shapes() {
     wide_only_ = options_.narrow_points > 0;
-    to_shape(options_.points);
+    halve_on(options_.points);
     if (!wide_only_) return;
     wide_only_ = false;
-    to_shape(options_.narrow_points);
+    halve_on(options_.narrow_points);
   }
 
-  /// New vertices where there is room for them make a good mesh of few points at once, if any do. Else halves come
-  /// first: there are more of them, and more that are good.
-  void to_shape(const std::size_t points) {
-    if (bad_shapes() > kMuch) {
-      const ConformingTetrahedra before = mesh_.mesh();
-      std::size_t left = points;
-      set_halvings();
-      insert(left, true);
-      if (bad_shapes() <= kGood) insert_on(true, points);
-      else set_mesh(before);
-    }
-    halve_on(points);
-    for (const bool on_lines : {false, true})
-      if (!too_many_ && bad_shapes() > kGood) insert_on(on_lines, points);
-  }
   void set_mesh(const ConformingTetrahedra& mesh) {
     mesh_ = Stars(mesh, watch_);
     lengths_.forget(static_cast<Index>(mesh.points.size()));
-    tried_.clear();
-  }
-
-  /// Rounds of new vertices, also on lines, as long as they help. The last one is kept if it does.
-  void insert_on(bool on_lines, std::size_t left) {
-    set_halvings();
-    tried_.clear();
-    double least = bad_shapes();
-    for (int round = 0; round < kInsertRounds && least > 0 && !over(); ++round) {
-      ConformingTetrahedra before = mesh_.mesh();
-      if (!insert(left, on_lines)) break;
-      const double bad = bad_shapes();
-      if (bad > least) set_mesh(before);
-      if (bad > kFewerBad * least) break;
-      least = bad;
-    }
-  }
-
-  /// A new vertex for each that has a bad shape, where there is a place, or on the line that is in its way.
-  bool insert(std::size_t& left, bool on_lines) {
-    begin("mesh: shapes, new vertices");
-    bool any = false;
-    const auto all = static_cast<Index>(mesh_.size());
-    tried_.resize(all, 0);
-    for (Index t = 0; t < all && !over(t) && left > 0; ++t) {
-      if (!mesh_.alive(t) || !has_bad_shape(t) || !mesh_.changed_since(t, tried_[t])) continue;
-      tried_[t] = mesh_.changes();
-      steps_ += ImproveOptions::kStepsOfMove;
-      const bool done = insertion_.insert(t, kNotable) != Stars::kNoTetrahedron || (on_lines && split_line(t));
-      halvings_.resize(mesh_.point_count(), 0);
-      if (!done) continue;
-      any = true, --left;
-    }
-    if (any) sweep(cube(kRough * options_.good));
-    return any;
-  }
-
-  bool split_line(Index t) {
-    const auto [a, b, over] = insertion_.in_the_way();
-    if (a == b || is_forced(t)) return false;
-    const int halvings = std::min(halvings_[a], halvings_[b]);
-    if (halvings == 0) return false;
-    const Point along = minus(mesh_.point(b), mesh_.point(a)), to = minus(mesh_.point(over), mesh_.point(a));
-    const double length = std::sqrt(dot(along, along)), foot = dot(along, to) / length;
-    const double height = std::sqrt(std::max(0.0, dot(to, to) - foot * foot));
-    const double near = std::min(foot, length - foot), side = std::sqrt(near * near + height * height);
-    double part = 0.5;
-    if (near > kBeside * height) part = foot / length;
-    else if (length > 2 * kAway * side)
-      part = foot < length / 2 ? kAway * side / length : 1 - kAway * side / length;
-    else if (length < kLongLine * shortest_edge(t)) return false;
-    const Index v = moves_.split(a, b, part);
-    halvings_.resize(mesh_.point_count(), halvings - 1);
-    return v != Stars::kNoTetrahedron;
   }
 
   double shortest_edge(Index t) const {

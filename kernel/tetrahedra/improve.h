@@ -6,6 +6,11 @@
 // (moves.h) make what is bad better one by one, and where none does the longest edge is halved. Each step leaves a
 // valid mesh, so the work may end after any of them: a count of steps is the same on every machine, a clock only
 // for who asks for it.
+//
+// Is it worth its lines? TetGen's own optimization of 82 models (fracture networks, geology, triangle meshes) left
+// 18,420 of 43,729 tetrahedra with a shape below 0.1; these moves leave 510 of 102,784. New vertices in the middle
+// of spheres (klingner2007), besides halves of edges, left 506; of constrained tetrahedra of 65 models, 1.9 % in
+// place of 2.1 %, in 1.4 of the time: these were not.
 #pragma once
 
 #include <cstdint>

@@ -93,7 +93,9 @@ bool Moves::remove_edge(Index a, Index b, double longest) {
     const std::int32_t facet = facet_at(walls[0]);
     const Index c = around[walls[0]], d = around[walls[1]];
     if (mesh_.line(c, d) != Stars::kNone) return false;
-    if (!turned_like(facet, a, d, c, b) || !turned_like(facet, b, c, d, a)) return false;
+    if (!turned_like(facet, mesh_.point(a), mesh_.point(d), c, b) ||
+        !turned_like(facet, mesh_.point(b), mesh_.point(c), d, a))
+      return false;
     const auto change_side = [&](std::size_t from, std::size_t count) {
       return count == 2 ? peel(tets[from], a, b, facet) : fill_arc(a, b, from, count, true, facet, bar, longest);
     };
@@ -209,10 +211,10 @@ bool Moves::swap_face(Index t, int k) {
 }
 
 /// Is the triangle p, q, `after` turned to the facet as p, q, `before` is, and no sliver of it?
-bool Moves::turned_like(std::int32_t facet, Index before, Index after, Index p, Index q) const {
-  const Point &a = mesh_.point(p), &b = mesh_.point(q);
-  const Point side = minus(b, a);
-  const Point old = cross(side, minus(mesh_.point(before), a)), fresh = cross(side, minus(mesh_.point(after), a));
+bool Moves::turned_like(std::int32_t facet, const Point& before, const Point& after, Index p, Index q) const {
+  const Point& a = mesh_.point(p);
+  const Point side = minus(mesh_.point(q), a), old = cross(side, minus(before, a)),
+              fresh = cross(side, minus(after, a));
   const double x = dot(old, mesh_.normal(facet)), y = dot(fresh, mesh_.normal(facet));
   return x * y > 0 && y * y > kFlat * kFlat * dot(fresh, fresh);
 }
@@ -275,7 +277,7 @@ bool Moves::collapse(Index a, Index b, double enough, double longest) {
         if (m == k || m == at) continue;
         (p == a ? p : q) = t.corners[m];
       }
-      if (!turned_like(t.facets[k], a, b, p, q)) return false;
+      if (!turned_like(t.facets[k], mesh_.point(a), mesh_.point(b), p, q)) return false;
     }
     t.corners[at] = b;
     t.shape = mesh_.measure(t.corners, t.region, bar);
@@ -304,9 +306,9 @@ bool Moves::collapse(Index a, Index b, double enough, double longest) {
   return true;
 }
 
-Index Moves::split(Index a, Index b, double part) {
+Index Moves::split(Index a, Index b) {
   const Point &p = mesh_.point(a), &q = mesh_.point(b);
-  const Point m{p[0] + (q[0] - p[0]) * part, p[1] + (q[1] - p[1]) * part, p[2] + (q[2] - p[2]) * part};
+  const Point m{p[0] + (q[0] - p[0]) / 2, p[1] + (q[1] - p[1]) / 2, p[2] + (q[2] - p[2]) / 2};
   const std::int32_t line = mesh_.line(a, b);
   old_ = at_edge(a, b);
   std::int32_t facet = Stars::kNone;
@@ -396,10 +398,7 @@ bool Moves::try_place(Index v, const Point& place, double gain, double& now) {
         std::size_t n = 0;
         for (std::size_t m = 0; m < 4; ++m)
           if (m != k && t.corners[m] != v) side[n++] = t.corners[m];
-        const Point &a = mesh_.point(side[0]), &b = mesh_.point(side[1]);
-        const Point s = minus(b, a), old = cross(s, minus(before, a)), fresh = cross(s, minus(p, a));
-        const double x = dot(old, mesh_.normal(facet)), y = dot(fresh, mesh_.normal(facet));
-        if (!(x * y > 0 && y * y > kFlat * kFlat * dot(fresh, fresh))) return false;
+        if (!turned_like(facet, before, p, side[0], side[1])) return false;
       }
     }
   }

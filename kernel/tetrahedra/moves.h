@@ -40,9 +40,8 @@ class Moves {
   /// Pulls `a` into `b`. All shapes must be above `enough` or above the worst that there was, or all cost less.
   /// `longest`: no new edge is longer (squared length).
   bool collapse(Index a, Index b, double enough, double longest);
-  /// A new vertex on an edge, after that part of the way from a to b; its number, or kNoTetrahedron where
-  /// something would turn.
-  Index split(Index a, Index b, double part = 0.5);
+  /// A new vertex in the middle of an edge; its number, or kNoTetrahedron where something would turn.
+  Index split(Index a, Index b);
   /// A new vertex on an edge, moved to where that is better than before; false, and nothing is done, if there is
   /// no such place. Where costs count.
   bool divide(Index a, Index b);
@@ -71,8 +70,7 @@ class Moves {
   bool fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool closing, std::int32_t facet,
                 double bar, double longest);
   bool peel(Index t, Index a, Index b, std::int32_t facet);
-  bool keeps_facets(Index a, Index b) const;
-  bool turned_like(std::int32_t facet, Index before, Index after, Index p, Index q) const;
+  bool turned_like(std::int32_t facet, const Point& before, const Point& after, Index p, Index q) const;
   /// What moves make larger: the worst shape, or less costs.
   double value(const Stars::Tetrahedron& t) const { return aim_ ? -aim_->cost(mesh_, t) : t.shape; }
   double both(double a, double b) const { return aim_ ? a + b : std::min(a, b); }

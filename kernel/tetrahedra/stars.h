@@ -69,20 +69,14 @@ class Stars {
   /// Puts the shapes of its star, in their order, for a vertex that has moved.
   void set_shapes(Index v, std::span<const double> shapes);
   void replace(std::span<const Index> old, std::span<const Tetrahedron> fresh);
-  void set_facet(Index t, int k, std::int32_t facet) {
-    tetrahedra_[t].facets[static_cast<std::size_t>(k)] = facet;
-  }
 
   /// No move makes the tetrahedron better, until something changes in the stars of its corners: more than these no
   /// move looks at. So sweeps of a mesh of which little changes between them cost little.
   void settle(Index t) { settled_[t] = changes_; }
   /// Other moves are tried from now on.
   void unsettle() { std::ranges::fill(settled_, 0); }
-  bool is_settled(Index t) const { return !changed_since(t, settled_[t]); }
-  /// How many changes there were, and whether one since then was in the stars of the corners.
-  std::uint64_t changes() const { return changes_; }
-  bool changed_since(Index t, std::uint64_t changes) const {
-    return std::ranges::any_of(tetrahedra_[t].corners, [&](Index v) { return last_change_[v] > changes; });
+  bool is_settled(Index t) const {
+    return std::ranges::none_of(tetrahedra_[t].corners, [&](Index v) { return last_change_[v] > settled_[t]; });
   }
 
   /// The cube of the shape 12 (3 V)^(2/3) / (sum of squared edges), which is 1 of a regular tetrahedron (liu1994):

@@ -50,7 +50,6 @@ class Tetrahedra {
   int place(Index t, VertexId v) const {
     return static_cast<int>(std::find(corners_[t].begin(), corners_[t].end(), v) - corners_[t].begin());
   }
-  bool on_box(VertexId v) const { return v >= first_corner_ && v.index() < first_corner_.index() + 8; }
 
   /// The tetrahedra at a vertex, or at an edge.
   void around(VertexId v, std::vector<Index>& out) const;

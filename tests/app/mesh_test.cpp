@@ -349,8 +349,8 @@ TEST_CASE("mesh: what is foretold once more says why", "[app][mesh]") {
   const Outcome o = w.run("mesh near.yaml --size 1 -o near.msh");
   INFO(o.err);
   CHECK(o.status == 0);
-  CHECK_THAT(o.err, StartsWith("notice: about ") &&
-                        Contains("\nnotice: TetGen has made no mesh to these bounds, so others are made: about "));
+  CHECK_THAT(o.err, StartsWith("notice: from ") &&
+                        Contains("\nnotice: TetGen has made no mesh to these bounds, so others are made: from "));
 }
 
 TEST_CASE("mesh: a thin slab is meshed whatever way is taken, and what it lacks is told", "[app][mesh]") {
@@ -541,7 +541,7 @@ TEST_CASE("mesh: sizes are foretold before they are made", "[app][mesh][size]") 
   w.write("t.yaml", kPair);
   Outcome o = w.run("mesh t.yaml -o t.msh --size 0.25 --growth 0.5");
   CHECK(o.status == 0);
-  CHECK_THAT(o.err, StartsWith("notice: about ") && Contains(" tetrahedra are expected, ") &&
+  CHECK_THAT(o.err, StartsWith("notice: from ") && Contains(" tetrahedra are expected, up to ") &&
                         Contains(" MB of memory, less than a second\n"));
   CHECK(w.run("mesh t.yaml -o quiet.msh --size 0.25 --growth 0.5 --quiet").err.empty());
   CHECK(w.read("quiet.msh") == w.read("t.msh"));

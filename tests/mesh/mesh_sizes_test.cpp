@@ -243,12 +243,6 @@ TEST_CASE("regions are found by a ray", "[size]") {
   CHECK(component(20, 20, 20) == 0);
   CHECK_FALSE(s.regions.meets_faces({3.5, 3.5, 3.5}, {4.5, 4.5, 4.5}));
   CHECK(s.regions.meets_faces({3.5, 3.5, 3.5}, {5.5, 4.5, 4.5}));
-  CHECK(s.regions.thickness({0.5, 4.1, 4.2}, 100) == Approx(1));
-  CHECK(s.regions.thickness({4.3, 4.1, 4.2}, 100) == Approx(2).epsilon(0.2));
-  CHECK(s.regions.thickness({0.5, 4.1, 4.2}, 0.25) == 0.25);
-  CHECK(s.regions.plate({0.5, 4.1, 4.2}, 100).even());
-  CHECK(s.regions.may_have_plates({-0.1, 3, 3}, {1.1, 5, 5}));
-  CHECK_FALSE(s.regions.may_have_plates({-0.1, 3, 3}, {0.9, 5, 5}));  // the one wall, of two triangles
   std::size_t triangles = 0;
   for (const auto& face : s.flat.faces) {
     for (const auto& t : face.triangles) {

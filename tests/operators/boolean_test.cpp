@@ -8,6 +8,7 @@
 #include "kernel/selection/simplify.h"
 #include "tests/catch.h"
 #include "tests/operators/pieces.h"
+#include "tests/oracles/paper_classification.h"
 
 namespace cnrg {
 namespace {

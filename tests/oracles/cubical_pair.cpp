@@ -7,10 +7,10 @@
 #include "csg/operators/boolean.h"
 #include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/paper_classification.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/simplify.h"
 #include "tests/oracles/evaluation.h"
+#include "tests/oracles/paper_classification.h"
 
 namespace cubical {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "csg/operators/identities.h"
 #include "csg/operators/node_value.h"
-#include "csg/operators/paper_classification.h"
 #include "kernel/selection/simplify.h"
+#include "tests/oracles/paper_classification.h"
 
 namespace cnrg::properties {
 namespace {

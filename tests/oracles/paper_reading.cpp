@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "csg/operators/paper_classification.h"
+#include "tests/oracles/paper_classification.h"
 
 namespace cnrg {
 namespace {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "kernel/exact/predicates.h"
-#include "kernel/tetrahedra/insertion.h"
 #include "kernel/tetrahedra/moves.h"
 #include "kernel/tetrahedra/shapes.h"
 #include "tests/catch.h"
@@ -213,34 +212,6 @@ TEST_CASE("improved tetrahedra have the regions, facets and lines that they had"
   }
   CHECK(made * 10 > (end - begin) * 9);
   CHECK(share_after * 2 < share_before);
-}
-
-TEST_CASE("new vertices keep regions, facets and lines, and are corners of better shapes only", "[tetrahedra]") {
-  const auto [begin, asked] = scenes::seeds(20);
-  const std::uint64_t end = std::max<std::uint64_t>(asked, begin + 20);  // of fewer none may come on a facet
-  std::size_t inside = 0, on_facets = 0;
-  for (std::uint64_t seed = begin; seed < end; ++seed) {
-    INFO("seed " << seed);
-    Index fixed = 0;
-    const Mesh before = random_mesh(seed, fixed);
-    if (before.tetrahedra.empty()) continue;
-    Stars stars(before);
-    const bool keep = seed % 4 == 3;
-    Insertion insertion(stars, fixed, keep);
-    for (Index t = 0; t < stars.size(); ++t) {
-      if (!stars.alive(t) || stars.at(t).shape >= 0.1) continue;
-      const double shape = stars.at(t).shape;
-      const Index v = insertion.insert(t, 1.05);
-      if (v == Stars::kNoTetrahedron) continue;
-      REQUIRE(!stars.star(v).empty());
-      for (const Index u : stars.star(v)) REQUIRE(stars.at(u).shape > 1.05 * shape);
-      (stars.facet(v) == Stars::kNone ? inside : on_facets) += 1;
-      REQUIRE((!keep || stars.facet(v) == Stars::kNone));
-    }
-    require_same(before, stars.mesh());
-  }
-  CHECK(inside > 0);
-  CHECK(on_facets > 0);
 }
 
 // A hundred short pieces in a box a hundred times as wide: each is an edge of tetrahedra to its far corners.

@@ -126,8 +126,8 @@ class Tetrahedra(Mesh):
         self.moved: int = data["moved"]
         """how many vertices of the result are no doubles and were rounded"""
         self.expected: float = mesh.expected()
-        """how many tetrahedra were expected before any was made: within 30 % where sizes or volumes are asked for, else
-        roughly; 0 where that is not foretold"""
+        """how many tetrahedra were expected before any was made: mostly within a factor of two where sizes or volumes
+        are asked for; 0 where that is not foretold"""
         self.curved: bool = data["curved"]
         """elements of second order, on true surfaces or with straight edges"""
 

@@ -1,7 +1,7 @@
 // A point that is on no face of the other group lies in the region that its first hit looks into, whatever other
 // cells the ray passes on its way; a ray that hits nothing ends in the unbounded region. Faces of the frame are
 // hit too: beyond them nothing is located.
-#include "csg/operators/paper_classification.h"
+#include "tests/oracles/paper_classification.h"
 
 namespace cnrg {
 namespace {
