@@ -3,6 +3,7 @@
 // Of an extrusion S_u = s R p' and S_t = s' R q + s w R (n x q) + v with q = p - c, the unit vector n along v and
 // w the twist in radians. R keeps v and commutes with products, so the normal is s R (p' x (s' q + s w n x q +
 // v)).
+#include "csg/curves/skin.h"
 #include "csg/curves/surface_forms.h"
 #include "csg/curves/surface_spline.h"
 #include "csg/leaves/prepare_shapes.h"
@@ -122,6 +123,16 @@ std::shared_ptr<const LeafSurfaces> bezier_surfaces(const BezierShape& shape) {
     surfaces->add_form(number, curve_form(net));
     surfaces->add_curve(number++,
                         std::make_shared<const SplineCurve>(curve_pieces(net, "bezier"), curve_spans(net)));
+  }
+  return surfaces;
+}
+
+std::shared_ptr<const LeafSurfaces> skin_surfaces(const NetForm& skin) {
+  auto surfaces = std::make_shared<LeafSurfaces>();
+  std::uint32_t number = 0;
+  for (const NetForm::Patch& patch : skin.patches) {
+    const NetPiece& piece = patch.pieces[0];
+    add_net(*surfaces, number++, {piece.patch}, {piece.span}, net_of(piece.patch));
   }
   return surfaces;
 }
