@@ -97,6 +97,29 @@ void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<Bez
   }
 }
 
+/// What a segment of an extrusion sweeps.
+void add_segment(LeafSurfaces& surfaces, std::uint32_t patch, const ExtrudeShape& shape,
+                 const RationalPoint& center, const CurveNet& net) {
+  if (sweeps_plane(shape, net)) return;
+  surfaces.add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
+  if (std::optional<SurfaceForm> form = extruded_form(shape, center, net))
+    surfaces.add_form(patch, std::move(*form));
+}
+
+/// The extrusion of a curve that a patch is, if its second row is the first one moved.
+std::optional<ExtrudeShape> translation_of(const BezierPatch& patch) {
+  if (patch.net.size() != 2) return std::nullopt;
+  ExtrudeShape shape{{{{{{}}}}, false}, project(patch.net[1][0]) - project(patch.net[0][0])};
+  CurveNet& net = shape.profile.lines[0].segments[0];
+  for (std::size_t i = 0; i < patch.net[0].size(); ++i) {
+    const Homogeneous &from = patch.net[0][i], &to = patch.net[1][i];
+    if (from[3] != to[3] || project(to) - project(from) != shape.vector) return std::nullopt;
+    net.points.push_back(project(from));
+    net.weights.push_back(from[3]);
+  }
+  return shape;
+}
+
 PatchNet net_of(const BezierPatch& patch) {
   PatchNet net;
   for (const ControlRow& row : patch.net) {
@@ -132,6 +155,10 @@ std::shared_ptr<const LeafSurfaces> skin_surfaces(const NetForm& skin) {
   std::uint32_t number = 0;
   for (const NetForm::Patch& patch : skin.patches) {
     const NetPiece& piece = patch.pieces[0];
+    if (const std::optional<ExtrudeShape> moved = translation_of(piece.patch)) {
+      add_segment(*surfaces, number++, *moved, {0, 0, 0}, moved->profile.lines[0].segments[0]);
+      continue;
+    }
     add_net(*surfaces, number++, {piece.patch}, {piece.span}, net_of(piece.patch));
   }
   return surfaces;
@@ -154,13 +181,7 @@ std::shared_ptr<const LeafSurfaces> extrude_surfaces(const ExtrudeShape& shape) 
   std::uint32_t number = shape.profile.closed ? 2 : 0;
   const RationalPoint center = axis_point(shape);
   for (const ProfileLine& line : shape.profile.lines) {
-    for (const CurveNet& net : line.segments) {
-      const std::uint32_t patch = number++;
-      if (sweeps_plane(shape, net)) continue;
-      surfaces->add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
-      if (std::optional<SurfaceForm> form = extruded_form(shape, center, net))
-        surfaces->add_form(patch, std::move(*form));
-    }
+    for (const CurveNet& net : line.segments) add_segment(*surfaces, number++, shape, center, net);
   }
   return surfaces;
 }

@@ -116,7 +116,7 @@ class Sweeper {
       return homogeneous(center + turned(project(h) - center), square * h[3]);
     });
     skin_.add_band({section_, half, there});
-    section_ = std::move(there);
+    section_ = mapped(std::move(there), [&](const Homogeneous& h) { return Rational(1 / square) * h; });
     direction_ = turned(direction_);
   }
 

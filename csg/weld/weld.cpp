@@ -383,9 +383,11 @@ LeafWords Weld::notice(const Rational& d) const {
   if (changed()) {
     char farthest_text[32];
     std::snprintf(farthest_text, sizeof farthest_text, "%.3g", farthest);
-    words = "moved " + counted(moved, "point", "points") + ", by " + farthest_text + " at most; " +
-            counted(joined_planes, "plane", "planes") +
-            (only_planes ? "" : " and " + counted(joined_points, "point", "points")) + " joined with others";
+    words = "moved " + counted(moved, "point", "points") + ", by " + farthest_text + " at most";
+    const std::string planes = "; " + counted(joined_planes, "plane", "planes");
+    if (!only_planes)
+      words += planes + " and " + counted(joined_points, "point", "points") + " joined with others";
+    else if (joined_planes > 0) words += planes + " of several faces";
   }
   if (off > 0) {
     words += "; " + counted(off, "corner stays", "corners stay") +

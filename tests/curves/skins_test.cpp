@@ -14,7 +14,7 @@ namespace {
 
 using Points = std::vector<RationalPoint>;
 
-ProfileLine polygon(const Points& corners) {
+ProfileLine outline(const Points& corners) {
   ProfileLine result;
   for (std::size_t i = 0; i < corners.size(); ++i)
     result.segments.push_back({{corners[i], corners[(i + 1) % corners.size()]}, {}, 0, {}});
@@ -22,7 +22,7 @@ ProfileLine polygon(const Points& corners) {
 }
 
 /// Four quarters of a circle at x, exactly, about the x axis or with another center.
-ProfileLine circle(const Rational& x, const Rational& radius, const Rational& y = 0, const Rational& z = 0) {
+ProfileLine round_line(const Rational& x, const Rational& radius, const Rational& y = 0, const Rational& z = 0) {
   ProfileLine result;
   Rational a = radius, b = 0;
   for (int k = 0; k < 4; ++k) {
@@ -38,11 +38,11 @@ ProfileLine circle(const Rational& x, const Rational& radius, const Rational& y 
 /// Centroid at the origin, in the plane x = 0, of area 4 less a hole of 1/4 whose centroid is there, too.
 Profile square_with_hole() {
   const Rational q = r("1/4");
-  return {{polygon({{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}),
-           polygon({{0, -q, -q}, {0, q, -q}, {0, q, q}, {0, -q, q}})}};
+  return {{outline({{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}),
+           outline({{0, -q, -q}, {0, q, -q}, {0, q, q}, {0, -q, q}})}};
 }
 
-void check_solid(const Soup& soup) {
+void check_skin(const Soup& soup) {
   CHECK(soup.fill(LeafId(0)) == Fill::winding);
   CHECK(planar(soup));
   CHECK(closed(soup));
@@ -85,7 +85,7 @@ TEST_CASE("a mitred sweep is as long as its path, exactly", "[sweep]") {
   // Lengths 10, 5, 7, 15; the last bend leaves the plane of the others.
   const SweepShape shape{square_with_hole(), {{0, 0, 0}, {10, 0, 0}, {14, 3, 0}, {14, 10, 0}, {14, 19, 12}}};
   const Soup soup = soup_of(shape);
-  check_solid(soup);
+  check_skin(soup);
   CHECK(volume(soup) == r("15/4") * 37);
   CHECK(leaf_faces(soup) == 4 * 8 + 2);
   CHECK(soup.face_count() == 4 * 8 + 2);
@@ -109,7 +109,7 @@ TEST_CASE("a sweep with round bends has the volume of its facets in closed form"
     SweepShape shape{square_with_hole(), {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {16, 18, 0}}, Rational(2)};
     shape.tessellation.segments = steps;
     const Soup soup = soup_of(shape);
-    check_solid(soup);
+    check_skin(soup);
     const Rational straight = (10 - 2) + (10 - 2 - r("2/3")) + (10 - r("2/3"));
     CHECK(volume(soup) == r("15/4") * (straight + 2 * sines(1, steps) + 2 * sines(r("1/3"), steps)));
     // The path lies in a plane: the frame keeps its normal, exactly.
@@ -137,7 +137,7 @@ TEST_CASE("any path: no section is deformed, though lengths are irrational", "[s
     if (round % 2 == 0) shape.radius = 3;
     shape.tessellation.chord = r("1/100");
     const Soup soup = soup_of(shape);
-    check_solid(soup);
+    check_skin(soup);
     double length = 0;
     for (std::size_t i = 1; i < shape.path.size(); ++i) {
       const RationalPoint by = shape.path[i] - shape.path[i - 1];
@@ -165,21 +165,21 @@ TEST_CASE("arcs are drawn alike in sweeps and extrusions, and fit at the ends", 
     Tessellation fineness;
     if (by_chord) fineness.chord = r("1/50");
     else fineness.segments = 12;
-    const Profile tube{{circle(0, 3), circle(0, 2)}};
+    const Profile tube{{round_line(0, 3), round_line(0, 2)}};
     ExtrudeShape straight{tube, {7, 0, 0}};
     straight.tessellation = fineness;
     const SweepShape pipe{tube, {{0, 0, 0}, {7, 0, 0}}, {}, fineness};
     const Soup extruded = soup_of(straight), swept = soup_of(pipe);
-    check_solid(swept);
+    check_skin(swept);
     CHECK(volume(swept) == volume(extruded));
     CHECK(leaf_faces(swept) == leaf_faces(extruded));
     // With a bend the ends are still those of the extrusion, moved.
     const SweepShape bent{tube, {{0, 0, 0}, {10, 0, 0}, {10, 9, 0}}, Rational(4), fineness};
     const Soup elbow = soup_of(bent);
-    check_solid(elbow);
+    check_skin(elbow);
     CHECK(end_points(elbow, 1) == end_points(swept, 1));
-    CHECK(end_points(elbow, 0) ==
-          moved(end_points(swept, 1), Transform::translation({10, 9, 0}) * Transform::rotation({0, 0, 1}, 90, {0, 0, 0})));
+    CHECK(end_points(elbow, 0) == moved(end_points(swept, 1), Transform::translation({10, 9, 0}) *
+                                                                  Transform::rotation({0, 0, 1}, 90, {0, 0, 0})));
   }
 }
 
@@ -190,7 +190,7 @@ TEST_CASE("the end of a revolution is its start, rotated exactly", "[revolve]") 
       shape.axis = axis;
       shape.center = {5, 6, r("1/7")};
       shape.degrees = r(degrees);
-      ProfileLine ring = circle(0, 1, 4, 2);
+      ProfileLine ring = round_line(0, 1, 4, 2);
       for (CurveNet& net : ring.segments) {
         for (RationalPoint& p : net.points) p = {p[1], 0, p[2]};
       }
@@ -208,26 +208,26 @@ TEST_CASE("the end of a revolution is its start, rotated exactly", "[revolve]") 
 
 TEST_CASE("lofts: frustums, prismatoids, cones", "[loft]") {
   const auto square = [](const Rational& half, const Rational& z) {
-    return polygon({{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}});
+    return outline({{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}});
   };
   // Similar squares: walls are flat, and so is what lies between the holes.
   const LoftShape frustum{{{{square(2, 0), square(1, 0)}}, {{square(4, 6), square(2, 6)}}}};
   const Soup soup = soup_of(frustum);
-  check_solid(soup);
+  check_skin(soup);
   CHECK(soup.face_count() == 10);
   CHECK(volume(soup) == (Rational(6) / 3) * ((16 + 32 + 64) - (4 + 8 + 16)));
   // Given in any direction; several parts.
-  ProfileLine back = polygon({{-1, 1, 9}, {1, 1, 9}, {1, -1, 9}, {-1, -1, 9}});
+  ProfileLine back = outline({{-1, 1, 9}, {1, 1, 9}, {1, -1, 9}, {-1, -1, 9}});
   std::rotate(back.segments.begin(), back.segments.begin() + 3, back.segments.end());
   const Soup three = soup_of(LoftShape{{{{square(2, 0)}}, {{square(4, 6)}}, {{back}}}});
-  check_solid(three);
+  check_skin(three);
   CHECK(volume(three) == 224 + (64 + 16 + 4));
   // An eighth of a turn between: walls are saddles, and the area of sections is quadratic.
   const Rational s = r("3/2");
-  LoftShape turned{{{{square(1, 0)}}, {{polygon({{0, -s, 3}, {s, 0, 3}, {0, s, 3}, {-s, 0, 3}})}}}};
+  LoftShape turned{{{{square(1, 0)}}, {{outline({{0, -s, 3}, {s, 0, 3}, {0, s, 3}, {-s, 0, 3}})}}}};
   turned.tessellation.chord = r("1/1000");
   const Soup saddle = soup_of(turned);
-  check_solid(saddle);
+  check_skin(saddle);
   const auto area_between = [&](double t) {  // corners (-1, -1) + t ((0, -s) - (-1, -1)), turned by quarters
     const double x = -1 + t, y = -1 + t * (1 - 1.5);
     return 2 * (x * x + y * y);
@@ -235,18 +235,18 @@ TEST_CASE("lofts: frustums, prismatoids, cones", "[loft]") {
   const double exact = 3.0 / 6 * (area_between(0) + 4 * area_between(0.5) + area_between(1));
   CHECK(std::abs(to_double(volume(saddle)) - exact) < 0.001 * 4 * 3 * 2.2);
   // Circles: rulings of equal parameters make flat facets, a frustum of the polygons drawn.
-  LoftShape cone{{{{circle(0, 1)}}, {{circle(5, 3)}}}};
+  LoftShape cone{{{{round_line(0, 1)}}, {{round_line(5, 3)}}}};
   cone.tessellation.segments = 6;
   const Soup round = soup_of(cone);
-  check_solid(round);
+  check_skin(round);
   CHECK(leaf_faces(round) == 6);
-  ExtrudeShape lower{{{circle(0, 1)}}, {1, 0, 0}};
+  ExtrudeShape lower{{{round_line(0, 1)}}, {1, 0, 0}};
   lower.tessellation.segments = 6;
   CHECK(volume(round) == volume(soup_of(lower)) * (1 + 3 + 9) * 5 / 3);
 }
 
 TEST_CASE("sweeps and lofts that cannot be are refused", "[sweep]") {
-  const Profile square{{polygon({{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}})}};
+  const Profile square{{outline({{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}})}};
   const auto error = [&](Points path, std::optional<Rational> radius = {}) {
     return error_of(SweepShape{square, std::move(path), std::move(radius)});
   };
@@ -263,9 +263,9 @@ TEST_CASE("sweeps and lofts that cannot be are refused", "[sweep]") {
   CHECK_THAT(error({{0, 0, 0}, {3, 0, 0}}, Rational(0)), Catch::Contains("the radius is 0"));
   CHECK(error({{0, 0, 0}, {3, 0, 0}, {6, 0, 0}}, Rational(4)).empty());
   CHECK_THAT(error_of(LoftShape{{square}}), Catch::Contains("fewer than two profiles"));
-  const Profile triangle{{polygon({{3, -1, -1}, {3, 1, -1}, {3, 1, 1}})}};
+  const Profile triangle{{outline({{3, -1, -1}, {3, 1, -1}, {3, 1, 1}})}};
   CHECK_THAT(error_of(LoftShape{{square, triangle}}),
              Catch::Contains("profile 2 has other numbers of lines or segments"));
-  const Profile bent{{polygon({{3, -1, -1}, {3, 1, -1}, {4, 1, 1}, {3, -1, 1}})}};
+  const Profile bent{{outline({{3, -1, -1}, {3, 1, -1}, {4, 1, 1}, {3, -1, 1}})}};
   CHECK_THAT(error_of(LoftShape{{square, bent}}), Catch::Contains("the profile of loft is not planar"));
 }

@@ -81,7 +81,7 @@ Points random_polygon(std::mt19937& random, int decimals, bool corridor) {
 Points corners_of(const Soup& soup) { return loops(soup, SourceId(0))[0]; }
 
 /// The squared distance that the farthest corner moved.
-Rational farthest(const Points& a, const Points& b) {
+Rational farthest_move(const Points& a, const Points& b) {
   REQUIRE(a.size() == b.size());
   Rational most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, Rational(dot(a[i] - b[i], a[i] - b[i])));
@@ -135,7 +135,7 @@ TEST_CASE("corners within `fit` move onto one plane, hardly farther than they mu
     const auto leaf = prepare(PolygonShape{given, {}, fit});
     const Soup soup = make_soup({{leaf}});
     CHECK(planar(soup));
-    const double moved = std::sqrt(to_double(farthest(given, corners_of(soup))));
+    const double moved = std::sqrt(to_double(farthest_move(given, corners_of(soup))));
     CHECK(moved <= to_double(fit));
     CHECK(moved >= width / 2 * (1 - 1e-9));
     CHECK(moved <= 1.6 * width / 2);
@@ -145,7 +145,7 @@ TEST_CASE("corners within `fit` move onto one plane, hardly farther than they mu
     CHECK_THAT(error_of(PolygonShape{given, {}, fit * Rational(4, 5)}), Catch::Contains("not planar"));
     // Far more changes nothing: the plane is that of the corners, not of the length.
     const auto moved_by = [&](const Rational& d) {
-      return farthest(given, corners_of(make_soup({{prepare(PolygonShape{given, {}, d})}})));
+      return farthest_move(given, corners_of(make_soup({{prepare(PolygonShape{given, {}, d})}})));
     };
     CHECK(moved_by(fit * 2) == moved_by(fit * 1000));
     // Where the loop begins, and which way it runs, is all the same.
