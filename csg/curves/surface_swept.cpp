@@ -59,6 +59,29 @@ class SweptSurface final : public Surface {
   bool twisted_, scaled_;
 };
 
+/// S(u, v) = p(u) + v q(u).
+class RuledSurface final : public Surface {
+ public:
+  RuledSurface(const BezierCurve& first, const BezierCurve& ways)
+      : first_({first}, {{0, 1}}), ways_({ways}, {{0, 1}}) {}
+
+  SurfaceJet<double> at(double u, double v) const override { return jet(u, v); }
+  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override {
+    const enclosure::RoundOutward outward;
+    return jet(u, v);
+  }
+
+ private:
+  template <class N>
+  SurfaceJet<N> jet(const N& u, const N& v) const {
+    const CurveJet<N> p = first_.jet(u), q = ways_.jet(u);
+    const Vector3<N> along = sum(p.along, scaled(v, q.along));
+    return {sum(p.point, scaled(v, q.point)), along, q.point, cross(along, q.point)};
+  }
+
+  SplineCurve first_, ways_;
+};
+
 /// Points that span no more than a plane with the given vector.
 bool in_plane_with(const std::vector<RationalPoint>& points, RationalPoint along) {
   RationalPoint normal{0, 0, 0};
@@ -120,6 +143,18 @@ std::optional<ExtrudeShape> translation_of(const BezierPatch& patch) {
   return shape;
 }
 
+/// A patch of two rows of equal weights, which bounds the ways between them better than its net.
+std::shared_ptr<const Surface> ruled(const BezierPatch& patch) {
+  if (patch.net.size() != 2) return nullptr;
+  const ControlRow &first = patch.net[0], &second = patch.net[1];
+  BezierCurve ways;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i][3] != second[i][3]) return nullptr;
+    ways.net.push_back(homogeneous(project(second[i]) - project(first[i]), first[i][3]));
+  }
+  return std::make_shared<const RuledSurface>(BezierCurve{first}, ways);
+}
+
 PatchNet net_of(const BezierPatch& patch) {
   PatchNet net;
   for (const ControlRow& row : patch.net) {
@@ -159,7 +194,11 @@ std::shared_ptr<const LeafSurfaces> skin_surfaces(const NetForm& skin) {
       add_segment(*surfaces, number++, *moved, {0, 0, 0}, moved->profile.lines[0].segments[0]);
       continue;
     }
-    add_net(*surfaces, number++, {piece.patch}, {piece.span}, net_of(piece.patch));
+    add_net(*surfaces, number, {piece.patch}, {piece.span}, net_of(piece.patch));
+    if (surfaces->patch(number) != nullptr) {
+      if (std::shared_ptr<const Surface> lines = ruled(piece.patch)) surfaces->add_patch(number, std::move(lines));
+    }
+    ++number;
   }
   return surfaces;
 }

@@ -316,9 +316,8 @@ TEST_CASE("vertices of sweeps are the profile at u, moved by v") {
                   [&](std::uint32_t patch, const PatchCorner& c) {
                     const RationalPoint p = at(patch - first, c.at[0]);
                     const CircleFrame frame(shape.axis);
-                    const RationalPoint d = first != 0 && c.at[1] == 1
-                                                ? frame.turned(shape.degrees)
-                                                : frame.offset(1, shape.degrees * c.at[1]);
+                    const RationalPoint d = first != 0 && c.at[1] == 1 ? frame.turned(shape.degrees)
+                                                                       : frame.offset(1, shape.degrees * c.at[1]);
                     REQUIRE(c.point == shape.center + p[0] * d + RationalPoint{0, 0, p[2]});
                   });
       check_edges(made, shape.degrees == 360 ? std::set<std::size_t>{1} : std::set<std::size_t>{});

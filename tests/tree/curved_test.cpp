@@ -104,7 +104,8 @@ TEST_CASE("Coons patches, extrusions and revolutions are read", "[tree][curved]"
   CHECK(sweep.path[1] == RationalPoint{0, 0, 2});
   CHECK(sweep.radius == Rational(1, 2));
   const auto loft = read<LoftShape>(
-      "loft: {profiles: [[[0, 0, 0], [1, 0, 0], [0, 1, 0]], {outer: [[0, 0, 1], [1, 0, 1], [0, 1, 1]]}], chord: 1}");
+      "loft: {profiles: [[[0, 0, 0], [1, 0, 0], [0, 1, 0]], {outer: [[0, 0, 1], [1, 0, 1], [0, 1, 1]]}], chord: "
+      "1}");
   CHECK(loft.profiles[1].lines[0].segments[0].points[1] == RationalPoint{1, 0, 1});
   CHECK(loft.tessellation.chord == Rational(1));
 }
