@@ -163,6 +163,14 @@ class LeafMaker:
         a, b, c, d = corners = self.corners_of_tetrahedron()
         return Leaf("tetrahedron", corners, [(a, c, b), (a, b, d), (b, c, d), (c, a, d)])
 
+    def disk(self):
+        value = {"center": self.point(), "radii": [2, self.random.choice((1, 2))], "segments": 4}
+        if self.random.randrange(2):
+            value["normal"] = self.random.choice(SLANTS)
+        else:
+            value.update(dip=self.random.choice((0, 30, 90)), strike=self.random.choice((0, 45, 270)))
+        return Leaf("disk", value)
+
     def polygon(self):
         r = self.random
         kind = r.randrange(4)
@@ -374,6 +382,23 @@ class LeafMaker:
             value["degrees"] = r.choice((90, 120, 180, 270))
         return Leaf("revolve", value)
 
+    def sweep(self):
+        r = self.random
+        profile = self.corner_or_arc((0, 0, 0), (Fraction(1, 2), 0, 0), (Fraction(1, 2), Fraction(1, 2), 0))
+        path = [(0, 0, 0), (0, 0, 3)]
+        if r.randrange(4):
+            path.append(r.choice(((-3, 0, 3), (0, -3, 6), (-2, 1, 5))))
+        value = {"profile": profile, "path": path, "segments": 2}
+        if r.randrange(2):
+            value["radius"] = 1
+        return Leaf("sweep", value)
+
+    def loft(self):
+        (x0, x1), (y0, y1), (z0, z1) = self.span(), self.span(), self.span()
+        lower = self.corner_or_arc((x0, y0, z0), (x1, y0, z0), (x1, y1, z0))
+        upper = self.corner_or_arc((x1, y0, z1), (x1, y1, z1), (x0, y1, z1))
+        return Leaf("loft", {"profiles": [lower, upper], "segments": 2})
+
     def bezier(self):
         r = self.random
         kind = r.randrange(3)
@@ -493,10 +518,12 @@ class LeafMaker:
         """One leaf; `curved` and `unbounded` say whether such leaves are meant, too."""
         makers = [self.box] * 5 + [self.prism] * 3 + [self.group] * 4 + [self.polygon] * 3 + [
             self.polyline] * 2 + [
-                self.points, self.pyramid, self.hull, self.minkowski, self.tetrahedron, self.mesh, self.heightfield]
+                self.disk, self.points, self.pyramid, self.hull, self.minkowski, self.tetrahedron, self.mesh,
+                self.heightfield]
         if curved:
             makers = makers[::2] + [self.sphere, self.cylinder, self.cylinder, self.cone, self.torus, self.extrude,
-                                    self.revolve, self.bezier, self.bezier, self.bspline, self.coons]
+                                    self.revolve, self.sweep, self.loft, self.bezier, self.bezier, self.bspline,
+                                    self.coons]
         if unbounded:
             makers = makers + [self.plane, self.halfspace] * 3
         return self.random.choice(makers)()

@@ -63,8 +63,7 @@ PlacedForm place(const RevolvedForm& form, const Transform& transform, const Rat
   }
   const CircleFrame frame(form.axis);
   placed.start = (1 / scale) * transform.apply_to_vector(frame.offset(1, 0));
-  placed.end =
-      form.around() ? placed.start : (1 / scale) * transform.apply_to_vector(frame.offset(1, form.degrees));
+  placed.end = form.around() ? placed.start : (1 / scale) * transform.apply_to_vector(frame.turned(form.degrees));
   return placed;
 }
 

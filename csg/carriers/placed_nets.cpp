@@ -257,6 +257,11 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::nets_anew(const Cuts& cuts, cons
   common->curves.resize(nets_->curves.size());
   for (NetForm::Patch& patch : form->patches) patch.pieces.clear();
   for (NetForm::Curve& curve : form->curves) curve.pieces.clear();
+  for (NetForm::Flat& flat : form->flats) {
+    for (auto& loop : flat.loops) {
+      for (NetForm::Flat::Side& side : loop) side.corner = transform_.apply(side.corner);
+    }
+  }
   for (const PlacedPiece& piece : pieces) {
     form->patches[piece.number].pieces.push_back({piece.patch, piece.span});
     for (CutPiece& part : piece.parts(cuts)) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "csg/curves/patch_mesh.h"
+#include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
@@ -26,7 +27,8 @@ class ParametricLeaf {
   std::unique_ptr<PreparedLeaf> run() {
     for (std::size_t i = 0; i < form_.patches.size(); ++i) add_patch(i);
     for (std::size_t i = 0; i < form_.curves.size(); ++i) add_curve(i);
-    if (form_.fill != Fill::none && facets_.empty()) {
+    for (const NetForm::Flat& flat : form_.flats) add_flat(flat);
+    if (form_.fill != Fill::none && facets_.empty() && flats_.empty()) {
       throw InputError(shape() + ": fill is given, but there are no patches: leave it out");
     }
     boundary_.check_closed(form_.fill);
@@ -38,6 +40,7 @@ class ParametricLeaf {
       if (volume != 0) turn = volume < 0;
     }
     for (const Facet& f : facets_) builder_.triangle(f.a, turn ? f.c : f.b, turn ? f.b : f.c, f.number);
+    place_flats(turn);
     add_corners();
     return builder_.finish();
   }
@@ -79,6 +82,75 @@ class ParametricLeaf {
       facets_.push_back({point(a), point(b), point(c), number});
       volumes_.push_back(dot(a, cross(b, c)));
       if (record_ != nullptr) record_cell(cell_of(mesh, i, piece.patch), piece.span);
+    }
+  }
+
+  void add_flat(const NetForm::Flat& flat) {
+    const auto use = [&](BezierCurve side) {
+      if (flat.turned) std::reverse(side.net.begin(), side.net.end());
+      boundary_.use(side, flat.name);
+    };
+    auto& loops = flats_.emplace_back();
+    for (const auto& sides : flat.loops) {
+      std::vector<RationalPoint>& loop = loops.emplace_back();
+      for (std::size_t i = 0; i < sides.size(); ++i) {
+        const NetForm::Flat::Side& side = sides[i];
+        loop.push_back(placed(side.corner));
+        if (side.patch) {
+          use(rim(*side.patch, side.last_row));
+          append_inside(loop, *side.patch, side.last_row);
+        } else {
+          const RationalPoint& next = sides[(i + 1) % sides.size()].corner;
+          use({{homogeneous(side.corner), homogeneous(next)}});
+        }
+      }
+      if (flat.turned) std::reverse(loop.begin(), loop.end());
+      for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+        volumes_.push_back(dot(loop[0], cross(loop[i], loop[i + 1])));
+    }
+    check_polygon(loops, {.polygon = "the face `" + label(flat.name) + "`"});
+  }
+
+  void place_flats(bool turn) {
+    auto number = static_cast<std::uint32_t>(form_.patches.size());
+    for (std::size_t i = 0; i < flats_.size(); ++i, ++number) {
+      std::vector<std::vector<PointId>> face;
+      for (const auto& loop : flats_[i]) {
+        auto& ids = face.emplace_back();
+        for (const RationalPoint& p : loop) ids.push_back(point(p));
+        if (turn) std::reverse(ids.begin(), ids.end());
+      }
+      builder_.face(face, number);
+      if (record_ == nullptr) continue;
+      record_->name_patch(number, label(form_.flats[i].name));
+      record_->add_flat_facet();
+    }
+  }
+
+  RationalPoint placed(const RationalPoint& p) const {
+    return common_ == nullptr ? p : common_->transform.apply(p);
+  }
+
+  BezierCurve rim(std::size_t patch, bool last_row) const {
+    const BezierPatch& net = form_.patches[patch].pieces[0].patch;
+    return {last_row ? net.net.back() : net.net.front()};
+  }
+
+  /// The points between the ends of the first or last row of a patch of one piece, which others may have cut.
+  void append_inside(std::vector<RationalPoint>& loop, std::size_t patch, bool last_row) {
+    std::map<Rational, BezierCurve> parts;  // by where they begin
+    if (common_ == nullptr) {
+      parts.emplace(0, rim(patch, last_row));
+    } else {
+      for (const CommonNets::Piece& piece : common_->patches[patch]) {
+        if (piece.net.span[1][last_row ? 1 : 0] != (last_row ? 1 : 0)) continue;
+        parts.emplace(piece.net.span[0][0],
+                      BezierCurve{last_row ? piece.net.patch.net.back() : piece.net.patch.net.front()});
+      }
+    }
+    for (auto part = parts.begin(); part != parts.end(); ++part) {
+      if (part != parts.begin()) loop.push_back(part->second.at(0));
+      for (const Rational& t : boundary_.inside(part->second)) loop.push_back(part->second.at(t));
     }
   }
 
@@ -148,7 +220,8 @@ class ParametricLeaf {
   LeafParameters* record_;
   std::map<RationalPoint, PointId> ids_;
   std::vector<Facet> facets_;
-  std::vector<Rational> volumes_;  // six times, of the facets' tetrahedra with the origin
+  std::vector<std::vector<std::vector<RationalPoint>>> flats_;  // loops of each
+  std::vector<Rational> volumes_;  // six times, of the tetrahedra of facets and flats with the origin
 };
 
 std::string name_of(const char* kind, std::size_t index, std::size_t count) {

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,18 @@ class NetForm final : public CurvedForm {
     std::string name;
     std::vector<CurvePiece> pieces;
   };
+  /// A flat face of a skin (skin.h), numbered after the patches: the outer loop first. Each side runs from its
+  /// corner to the next one, straight, or along the first or last row of a patch, which begins in the corner.
+  struct Flat {
+    struct Side {
+      RationalPoint corner;
+      std::optional<std::size_t> patch{};
+      bool last_row = false;
+    };
+    std::string name;
+    std::vector<std::vector<Side>> loops;
+    bool turned = false;  ///< its front is that of the loops run backward
+  };
   NetForm(const char* shape, const Tessellation& tessellation, Fill fill)
       : fineness(shape, tessellation), fill(fill) {}
 
@@ -50,6 +63,7 @@ class NetForm final : public CurvedForm {
   Fill fill;
   std::vector<Patch> patches;  ///< by number
   std::vector<Curve> curves;   ///< by number
+  std::vector<Flat> flats;
 };
 
 /// How a leaf is tessellated together with others.

@@ -102,11 +102,31 @@ void turn_flat_ones(PatchMesh& mesh) {
   mesh.places.resize(kept);
 }
 
+/// True for a part of a cylinder, of any section, whose rulings are lines along v: all ways from the first row to
+/// the second run along one vector.
+bool has_parallel_rulings(const BezierPatch& patch) {
+  if (patch.net.size() != 2) return false;
+  const ControlRow &first = patch.net[0], &second = patch.net[1];
+  const Rational share = second[0][3] / first[0][3];
+  RationalPoint along{0, 0, 0};
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const RationalPoint way = project(second[i]) - project(first[i]);
+    if (is_zero(along)) along = way;
+    if (second[i][3] != share * first[i][3] || !is_zero(cross(along, way)) || dot(along, way) < 0) return false;
+  }
+  return !is_zero(along);
+}
+
 class Mesher {
  public:
   Mesher(const CanonicalPatch& canonical, const Fineness& fineness, BoundaryCurves& boundary,
          const PatchLines& lines)
-      : canonical_(canonical), patch_(canonical.patch), fineness_(fineness), chord_(patch_) {
+      : canonical_(canonical),
+        patch_(canonical.patch),
+        fineness_(fineness),
+        chord_(patch_),
+        refines_(fineness.by_chord() && !has_parallel_rulings(patch_) &&
+                 !has_parallel_rulings(transposed(patch_))) {
     for (std::size_t k = 0; k < 4; ++k) {
       const BezierCurve side = patch_.side(k);
       if (side.is_point()) continue;
@@ -125,7 +145,7 @@ class Mesher {
     choose_grid();
     add_ring();
     add_inside();
-    if (fineness_.by_chord()) bisect_coarse();
+    if (refines_) bisect_coarse();
     return result();
   }
 
@@ -141,7 +161,7 @@ class Mesher {
     do {
       if (grid_[0] > Fineness::kMostSegments || grid_[1] > Fineness::kMostSegments) fineness_.fail_too_fine();
       fineness_.check_facets(2.0 * grid_[0] * grid_[1]);
-    } while (fineness_.by_chord() && !grid_is_fine());
+    } while (refines_ && !grid_is_fine());
     // A side that is one point has the steps of the grid: its triangles vanish.
     for (std::size_t k = 0; k < 4; ++k) {
       if (side_[k] == 0) side_[k] = grid_[k % 2];
@@ -409,6 +429,7 @@ class Mesher {
   const BezierPatch& patch_;
   const Fineness& fineness_;
   PatchChord chord_;
+  bool refines_;  // by the bound of the chord
   std::uint64_t whole_ = 1;
   std::array<std::uint32_t, 4> side_{0, 0, 0, 0};  // steps of each side; 0: a point
   std::array<std::uint32_t, 2> grid_{1, 1};        // even steps

@@ -7,6 +7,9 @@
 // and leaves no hanging vertex. That ends: edges on a side are never cut, and as a triangle at a side gets
 // thinner, its bound becomes that of the side's own segment, at most half of the chord.
 //
+// A part of a cylinder, of any section, is cut along rulings alone, between the steps of its rims: seen along
+// them, a facet is the segment of a rim. So it has the facets of an extrusion.
+//
 // The facets depend on the patch alone, not on the way its net is written: of the eight ways the smallest is
 // taken. A patch that is in two leaves has the same facets in both.
 #pragma once

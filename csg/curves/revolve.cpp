@@ -5,6 +5,8 @@
 // within chord / 2 of the revolution of that polygon: through each of its points a facet has a chord from S(u, a)
 // to S(u, a + h), which is within r h^2 / 8 of the arc.
 //
+// The end of a partial turn is the start under Transform::rotation, exactly: there it meets what is rotated.
+//
 // Of a partial turn the caps are faces 0 (start) and 1; each segment of the profile is one more. Without caps the
 // segments are from 0. Segments on the axis sweep nothing.
 //
@@ -122,7 +124,8 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafPar
   const auto section = [&](int k) {
     Rational degrees(k, turns);
     degrees.canonicalize();
-    const RationalPoint direction = frame.offset(1, degrees * shape.degrees);
+    const RationalPoint direction =
+        k == turns ? frame.turned(shape.degrees) : frame.offset(1, degrees * shape.degrees);
     std::vector<std::vector<PointId>> ids;
     for (std::size_t l = 0; l < lines.size(); ++l) {
       ids.emplace_back();

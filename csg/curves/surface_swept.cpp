@@ -3,6 +3,7 @@
 // Of an extrusion S_u = s R p' and S_t = s' R q + s w R (n x q) + v with q = p - c, the unit vector n along v and
 // w the twist in radians. R keeps v and commutes with products, so the normal is s R (p' x (s' q + s w n x q +
 // v)).
+#include "csg/curves/skin.h"
 #include "csg/curves/surface_forms.h"
 #include "csg/curves/surface_spline.h"
 #include "csg/leaves/prepare_shapes.h"
@@ -58,6 +59,29 @@ class SweptSurface final : public Surface {
   bool twisted_, scaled_;
 };
 
+/// S(u, v) = p(u) + v q(u).
+class RuledSurface final : public Surface {
+ public:
+  RuledSurface(const BezierCurve& first, const BezierCurve& ways)
+      : first_({first}, {{0, 1}}), ways_({ways}, {{0, 1}}) {}
+
+  SurfaceJet<double> at(double u, double v) const override { return jet(u, v); }
+  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override {
+    const enclosure::RoundOutward outward;
+    return jet(u, v);
+  }
+
+ private:
+  template <class N>
+  SurfaceJet<N> jet(const N& u, const N& v) const {
+    const CurveJet<N> p = first_.jet(u), q = ways_.jet(u);
+    const Vector3<N> along = sum(p.along, scaled(v, q.along));
+    return {sum(p.point, scaled(v, q.point)), along, q.point, cross(along, q.point)};
+  }
+
+  SplineCurve first_, ways_;
+};
+
 /// Points that span no more than a plane with the given vector.
 bool in_plane_with(const std::vector<RationalPoint>& points, RationalPoint along) {
   RationalPoint normal{0, 0, 0};
@@ -96,6 +120,41 @@ void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<Bez
   }
 }
 
+/// What a segment of an extrusion sweeps.
+void add_segment(LeafSurfaces& surfaces, std::uint32_t patch, const ExtrudeShape& shape,
+                 const RationalPoint& center, const CurveNet& net) {
+  if (sweeps_plane(shape, net)) return;
+  surfaces.add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
+  if (std::optional<SurfaceForm> form = extruded_form(shape, center, net))
+    surfaces.add_form(patch, std::move(*form));
+}
+
+/// The extrusion of a curve that a patch is, if its second row is the first one moved.
+std::optional<ExtrudeShape> translation_of(const BezierPatch& patch) {
+  if (patch.net.size() != 2) return std::nullopt;
+  ExtrudeShape shape{{{{{{}}}}, false}, project(patch.net[1][0]) - project(patch.net[0][0])};
+  CurveNet& net = shape.profile.lines[0].segments[0];
+  for (std::size_t i = 0; i < patch.net[0].size(); ++i) {
+    const Homogeneous &from = patch.net[0][i], &to = patch.net[1][i];
+    if (from[3] != to[3] || project(to) - project(from) != shape.vector) return std::nullopt;
+    net.points.push_back(project(from));
+    net.weights.push_back(from[3]);
+  }
+  return shape;
+}
+
+/// A patch of two rows of equal weights, which bounds the ways between them better than its net.
+std::shared_ptr<const Surface> ruled(const BezierPatch& patch) {
+  if (patch.net.size() != 2) return nullptr;
+  const ControlRow &first = patch.net[0], &second = patch.net[1];
+  BezierCurve ways;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i][3] != second[i][3]) return nullptr;
+    ways.net.push_back(homogeneous(project(second[i]) - project(first[i]), first[i][3]));
+  }
+  return std::make_shared<const RuledSurface>(BezierCurve{first}, ways);
+}
+
 PatchNet net_of(const BezierPatch& patch) {
   PatchNet net;
   for (const ControlRow& row : patch.net) {
@@ -126,6 +185,24 @@ std::shared_ptr<const LeafSurfaces> bezier_surfaces(const BezierShape& shape) {
   return surfaces;
 }
 
+std::shared_ptr<const LeafSurfaces> skin_surfaces(const NetForm& skin) {
+  auto surfaces = std::make_shared<LeafSurfaces>();
+  std::uint32_t number = 0;
+  for (const NetForm::Patch& patch : skin.patches) {
+    const NetPiece& piece = patch.pieces[0];
+    if (const std::optional<ExtrudeShape> moved = translation_of(piece.patch)) {
+      add_segment(*surfaces, number++, *moved, {0, 0, 0}, moved->profile.lines[0].segments[0]);
+      continue;
+    }
+    add_net(*surfaces, number, {piece.patch}, {piece.span}, net_of(piece.patch));
+    if (surfaces->patch(number) != nullptr) {
+      if (std::shared_ptr<const Surface> lines = ruled(piece.patch)) surfaces->add_patch(number, std::move(lines));
+    }
+    ++number;
+  }
+  return surfaces;
+}
+
 std::shared_ptr<const LeafSurfaces> coons_surfaces(const CoonsShape& shape) {
   auto surfaces = std::make_shared<LeafSurfaces>();
   std::uint32_t number = 0;
@@ -143,13 +220,7 @@ std::shared_ptr<const LeafSurfaces> extrude_surfaces(const ExtrudeShape& shape) 
   std::uint32_t number = shape.profile.closed ? 2 : 0;
   const RationalPoint center = axis_point(shape);
   for (const ProfileLine& line : shape.profile.lines) {
-    for (const CurveNet& net : line.segments) {
-      const std::uint32_t patch = number++;
-      if (sweeps_plane(shape, net)) continue;
-      surfaces->add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
-      if (std::optional<SurfaceForm> form = extruded_form(shape, center, net))
-        surfaces->add_form(patch, std::move(*form));
-    }
+    for (const CurveNet& net : line.segments) add_segment(*surfaces, number++, shape, center, net);
   }
   return surfaces;
 }

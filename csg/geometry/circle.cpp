@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "csg/geometry/transform.h"
 #include "kernel/base/parallel.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
@@ -63,6 +64,10 @@ std::pair<RationalPoint, RationalPoint> CircleFrame::components(const Rational& 
 RationalPoint CircleFrame::offset(const Rational& radius, const Rational& degrees) const {
   const auto [first, second] = components(radius, degrees);
   return first + second;
+}
+
+RationalPoint CircleFrame::turned(const Rational& degrees) const {
+  return Transform::rotation(axis_, degrees, {0, 0, 0}).apply_to_vector(offset(1, 0));
 }
 
 std::vector<RationalPoint> CircleFrame::offsets(const Rational& radius, int segments) const {

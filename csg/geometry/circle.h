@@ -39,6 +39,8 @@ class CircleFrame {
   std::vector<RationalPoint> offsets(const Rational& radius, int segments) const;
   /// The offset at one angle.
   RationalPoint offset(const Rational& radius, const Rational& degrees) const;
+  /// The offset of radius 1 at angle 0, turned by Transform::rotation: what is turned by that fits there exactly.
+  RationalPoint turned(const Rational& degrees) const;
 
  private:
   /// The parts of an offset along e1 and e2.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "csg/geometry/least_squares.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_pairs.h"
@@ -149,10 +150,38 @@ class Checker {
       for (std::size_t i = 0; i < loops_[l].size(); ++i) {
         if (dot(normal_, loops_[l][i]) == offset) continue;
         throw InputError(names_.polygon + " is not planar: " + point_name(l, i) + " " + describe(loops_[l][i]) +
-                         " is off the plane of its first points (exactly, with no tolerance): correct it, with" +
-                         " fractions where decimals are inexact, or give triangles");
+                         " is off the plane of its first points (exactly, with no tolerance); all lie between" +
+                         " two planes " + to_decimal(thickness(), 3) + " apart: " + remedy());
       }
     }
+  }
+
+  std::string remedy() const {
+    // Two digits are less than 5 % off, and planes are found in doubles.
+    const std::string fit =
+        names_.has_fit ? "give `fit: " + to_decimal(thickness() * Rational(53, 50), 2) + "`, " : "";
+    return fit + "correct it, with fractions where decimals are inexact, or give triangles";
+  }
+
+  /// How far two parallel planes are apart that hold all points between them, at the better one of two normals.
+  Rational thickness() const {
+    std::vector<RationalPoint> points;
+    RationalPoint area{0, 0, 0};
+    for (const auto& loop : loops_) {
+      points.insert(points.end(), loop.begin(), loop.end());
+      const RationalPoint own = area_vector(loop);
+      area = dot(own, area) > 0 ? area - own : area + own;
+    }
+    if (is_zero(area)) area = normal_;
+    return std::min(thickness(points, area), thickness(points, least_squares_normal(points, area)));
+  }
+  static Rational thickness(const std::vector<RationalPoint>& points, const RationalPoint& normal) {
+    std::vector<Rational> heights;
+    for (const RationalPoint& p : points) heights.push_back(dot(normal, p));
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    const Rational most = std::max({abs(normal[0]), abs(normal[1]), abs(normal[2])});
+    const RationalPoint n = Rational(1 / most) * normal;
+    return (*high - *low) / most / from_double(std::sqrt(to_double(dot(n, n))));
   }
 
   /// Drops a coordinate in which the normal is not zero: an exact projection, simple if the polygon is simple.

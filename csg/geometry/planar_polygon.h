@@ -13,7 +13,8 @@ namespace cnrg {
 /// running from point i to the next.
 struct PolygonNames {
   std::string polygon = "the polygon";
-  std::function<std::string(std::size_t loop, std::size_t point)> point;  ///< default `point 3 of hole 1`
+  std::function<std::string(std::size_t loop, std::size_t point)> point{};  ///< default `point 3 of hole 1`
+  bool has_fit = false;                                                     ///< messages propose the key `fit`
 };
 
 /// Checks that the loops (the outer one first) make a face: at least three points each, none equal to the next,

@@ -37,11 +37,12 @@ class MeshLeaf {
   explicit MeshLeaf(const MeshShape& shape)
       : shape_(shape),
         name_(shape.data ? "mesh" : "mesh '" + shape.file + "'"),
-        own_(!shape.data  ? read_mesh(shape.file, shape.decimal, shape.inside)
-             : shape.weld ? *shape.data
-                          : MeshData()),
-        weld_(shape.weld ? weld_mesh(own_, name_, *shape.weld) : MeshWeld()),
-        data_(shape.data && !shape.weld ? *shape.data : own_),
+        within_(shape.weld ? shape.weld : shape.fit),
+        own_(!shape.data ? read_mesh(shape.file, shape.decimal, shape.inside)
+             : within_   ? *shape.data
+                         : MeshData()),
+        weld_(within_ ? weld_mesh(own_, name_, *within_, shape.fit.has_value()) : MeshWeld()),
+        data_(shape.data && !within_ ? *shape.data : own_),
         points_(data_) {}
 
   std::unique_ptr<PreparedLeaf> prepare() {
@@ -53,7 +54,7 @@ class MeshLeaf {
     collect_faces();
     const SideTable sides = side_table();
     const Fill fill = decide_fill(sides);
-    if (weld_.made.changed() && fill == Fill::winding) check_volume(weld_, *shape_.weld);
+    if (weld_.made.changed() && fill == Fill::winding) check_volume(weld_, *within_);
     const std::vector<std::uint32_t> leaf_faces = join_coplanar(sides);
     note_changes();
     return build(fill, leaf_faces);
@@ -247,8 +248,8 @@ class MeshLeaf {
   }
 
   void note_changes() {
-    if (shape_.weld) {
-      const std::string words = weld_.made.notice(*shape_.weld).text();
+    if (within_) {
+      const std::string words = weld_.made.notice(*within_).text();
       if (!words.empty()) notices_.push_back(name_ + ": " + words);
     }
     note(repeated_ - std::min(repeated_, collapsed_), " face repeats", " faces repeat",
@@ -302,8 +303,9 @@ class MeshLeaf {
   }
 
   const MeshShape& shape_;
-  const std::string name_;  // for messages
-  MeshData own_;            // of a file, or welded
+  const std::string name_;                // for messages
+  const std::optional<Rational> within_;  // of `weld` or `fit`
+  MeshData own_;                          // of a file, or moved
   MeshWeld weld_;
   const MeshData& data_;
   MeshPoints points_;

@@ -4,9 +4,10 @@
 
 namespace cnrg {
 
-MeshWeld weld_mesh(MeshData& data, const std::string& name, const Rational& d) {
+MeshWeld weld_mesh(MeshData& data, const std::string& name, const Rational& d, bool only_planes) {
   MeshWeld result;
   WeldModel& model = result.model;
+  model.only_planes = only_planes;
   auto next_exact = data.exact.begin();
   for (std::uint32_t i = 0; i < data.point_count(); ++i) {
     const double* const p = data.xyz.data() + 3 * std::size_t{i};

@@ -12,7 +12,7 @@ struct MeshWeld {
 };
 
 /// Moves the points of the mesh. Polygons may lose corners, or all of their area. `name` is for messages.
-MeshWeld weld_mesh(MeshData& data, const std::string& name, const Rational& d);
+MeshWeld weld_mesh(MeshData& data, const std::string& name, const Rational& d, bool only_planes);
 
 /// Throws InputError if polygons that are closed now have other signs of volume than before.
 void check_volume(const MeshWeld& weld, const Rational& d);

@@ -29,6 +29,7 @@ struct Dispatch {
   Leaf operator()(const TetrahedronShape& shape) const { return prepare_tetrahedron(shape); }
   Leaf operator()(const HullShape& shape) const { return prepare_hull(shape); }
   Leaf operator()(const PolygonShape& shape) const { return prepare_polygon(shape); }
+  Leaf operator()(const DiskShape& shape) const { return prepare_disk(shape); }
   Leaf operator()(const PolylineShape& shape) const { return prepare_polyline(shape); }
   Leaf operator()(const PointsShape& shape) const { return prepare_points(shape); }
   Leaf operator()(const PlaneShape& shape) const { return prepare_plane(shape); }
@@ -41,6 +42,8 @@ struct Dispatch {
   Leaf operator()(const CoonsShape& shape) const { return curved(shape, prepare_coons, coons_surfaces); }
   Leaf operator()(const ExtrudeShape& shape) const { return curved(shape, prepare_extrude, extrude_surfaces); }
   Leaf operator()(const RevolveShape& shape) const { return curved(shape, prepare_revolve, revolve_surfaces); }
+  Leaf operator()(const SweepShape& shape) const { return curved(shape, prepare_sweep, sweep_surfaces); }
+  Leaf operator()(const LoftShape& shape) const { return curved(shape, prepare_loft, loft_surfaces); }
   Leaf operator()(const HeightfieldShape& shape) const { return prepare_heightfield(shape); }
   Leaf operator()(const MeshShape& shape) const { return prepare_mesh(shape); }
   Leaf operator()(const CadShape& shape) const { return prepare_cad(shape); }

@@ -19,6 +19,7 @@ std::unique_ptr<PreparedLeaf> prepare_hull(const HullShape& shape);
 
 // shapes/open_shapes.cpp: no regions.
 std::unique_ptr<PreparedLeaf> prepare_polygon(const PolygonShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_disk(const DiskShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_polyline(const PolylineShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_points(const PointsShape& shape);
 
@@ -36,6 +37,10 @@ std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape, LeafParamet
 std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape, LeafParameters* record);
 std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafParameters* record);
 
+// curves/sweep.cpp, curves/skin.cpp: Fill::winding.
+std::unique_ptr<PreparedLeaf> prepare_sweep(const SweepShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_loft(const LoftShape& shape, LeafParameters* record);
+
 /// Where the axis of an extrusion meets the plane of its profile.
 RationalPoint axis_point(const ExtrudeShape& shape);
 
@@ -51,6 +56,8 @@ std::shared_ptr<const LeafSurfaces> bezier_surfaces(const BezierShape& shape);
 std::shared_ptr<const LeafSurfaces> coons_surfaces(const CoonsShape& shape);
 std::shared_ptr<const LeafSurfaces> extrude_surfaces(const ExtrudeShape& shape);
 std::shared_ptr<const LeafSurfaces> revolve_surfaces(const RevolveShape& shape);
+std::shared_ptr<const LeafSurfaces> sweep_surfaces(const SweepShape& shape);
+std::shared_ptr<const LeafSurfaces> loft_surfaces(const LoftShape& shape);
 
 // leaves/unbounded.cpp.
 std::unique_ptr<PreparedLeaf> prepare_plane(const PlaneShape& shape);

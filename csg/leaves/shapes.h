@@ -24,17 +24,20 @@ class PreparedLeaf;
 struct BoxShape {
   RationalPoint min, max;
 };
-/// `{prism: {base: [[x, y, z], ...], holes: [[[x, y, z], ...], ...], vector: [x, y, z]}}`: a planar simple polygon
-/// with holes (if any), swept along a vector.
+/// `{prism: {base: [[x, y, z], ...], holes: [[[x, y, z], ...], ...], vector: [x, y, z], fit: 1e-5}}`: a planar
+/// simple polygon with holes (if any), swept along a vector. `fit`: corners that are so nearly in a plane move
+/// onto it (csg/weld/fit_polygon.h).
 struct PrismShape {
   std::vector<RationalPoint> base;
   std::vector<std::vector<RationalPoint>> holes;
   RationalPoint vector;
+  std::optional<Rational> fit{};  ///< a length above 0
 };
-/// `{pyramid: {base: [[x, y, z], ...], apex: [x, y, z]}}`
+/// `{pyramid: {base: [[x, y, z], ...], apex: [x, y, z], fit: 1e-5}}`
 struct PyramidShape {
   std::vector<RationalPoint> base;
   RationalPoint apex;
+  std::optional<Rational> fit{};  ///< as of a prism
 };
 /// `{tetrahedron: [p, q, r, s]}`
 struct TetrahedronShape {
@@ -46,10 +49,20 @@ struct HullShape {
   std::vector<std::vector<RationalPoint>> summands;  ///< one of `hull`, two or more of `minkowski`
   const char* name() const { return summands.size() == 1 ? "hull" : "minkowski"; }
 };
-/// `{polygon: [p, ...]}` or `{polygon: {outer: [p, ...], holes: [[p, ...], ...]}}`: planar, simple loops.
+/// `{polygon: [p, ...]}` or `{polygon: {outer: [p, ...], holes: [[p, ...], ...], fit: 1e-5}}`: planar, simple
+/// loops.
 struct PolygonShape {
   std::vector<RationalPoint> outer;
   std::vector<std::vector<RationalPoint>> holes;
+  std::optional<Rational> fit{};  ///< as of a prism
+};
+/// `{disk: {center: p, radii: [a, b], normal: n, along: w, segments: n}}`, or `dip` and `strike` for `normal` and
+/// `along`: a planar polygon of points on an ellipse, a along `along`, or the strike.
+struct DiskShape {
+  RationalPoint center;
+  std::array<Rational, 2> radii;
+  RationalPoint normal, along;  ///< neither of them 0; of the part of `along` across the normal
+  int segments = 32;
 };
 /// `{polyline: [p, ...]}` or `{polyline: {points: [p, ...], closed: true}}`
 struct PolylineShape {
@@ -111,6 +124,7 @@ struct MeshShape {
   bool decimal = false;
   std::string inside{};                    ///< as of a heightfield
   std::optional<Rational> weld{};          ///< a length above 0
+  std::optional<Rational> fit{};           ///< as of a prism, of each face; with `weld` nothing
   std::shared_ptr<const MeshData> data{};  ///< instead of a file (csg/leaves/mesh_data.h)
 };
 /// `{group: {vertices, faces, edges, points, regions, fill}}` (csg/FORMATS.md#groups).
@@ -206,6 +220,20 @@ struct RevolveShape {
   Rational degrees = 360;
   Tessellation tessellation;
 };
+/// `{sweep: {profile: ..., path: [p, q, ...], radius: r, chord: e}}`: the profile, at right angles to the path's
+/// first piece, moved along the path without turning about it; bends have the radius, or are mitred.
+struct SweepShape {
+  Profile profile;
+  std::vector<RationalPoint> path;
+  std::optional<Rational> radius{};  ///< above 0
+  Tessellation tessellation{};
+};
+/// `{loft: {profiles: [..., ...], chord: e}}`: between each profile and the next, segment by segment, all that
+/// lies on straight lines from points of one to those of the other with equal parameters.
+struct LoftShape {
+  std::vector<Profile> profiles;
+  Tessellation tessellation{};
+};
 /// `{step: {file: part.step, chord: e, unit: mm, solids: [2, bolt], fill: solids, seams: false, weld: d}}`,
 /// `{brep: {file: part.brep, ...}}`: a boundary representation, read by OpenCASCADE; path already resolved. Each
 /// face of the model is one face, each edge an edge, each solid a region. `unit` (STEP only) is that of the model;
@@ -234,9 +262,10 @@ struct ResultShape {
   std::shared_ptr<const PreparedLeaf> in_memory{};  ///< instead of a file: a result at hand, by `leaf_of`
 };
 
-using Shape = std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape, HullShape, PolygonShape,
-                           PolylineShape, PointsShape, PlaneShape, HalfspaceShape, SphereShape, CylinderShape,
-                           ConeShape, TorusShape, BezierShape, CoonsShape, ExtrudeShape, RevolveShape,
-                           HeightfieldShape, MeshShape, CadShape, GroupShape, ResultShape>;
+using Shape =
+    std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape, HullShape, PolygonShape, DiskShape,
+                 PolylineShape, PointsShape, PlaneShape, HalfspaceShape, SphereShape, CylinderShape, ConeShape,
+                 TorusShape, BezierShape, CoonsShape, ExtrudeShape, RevolveShape, SweepShape, LoftShape,
+                 HeightfieldShape, MeshShape, CadShape, GroupShape, ResultShape>;
 
 }  // namespace cnrg

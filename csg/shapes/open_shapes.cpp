@@ -1,7 +1,9 @@
-// Leaves without regions: polygon, polyline, points.
+// Leaves without regions: polygon, disk, polyline, points.
+#include "csg/geometry/circle.h"
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
+#include "csg/weld/fit_polygon.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -10,7 +12,9 @@ namespace cnrg {
 std::unique_ptr<PreparedLeaf> prepare_polygon(const PolygonShape& shape) {
   std::vector<std::vector<RationalPoint>> loops{shape.outer};
   loops.insert(loops.end(), shape.holes.begin(), shape.holes.end());
-  check_polygon(loops);
+  std::vector<std::string> notices;
+  if (shape.fit) notices = fit_polygon(loops, *shape.fit, "polygon");
+  check_polygon(loops, {.has_fit = true});
   LeafBuilder builder(Fill::none);
   std::vector<std::vector<PointId>> ids;
   for (const auto& loop : loops) {
@@ -18,6 +22,31 @@ std::unique_ptr<PreparedLeaf> prepare_polygon(const PolygonShape& shape) {
     for (const RationalPoint& p : loop) ids.back().push_back(builder.point(p));
   }
   builder.face(ids, 0);
+  return builder.finish(std::move(notices));
+}
+
+std::unique_ptr<PreparedLeaf> prepare_disk(const DiskShape& shape) {
+  for (const Rational& r : shape.radii) {
+    if (r <= 0) throw InputError("disk: a radius is " + to_decimal(r) + ": give positive lengths");
+  }
+  if (shape.segments < 3)
+    throw InputError("disk: segments is " + std::to_string(shape.segments) + ": give 3 or more");
+  if (is_zero(shape.normal)) throw InputError("disk: the normal is [0, 0, 0]: give a direction");
+  const RationalPoint second = cross(shape.normal, shape.along);
+  if (is_zero(second))
+    throw InputError("disk: `along` runs along the normal: give a direction in the plane of the disk");
+  const RationalPoint first = cross(second, shape.normal);
+  const Rational first2 = shape.radii[0] * shape.radii[0] / dot(first, first);
+  const Rational second2 = shape.radii[1] * shape.radii[1] / dot(second, second);
+  LeafBuilder builder(Fill::none);
+  std::vector<PointId> loop;
+  for (int i = 0; i < shape.segments; ++i) {
+    Rational degrees(360 * std::int64_t{i}, shape.segments);
+    degrees.canonicalize();
+    loop.push_back(builder.point(shape.center + scaled_cosine(degrees, first2) * first +
+                                 scaled_cosine(90 - degrees, second2) * second));
+  }
+  builder.face(loop, 0);
   return builder.finish();
 }
 

@@ -4,6 +4,7 @@
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
+#include "csg/weld/fit_polygon.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_faces.h"
@@ -59,7 +60,9 @@ std::unique_ptr<PreparedLeaf> prepare_box(const BoxShape& shape) {
 std::unique_ptr<PreparedLeaf> prepare_prism(const PrismShape& shape) {
   std::vector<std::vector<RationalPoint>> loops{shape.base};
   loops.insert(loops.end(), shape.holes.begin(), shape.holes.end());
-  const RationalPoint normal = check_polygon(loops, {"the prism's base", {}});
+  std::vector<std::string> notices;
+  if (shape.fit) notices = fit_polygon(loops, *shape.fit, "the prism's base");
+  const RationalPoint normal = check_polygon(loops, {.polygon = "the prism's base", .has_fit = true});
   const Rational rise = dot(normal, shape.vector);
   if (rise == 0) {
     throw InputError(std::string("prism: the vector ") +
@@ -91,18 +94,21 @@ std::unique_ptr<PreparedLeaf> prepare_prism(const PrismShape& shape) {
   builder.face(top, 1);
   for (auto& loop : bottom) std::reverse(loop.begin(), loop.end());
   builder.face(bottom, 0);
-  return builder.finish();
+  return builder.finish(std::move(notices));
 }
 
 std::unique_ptr<PreparedLeaf> prepare_pyramid(const PyramidShape& shape) {
-  const RationalPoint normal = check_polygon({shape.base}, {"the pyramid's base", {}});
-  const Rational rise = dot(normal, shape.apex - shape.base[0]);
+  std::vector<std::vector<RationalPoint>> loops{shape.base};
+  std::vector<std::string> notices;
+  if (shape.fit) notices = fit_polygon(loops, *shape.fit, "the pyramid's base");
+  const RationalPoint normal = check_polygon(loops, {.polygon = "the pyramid's base", .has_fit = true});
+  std::vector<RationalPoint>& loop = loops[0];
+  const Rational rise = dot(normal, shape.apex - loop[0]);
   if (rise == 0) {
     throw InputError("pyramid: the apex " + describe(shape.apex) +
                      " lies in the plane of the base, the pyramid is flat: move it off the plane");
   }
-  std::vector<RationalPoint> loop = shape.base;  // counter-clockwise as seen from the apex
-  if (rise < 0) std::reverse(loop.begin(), loop.end());
+  if (rise < 0) std::reverse(loop.begin(), loop.end());  // counter-clockwise as seen from the apex
   LeafBuilder builder(Fill::winding);
   std::vector<PointId> base = add_points(builder, loop);
   const PointId apex = builder.point(shape.apex);
@@ -112,7 +118,7 @@ std::unique_ptr<PreparedLeaf> prepare_pyramid(const PyramidShape& shape) {
     builder.triangle(base[i], base[(i + 1) % base.size()], apex, numbers[i]);
   std::reverse(base.begin(), base.end());
   builder.face(base, 0);
-  return builder.finish();
+  return builder.finish(std::move(notices));
 }
 
 std::unique_ptr<PreparedLeaf> prepare_tetrahedron(const TetrahedronShape& shape) {

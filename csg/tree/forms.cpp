@@ -56,6 +56,13 @@ Type type_of(const std::vector<std::string_view>& cells) {
   const auto kind = std::find(kKinds.begin(), kKinds.end(), cells.at(1)) - kKinds.begin();
   Type type{Type::Kind(kind), cells[0], cells.at(2), cells.at(3)};
   if (type.kind == Type::Kind::choice) type.choices = quoted_words(type.schema.empty() ? type.name : type.schema);
+  if (type.kind == Type::Kind::points || type.kind == Type::Kind::loops) {
+    constexpr std::string_view kLeast = R"(/point"},"minItems":)";
+    const std::size_t at = type.schema.find(kLeast);
+    if (at != std::string_view::npos)
+      std::from_chars(type.schema.data() + at + kLeast.size(), type.schema.data() + type.schema.size(),
+                      type.least);
+  }
   if (type.kind == Type::Kind::count) {
     const char* const end = type.schema.data() + type.schema.size();
     std::from_chars(std::from_chars(type.schema.data(), end, type.least).ptr + 2, end, type.most);

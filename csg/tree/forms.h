@@ -24,7 +24,7 @@ struct Type {
   std::string_view
       schema;  ///< a JSON schema, or the name of a form or a definition; of choices and counts what they are
   std::vector<std::string_view> choices{};
-  int least = 0, most = 0;  ///< of a count
+  int least = 0, most = 0;  ///< of a count; how many points each list has at least
 };
 
 struct Key {

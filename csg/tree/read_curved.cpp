@@ -189,21 +189,24 @@ ProfileLine read_line(const Value& value, const std::string& what, bool plane, b
   return line;
 }
 
-Profile read_profile(const Fields& f, bool plane) {
+/// A closed profile, which `what` names.
+Profile read_closed(const Value& value, const std::string& what, bool plane) {
   Profile profile;
-  profile.closed = f.has("profile");
-  const std::string key = profile.closed ? "profile" : "curve";
-  const Value& lines = f.at(key);
-  if (!profile.closed || !lines.is_map()) {
-    profile.lines.push_back(read_line(lines, f.name(key), plane, profile.closed));
+  if (!value.is_map()) {
+    profile.lines.push_back(read_line(value, what, plane, true));
     return profile;
   }
-  const Fields parts(lines, form(plane ? "flat profile" : "profile"), f.name(key));
+  const Fields parts(value, form(plane ? "flat profile" : "profile"), what);
   profile.lines.push_back(read_line(parts.at("outer"), parts.name("outer"), plane, true));
   parts.each("holes", [&](const Value& hole) {
     profile.lines.push_back(read_line(hole, "each of " + parts.name("holes"), plane, true));
   });
   return profile;
+}
+
+Profile read_profile(const Fields& f, bool plane) {
+  if (f.has("profile")) return read_closed(f.at("profile"), f.name("profile"), plane);
+  return {{read_line(f.at("curve"), f.name("curve"), plane, false)}, false};
 }
 
 }  // namespace
@@ -251,6 +254,27 @@ Shape read_extrude(const Value& value, const LeafContext&) {
   shape.profile = read_profile(f, false);
   f.read("vector", shape.vector, "twist", shape.twist, "scale", shape.scale, "center", shape.center);
   if (shape.scale < 0) f.at("scale").fail(f.name("scale") + " must be 0 or more");
+  shape.tessellation = read_tessellation(f);
+  return shape;
+}
+
+Shape read_sweep(const Value& value, const LeafContext&) {
+  const Fields f(value, form("sweep"));
+  SweepShape shape;
+  shape.profile = read_profile(f, false);
+  f.read("path", shape.path, "radius", shape.radius);
+  if (shape.radius && *shape.radius <= 0) f.at("radius").fail(f.name("radius") + " must be a positive length");
+  shape.tessellation = read_tessellation(f);
+  return shape;
+}
+
+Shape read_loft(const Value& value, const LeafContext&) {
+  const Fields f(value, form("loft"));
+  LoftShape shape;
+  f.each("profiles", [&](const Value& profile) {
+    shape.profiles.push_back(read_closed(profile, "each of " + f.name("profiles"), false));
+  });
+  if (shape.profiles.size() < 2) f.at("profiles").fail_type(f.name("profiles"), "a list of two profiles or more");
   shape.tessellation = read_tessellation(f);
   return shape;
 }

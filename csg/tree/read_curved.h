@@ -7,6 +7,8 @@ namespace cnrg {
 
 Shape read_extrude(const Value& value, const LeafContext& context);
 Shape read_revolve(const Value& value, const LeafContext& context);
+Shape read_sweep(const Value& value, const LeafContext& context);
+Shape read_loft(const Value& value, const LeafContext& context);
 Shape read_bezier(const Value& value, const LeafContext& context);
 Shape read_bspline(const Value& value, const LeafContext& context);
 Shape read_coons(const Value& value, const LeafContext& context);

@@ -7,12 +7,15 @@
 #include <filesystem>
 
 #include "csg/curves/boundary_curves.h"
+#include "csg/geometry/circle.h"
+#include "csg/geometry/transform.h"
 #include "csg/imports/mesh_file.h"
 #include "csg/leaves/mesh_data.h"
 #include "csg/text/escape.h"
 #include "csg/text/file.h"
 #include "csg/text/number.h"
 #include "csg/tree/read_curved.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/integers.h"
 
 namespace cnrg {
@@ -26,21 +29,35 @@ void check_weld(const Fields& f) {
 
 namespace {
 
+/// The points that the first key of a leaf has, where the leaf is a list of them.
+std::vector<RationalPoint> points_alone(const Value& value, const char* leaf) {
+  return value.points(leaf, form(leaf).keys[0].type->least);
+}
+
 Shape read_box(const Value& value, const LeafContext&) {
   BoxShape box;
   Fields(value, form("box")).read("min", box.min, "max", box.max);
   return box;
 }
 
+void read_fit(const Fields& f, std::optional<Rational>& fit) {
+  f.read("fit", fit);
+  if (fit && *fit <= 0) f.at("fit").fail(f.name("fit") + " must be a positive length");
+}
+
 Shape read_prism(const Value& value, const LeafContext&) {
+  const Fields f(value, form("prism"));
   PrismShape prism;
-  Fields(value, form("prism")).read("base", prism.base, "holes", prism.holes, "vector", prism.vector);
+  f.read("base", prism.base, "holes", prism.holes, "vector", prism.vector);
+  read_fit(f, prism.fit);
   return prism;
 }
 
 Shape read_pyramid(const Value& value, const LeafContext&) {
+  const Fields f(value, form("pyramid"));
   PyramidShape pyramid;
-  Fields(value, form("pyramid")).read("base", pyramid.base, "apex", pyramid.apex);
+  f.read("base", pyramid.base, "apex", pyramid.apex);
+  read_fit(f, pyramid.fit);
   return pyramid;
 }
 
@@ -51,20 +68,44 @@ Shape read_tetrahedron(const Value& value, const LeafContext&) {
 }
 
 Shape read_polygon(const Value& value, const LeafContext&) {
-  if (!value.is_map()) return PolygonShape{value.points("polygon"), {}};
+  if (!value.is_map()) return PolygonShape{points_alone(value, "polygon"), {}};
+  const Fields f(value, form("polygon"));
   PolygonShape polygon;
-  Fields(value, form("polygon")).read("outer", polygon.outer, "holes", polygon.holes);
+  f.read("outer", polygon.outer, "holes", polygon.holes);
+  read_fit(f, polygon.fit);
   return polygon;
 }
 
+/// Strike is the azimuth of the horizontal line, from y to x; the plane goes down by `dip` to the right of it.
+Shape read_disk(const Value& value, const LeafContext&) {
+  const Fields f(value, form("disk"));
+  DiskShape disk;
+  f.read("center", disk.center, "segments", disk.segments);
+  disk.radii = f.at("radii").pair(f.name("radii"));
+  if (disk.radii[0] <= 0 || disk.radii[1] <= 0)
+    f.at("radii").fail(f.name("radii") + ": each must be a positive length");
+  if (f.has("normal")) {
+    f.read("normal", disk.normal);
+    disk.along = CircleFrame(is_zero(disk.normal) ? RationalPoint{0, 0, 1} : disk.normal).first();
+    f.read("along", disk.along);
+    return disk;
+  }
+  Rational dip, strike;
+  f.read("dip", dip, "strike", strike);
+  const Transform turn = Transform::rotation({0, 0, 1}, -strike, {0, 0, 0});
+  disk.along = turn.apply_to_vector({0, 1, 0});
+  disk.normal = (turn * Transform::rotation({0, 1, 0}, dip, {0, 0, 0})).apply_to_vector({0, 0, 1});
+  return disk;
+}
+
 Shape read_polyline(const Value& value, const LeafContext&) {
-  if (!value.is_map()) return PolylineShape{value.points("polyline")};
+  if (!value.is_map()) return PolylineShape{points_alone(value, "polyline")};
   PolylineShape polyline;
   Fields(value, form("polyline")).read("points", polyline.points, "closed", polyline.closed);
   return polyline;
 }
 
-Shape read_points(const Value& value, const LeafContext&) { return PointsShape{value.points("points")}; }
+Shape read_points(const Value& value, const LeafContext&) { return PointsShape{points_alone(value, "points")}; }
 
 Shape read_plane(const Value& value, const LeafContext&) {
   PlaneShape plane;
@@ -178,6 +219,7 @@ Shape read_mesh_leaf(const Value& value, const LeafContext& context) {
   if (f.has("fill")) shape.fill = read_fill(f);
   shape.decimal = coordinates == "decimal";
   check_weld(f);
+  read_fit(f, shape.fit);
   return shape;
 }
 
@@ -283,10 +325,10 @@ Shape read_result(const Value& value, const LeafContext& context) {
   return ResultShape{path_in_folder(name, context), context.inside};
 }
 
-Shape read_hull(const Value& value, const LeafContext&) { return HullShape{{value.points("hull")}}; }
+Shape read_hull(const Value& value, const LeafContext&) { return HullShape{{points_alone(value, "hull")}}; }
 
 Shape read_minkowski(const Value& value, const LeafContext&) {
-  HullShape shape{value.loops("minkowski")};
+  HullShape shape{value.loops("minkowski", form("minkowski").keys[0].type->least)};
   if (shape.summands.size() < 2)
     value.fail_type("minkowski", "two or more lists of points [[[x, y, z], ...], ...]");
   return shape;
@@ -297,7 +339,7 @@ struct Reader {
   Shape (*read)(const Value&, const LeafContext&);
 };
 
-constexpr std::array<Reader, 26> kReaders{{
+constexpr std::array<Reader, 29> kReaders{{
     {"box", read_box},
     {"prism", read_prism},
     {"pyramid", read_pyramid},
@@ -305,6 +347,7 @@ constexpr std::array<Reader, 26> kReaders{{
     {"hull", read_hull},
     {"minkowski", read_minkowski},
     {"polygon", read_polygon},
+    {"disk", read_disk},
     {"polyline", read_polyline},
     {"points", read_points},
     {"halfspace", read_halfspace},
@@ -315,6 +358,8 @@ constexpr std::array<Reader, 26> kReaders{{
     {"torus", read_torus},
     {"extrude", read_extrude},
     {"revolve", read_revolve},
+    {"sweep", read_sweep},
+    {"loft", read_loft},
     {"bezier", read_bezier},
     {"bspline", read_bspline},
     {"coons", read_coons},

@@ -195,18 +195,20 @@ std::array<Rational, 2> Value::pair(const std::string& what) const {
   return {std::move(n[0]), std::move(n[1])};
 }
 
-std::vector<RationalPoint> Value::points(const std::string& what) const {
+std::vector<RationalPoint> Value::points(const std::string& what, int least) const {
+  if (is_list() && node_.size() < static_cast<std::size_t>(least))
+    fail_type(what, "a list of " + std::to_string(least) + (least == 1 ? " point" : " points") + " or more");
   std::vector<RationalPoint> result;
   const std::string each = "each point of " + what;
   for (const Value& item : list(what, "a list of points [[x, y, z], ...]")) result.push_back(item.point(each));
   return result;
 }
 
-std::vector<std::vector<RationalPoint>> Value::loops(const std::string& what) const {
+std::vector<std::vector<RationalPoint>> Value::loops(const std::string& what, int least) const {
   std::vector<std::vector<RationalPoint>> result;
   const std::string each = "each loop of " + what;
   for (const Value& item : list(what, "a list of loops [[[x, y, z], ...], ...]"))
-    result.push_back(item.points(each));
+    result.push_back(item.points(each, least));
   return result;
 }
 

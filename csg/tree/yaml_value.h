@@ -68,8 +68,10 @@ class Value {
   std::vector<Value> list(const std::string& what, const std::string& wanted = "a list") const;
   RationalPoint point(const std::string& what) const;           ///< `[x, y, z]`
   std::array<Rational, 2> pair(const std::string& what) const;  ///< `[x, y]`
-  std::vector<RationalPoint> points(const std::string& what) const;
-  std::vector<std::vector<RationalPoint>> loops(const std::string& what) const;
+  /// At least so many points.
+  std::vector<RationalPoint> points(const std::string& what, int least = 0) const;
+  /// Loops of at least so many points.
+  std::vector<std::vector<RationalPoint>> loops(const std::string& what, int least = 0) const;
 
   struct Entry;
   /// Keys and values of a map in the order of the file; at the place of `<<` those of the maps there that it has
@@ -145,12 +147,12 @@ class Fields {
     else if constexpr (std::is_same_v<T, bool>) to = value_of(key, Kind::boolean).boolean(name(key));
     else if constexpr (std::is_same_v<T, RationalPoint>) to = value_of(key, Kind::point).point(name(key));
     else if constexpr (std::is_same_v<T, std::vector<RationalPoint>>)
-      to = value_of(key, Kind::points).points(name(key));
+      to = value_of(key, Kind::points).points(name(key), form_.find(key)->type->least);
     else if constexpr (std::is_same_v<T, std::string>) read_text(key, to);
     else if constexpr (std::is_same_v<T, int>) {
       const Type& type = *form_.find(key)->type;
       to = static_cast<int>(value_of(key, Kind::count).integer(name(key), type.least, type.most));
-    } else to = value_of(key, Kind::loops).loops(name(key));
+    } else to = value_of(key, Kind::loops).loops(name(key), form_.find(key)->type->least);
   }
   template <class T>
   void read_value(std::string_view key, std::optional<T>& to) const {

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "csg/geometry/least_squares.h"
 #include "csg/weld/inside.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
@@ -102,6 +103,7 @@ class PlaneFinder {
     sort_unique(part.corners);
     for (const Box& box : part.boxes) part.box.extend(box);
     if (part.corners.size() < 3 || largest(part.area) == 0) return false;
+    part.area = narrower(part.area, part.corners);
     if (slab(part.area, part.corners).width > d_ * length(part.area)) return false;
     found_.parts.push_back(std::move(part));
     return true;
@@ -150,6 +152,17 @@ class PlaneFinder {
   static Vector added(const Vector& a, const Vector& b) {
     const double sign = dot(a, b) < 0 ? -1 : 1;
     return {a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2]};
+  }
+
+  /// The normal of least squares, as long as `v`, if only planes are asked for and its slab is narrower.
+  Vector narrower(const Vector& v, const std::vector<Index>& corners) const {
+    if (!model_.only_planes || corners.size() < 4) return v;
+    std::vector<RationalPoint> points;
+    for (const Index p : corners) points.push_back(points_[p]);
+    const Vector n = to_doubles(least_squares_normal(points, unit(v)));
+    if (largest(n) == 0 || slab(n, corners).width / length(n) >= slab(v, corners).width / length(v)) return v;
+    const double scale = std::sqrt(dot(v, v) / dot(n, n));
+    return {scale * n[0], scale * n[1], scale * n[2]};
   }
 
   // --- joining
@@ -337,10 +350,10 @@ class PlaneFinder {
   }
 
   /// The plane of a carrier: the exact one if there is one, else the one with the shortest numbers among those
-  /// that are about as near to the corners as any.
+  /// that are about as near to the corners as any: within d / 8, or an eighth of the slab where planes are all.
   void place(Carrier& carrier, const Cluster& cluster) const {
-    const Vector total = total_area(cluster.parts);
     if (exact_plane(carrier)) return;
+    const Vector total = narrower(total_area(cluster.parts), carrier.corners);
     Vector best = cluster.normal;
     Slab at = cluster.slab;
     if (largest(total) > 0) {
@@ -348,16 +361,18 @@ class PlaneFinder {
       if (s.width / length(total) < at.width / length(best)) best = total, at = s;
     }
     const RationalPoint n = unit(best);
-    const Rational most = std::min(d_, Rational(at.width / length(best) + d_ / 8));
-    carrier.plane = {n, rounded(at.middle())};
+    const Rational width = at.width / length(best), slack = model_.only_planes ? width : d_;
+    const Rational most = std::min(d_, Rational(width + slack / 8));
+    carrier.plane = {n, rounded(at.middle(), slack)};
     constexpr int kSteps[] = {0, 4, 8, 16, 24, 32, 40};
     for (const int bits : kSteps) {
       RationalPoint shorter;
       for (std::size_t k = 0; k < 3; ++k)
         shorter[k] = from_double(std::ldexp(std::nearbyint(std::ldexp(to_double(n[k]), bits)), -bits));
       const Slab s = slab(shorter, carrier.corners);
-      if (s.width > most) continue;  // the length of the normal is at least 1: this is on the safe side
-      carrier.plane = {shorter, rounded(s.middle())};
+      // The length of the normal is at least 1: without it this is on the safe side.
+      if (s.width > (model_.only_planes ? Rational(most * length(to_doubles(shorter))) : most)) continue;
+      carrier.plane = {shorter, rounded(s.middle(), slack)};
       return;
     }
   }
@@ -370,9 +385,9 @@ class PlaneFinder {
     return result;
   }
 
-  /// The nearest multiple of a power of two that is at most d / 32.
-  Rational rounded(const Rational& x) const {
-    const int exponent = std::ilogb(d_up_) - 6;
+  /// The nearest multiple of a power of two that is at most 1/32 of `slack`.
+  static Rational rounded(const Rational& x, const Rational& slack) {
+    const int exponent = std::ilogb(rounded_up(slack)) - 6;
     const Rational at = scaled(x, -exponent) + Rational(1, 2);
     Integer whole;
     mpz_fdiv_q(whole.get_mpz_t(), at.get_num_mpz_t(), at.get_den_mpz_t());

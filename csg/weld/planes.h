@@ -5,8 +5,8 @@
 // of several that were joined.
 //
 // Whether a slab holds corners is decided exactly, for a normal in doubles: the area vector of all parts
-// concerned, or that of the largest. Another normal might make the slab a little narrower; a rule needs one, not
-// the best.
+// concerned, or that of the largest; where only planes are asked for also the normal of least squares. Another
+// normal might make the slab a little narrower; a rule needs one, not the best.
 #pragma once
 
 #include <array>

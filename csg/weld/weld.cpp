@@ -54,6 +54,12 @@ int sign_of_volume(const WeldModel& model, const WeldModel::Solid& solid,
   return sgn(sum(std::move(parts)));
 }
 
+[[noreturn]] void refuse(const WeldModel& model, const LeafWords& what, const Rational& d) {
+  if (!model.only_planes) refuse_weld(model.subject, what, d);
+  throw LeafError(model.subject + "fit: " + what + " if corners within " + to_decimal(d, 6) +
+                  " of a plane moved onto it: give a smaller length");
+}
+
 class Welder {
  public:
   Welder(const WeldModel& model, const Rational& d) : model_(model), d_(d), square_(d * d), d_up_(rounded_up(d)) {}
@@ -61,12 +67,14 @@ class Welder {
   Weld run() {
     require(d_ > 0, "weld: the length is not above 0");
     number_points();
-    join_points();
+    if (model_.only_planes) keep_points();
+    else join_points();
     planes_ = find_planes(model_, number_, points_, near_, spot_of_, d_);
     find_incidences();
     find_active();
     solve();
     finish();
+    result_.only_planes = model_.only_planes;
     return std::move(result_);
   }
 
@@ -94,6 +102,12 @@ class Welder {
       }
       number_[p] = static_cast<Index>(points_.size() - 1);
     }
+  }
+  /// Each point by itself.
+  void keep_points() {
+    spot_of_.resize(points_.size());
+    std::iota(spot_of_.begin(), spot_of_.end(), Index{0});
+    for (const Index p : spot_of_) spots_.push_back({p});
   }
   /// Clusters of points: from the nearest pair on, as long as all of one are within d of each other.
   void join_points() {
@@ -173,6 +187,7 @@ class Welder {
     for (Index s = 0; s < spots_.size(); ++s) {
       std::vector<Index>& on = on_[s];
       sort_unique(on);
+      if (model_.only_planes) continue;
       for (const Index p : spots_[s]) {
         Box at;
         at.extend(near_[p], near_[p]);
@@ -236,10 +251,10 @@ class Welder {
     for (Index c = 0; c < planes_.carriers.size(); ++c) {
       const Carrier& carrier = planes_.carriers[c];
       const Index set = sets.find(static_cast<Index>(spots + c));
-      if (carrier.overlap && !carrier.exact) active[set] = true;
+      if ((carrier.overlap || model_.only_planes) && !carrier.exact) active[set] = true;
       const bool polygons = std::any_of(carrier.parts.begin(), carrier.parts.end(),
                                         [&](Index p) { return planes_.parts[p].corners.size() > 3; });
-      if (matters(c) && (carrier.overlap || polygons)) on_planes[set] = true;
+      if (matters(c) && (carrier.overlap || polygons || model_.only_planes)) on_planes[set] = true;
     }
     for (Index s = 0; s < spots; ++s) {
       is_active_.push_back(active[sets.find(s)]);
@@ -319,7 +334,7 @@ class Welder {
     }
     for (Index face = 0; face < had.size(); ++face) {
       if (had[face] != 0 && has[face] == 0 && !model_.faces[face].may_vanish)
-        refuse_weld(model_.subject, model_.face_name(face) + " would vanish", d_);
+        refuse(model_, model_.face_name(face) + " would vanish", d_);
     }
     for (const WeldModel::Solid& solid : model_.solids) check_solid(model_, solid, result_.points, d_);
   }
@@ -349,8 +364,7 @@ void check_solid(const WeldModel& model, const WeldModel::Solid& solid, const st
   const int was = welding::sign_of_volume(model, solid, model.points);
   const int is = was == 0 ? 0 : welding::sign_of_volume(model, solid, after);
   if (was != is)
-    refuse_weld(model.subject, solid.name + (is == 0 ? " would have no volume" : " would be turned inside out"),
-                d);
+    welding::refuse(model, solid.name + (is == 0 ? " would have no volume" : " would be turned inside out"), d);
 }
 
 void refuse_weld(const std::string& subject, const LeafWords& what, const Rational& d) {
@@ -368,9 +382,11 @@ LeafWords Weld::notice(const Rational& d) const {
   if (changed()) {
     char farthest_text[32];
     std::snprintf(farthest_text, sizeof farthest_text, "%.3g", farthest);
-    words = "moved " + counted(moved, "point", "points") + ", by " + farthest_text + " at most; " +
-            counted(joined_planes, "plane", "planes") + " and " + counted(joined_points, "point", "points") +
-            " joined with others";
+    words = "moved " + counted(moved, "point", "points") + ", by " + farthest_text + " at most";
+    const std::string planes = "; " + counted(joined_planes, "plane", "planes");
+    if (!only_planes)
+      words += planes + " and " + counted(joined_points, "point", "points") + " joined with others";
+    else if (joined_planes > 0) words += planes + " of several faces";
   }
   if (off > 0) {
     words += "; " + counted(off, "corner stays", "corners stay") +
@@ -381,7 +397,7 @@ LeafWords Weld::notice(const Rational& d) const {
              " near but not joined, since all that is joined has to lie within the length, such as ";
   }
   if (words.empty()) return {};
-  return LeafWords("weld " + to_decimal(d, 6) + ": " + words) + example;
+  return LeafWords((only_planes ? "fit " : "weld ") + to_decimal(d, 6) + ": " + words) + example;
 }
 
 }  // namespace cnrg

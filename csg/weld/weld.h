@@ -24,6 +24,9 @@
 //   are
 //      near nothing for that. No point moves farther than d: that is decided
 //   exactly.
+//   7. With `only_planes`, nothing is joined but planes (2), and each flat face with more than three corners gets
+//   one,
+//      alone or not. So polygons whose corners were rounded become planar.
 //
 // Ties are decided by coordinates, never by numbers, so the order of leaves and faces does not matter.
 #pragma once
@@ -60,6 +63,7 @@ struct WeldModel {
   std::vector<Face> faces;
   std::vector<Solid> solids;
   std::vector<std::array<Index, 2>> wires;
+  bool only_planes = false;  ///< the key is `fit`, not `weld`
   // For messages.
   std::string subject;  ///< before all else: `mesh: 'part.off': `
   std::function<LeafWords(Index)> face_name;
@@ -74,6 +78,7 @@ struct Weld {
   std::size_t left = 0;               ///< near pairs that were not joined
   LeafWords example;                  ///< of these
   std::size_t off = 0;                ///< how often a point stays off a plane
+  bool only_planes = false;
   bool changed() const { return moved > 0; }
   /// What it did, in words; empty if there is nothing to say.
   LeafWords notice(const Rational& d) const;

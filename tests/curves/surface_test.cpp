@@ -157,6 +157,15 @@ TEST_CASE("surfaces of sweeps and nets are where their facets' corners are") {
               {0, 2, 4, 5}) > 3);
   CHECK(check(ExtrudeShape{{{{area}}, true}, {0, 3, 0}, 80, 2, RationalPoint{r("1/2"), 0, 1}, {r("0.1"), {}}}, 4,
               {0, 1}) > 5);
+  // Mitred, then with a round bend; the flat walls and ends have the last numbers.
+  const std::vector<RationalPoint> path{{0, 0, 0}, {0, 6, 0}, {-6, 6, 3}};
+  CHECK(check(SweepShape{{{{area}}, true}, path, {}, {r("0.1"), {}}}, 9, {2, 3, 4, 5, 6, 7, 8, 9}) > 6);
+  CHECK(check(SweepShape{{{{area}}, true}, path, 2, {r("0.1"), {}}}, 9, {6, 7, 8, 9, 10, 11, 12, 13}) > 20);
+  std::vector<CurveNet> larger = area;
+  for (CurveNet& net : larger) {
+    for (RationalPoint& p : net.points) p = {2 * p[0], 3 + p[0], 2 * p[2] - 1};
+  }
+  CHECK(check(LoftShape{{{{{area}}, true}, {{{larger}}, true}}, {r("0.1"), {}}}, 5, {3, 4, 5}) > 3);
   const CurveNet spline{
       {{0, 0, 0}, {1, 2, 0}, {2, 0, 1}, {5, 1, 0}}, {1, 3, 1, 1}, 2, {0, 0, 0, r("1/3"), 2, 2, 2}};
   CHECK(check(ExtrudeShape{{{{{spline}}}, false}, {0, 0, 3}, 0, 1, {}, {{}, 5}}, 5) > 9);

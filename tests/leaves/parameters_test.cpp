@@ -315,12 +315,20 @@ TEST_CASE("vertices of sweeps are the profile at u, moved by v") {
       each_corner(made, first == 0 ? std::set<std::uint32_t>{} : std::set<std::uint32_t>{0, 1},
                   [&](std::uint32_t patch, const PatchCorner& c) {
                     const RationalPoint p = at(patch - first, c.at[0]);
-                    const RationalPoint d = CircleFrame(shape.axis).offset(1, shape.degrees * c.at[1]);
+                    const CircleFrame frame(shape.axis);
+                    const RationalPoint d = first != 0 && c.at[1] == 1 ? frame.turned(shape.degrees)
+                                                                       : frame.offset(1, shape.degrees * c.at[1]);
                     REQUIRE(c.point == shape.center + p[0] * d + RationalPoint{0, 0, p[2]});
                   });
       check_edges(made, shape.degrees == 360 ? std::set<std::size_t>{1} : std::set<std::size_t>{});
       CHECK(made.parameters->patch_name(first + 1) == "revolve segment 2");
     }
+    const SweepShape sweep{{{{segments}}, true}, {{0, 0, 0}, {0, 3, 0}}, {}, {r("0.1"), {}}};
+    each_corner(Made(sweep), {1, 2, 3, 4, 5}, [&](std::uint32_t, const PatchCorner& c) {
+      const RationalPoint along = c.at[1] * RationalPoint{0, 3, 0};
+      const BezierCurve curve = curve_pieces(bend, "test")[0];
+      REQUIRE((c.point == curve.at(c.at[0]) + along || c.point == curve.at(1 - c.at[0]) + along));
+    });
     ExtrudeShape shape{{{{segments}}, true}, {0, 3, 1}, 0, 1, {}, {r("0.1"), {}}};
     each_corner(Made(shape), {0, 1}, [&](std::uint32_t patch, const PatchCorner& c) {
       REQUIRE(c.point == at(patch - 2, c.at[0]) + c.at[1] * shape.vector);

@@ -156,3 +156,28 @@ TEST_CASE("groups") {
     CHECK_THAT(error_of(GroupShape{}), Catch::Contains("no faces, edges or points"));
   }
 }
+
+TEST_CASE("disks lie in their planes exactly, on their ellipses nearly") {
+  for (const RationalPoint& normal : {RationalPoint{0, 0, 1}, RationalPoint{1, 2, 3}, RationalPoint{-1, 0, 4}}) {
+    const DiskShape shape{{5, r("1/3"), -2}, {3, 2}, normal, {1, 1, 0}, 12};
+    const Soup soup = soup_of(shape);
+    REQUIRE(soup.face_count() == 1);
+    const Points loop = loops(soup, SourceId(0))[0];
+    REQUIRE(loop.size() == 12);
+    CHECK(dot(cross(loop[0] - shape.center, loop[1] - shape.center), normal) > 0);
+    for (const RationalPoint& p : loop) {
+      const RationalPoint w = p - shape.center;
+      CHECK(dot(w, normal) == 0);
+      const RationalPoint v = cross(normal, shape.along), u = cross(v, normal);
+      const double x = to_double(dot(w, u)) / std::sqrt(to_double(dot(u, u))) / 3;
+      const double y = to_double(dot(w, v)) / std::sqrt(to_double(dot(v, v))) / 2;
+      CHECK(std::abs(x * x + y * y - 1) < 1e-15);
+    }
+    CHECK(dot(loop[0] - shape.center, cross(normal, shape.along)) == 0);
+  }
+  CHECK_THAT(error_of(DiskShape{{0, 0, 0}, {1, 0}, {0, 0, 1}, {1, 0, 0}}), Catch::Contains("a radius is 0"));
+  CHECK_THAT(error_of(DiskShape{{0, 0, 0}, {1, 1}, {0, 0, 0}, {1, 0, 0}}),
+             Catch::Contains("the normal is [0, 0, 0]"));
+  CHECK_THAT(error_of(DiskShape{{0, 0, 0}, {1, 1}, {0, 0, 2}, {0, 0, 1}}),
+             Catch::Contains("runs along the normal"));
+}

@@ -98,6 +98,16 @@ TEST_CASE("Coons patches, extrusions and revolutions are read", "[tree][curved]"
         std::vector<RationalPoint>{{1, 0, 0}, {2, 0, 1}, {1, 0, 2}});
   CHECK(revolve.axis == RationalPoint{1, 0, 0});
   CHECK(revolve.degrees == 90);
+  const auto sweep = read<SweepShape>(
+      "sweep: {profile: {outer: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}, path: [[0, 0, 0], [0, 0, 2]], radius: 1/2}");
+  CHECK(sweep.profile.closed);
+  CHECK(sweep.path[1] == RationalPoint{0, 0, 2});
+  CHECK(sweep.radius == Rational(1, 2));
+  const auto loft = read<LoftShape>(
+      "loft: {profiles: [[[0, 0, 0], [1, 0, 0], [0, 1, 0]], {outer: [[0, 0, 1], [1, 0, 1], [0, 1, 1]]}], chord: "
+      "1}");
+  CHECK(loft.profiles[1].lines[0].segments[0].points[1] == RationalPoint{1, 0, 1});
+  CHECK(loft.tessellation.chord == Rational(1));
 }
 
 TEST_CASE("faults of curved leaves have their place", "[tree][curved]") {
@@ -158,6 +168,9 @@ TEST_CASE("faults of sweeps have their place", "[tree][curved]") {
   expect_fault("extrude: {profile: [@[0, 0]], vector: [0, 0, 1]}", {"[x, y, z]"});
   expect_fault("extrude: {profile: " + square + ", vector: [0, 0, 1], scale: @-1}", {"must be 0 or more"});
   expect_fault("revolve: {profile: [@[0, 0, 0]]}", {"[x, y]"});
+  expect_fault("sweep: {profile: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], path: [[0, 0, 0], [0, 0, 1]], radius: @0}",
+               {"must be a positive length"});
+  expect_fault("loft: {profiles: @[[[0, 0, 0], [1, 0, 0], [0, 1, 0]]]}", {"two profiles or more"});
   expect_fault("revolve: {profile: [[0, 0], [1, 0], [1, 1]], degrees: @400}", {"at most 360"});
 }
 

@@ -55,11 +55,21 @@ TEST_CASE("what was probably meant is said", "[tree][errors]") {
   expect_node("simplify: p, front of: p", 14, {"`front of` is a criterion of `select`"});
   expect_node("of: p, translate: [1, 0, 0]", 1,
               {"`of` stands in the map of `select` or `simplify`", "{simplify: NODE, translate: [1, 0, 0]}"});
-  expect_node("hull: [[0, 0, 0]], matrix: [[1, 0, 0, 0], [0, 1, 0, 0], [1, 1, 0, 5]]", 28,
+  expect_node("points: [[0, 0, 0]], matrix: [[1, 0, 0, 0], [0, 1, 0, 0], [1, 1, 0, 5]]", 30,
               {"its determinant is zero"});
-  expect_node("hull: [[0, 0, 0]], matrix: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]", 29,
+  expect_node("points: [[0, 0, 0]], matrix: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]", 31,
               {"a row of `matrix` must be four numbers"});
-  expect_node("hull: [[0, 0, 0]], matrix: [[1, 0, 0, 0]]", 28, {"`matrix` must be three rows"});
+  expect_node("points: [[0, 0, 0]], matrix: [[1, 0, 0, 0]]", 30, {"`matrix` must be three rows"});
+  expect_node("points: []", 9, {"points must be a list of 1 point or more, not a list of 0"});
+  expect_node("polyline: {points: [[0, 0, 0]]}", 20, {"`points` of polyline must be a list of 2 points or more"});
+  expect_node("prism: {base: [[0, 0, 0]], vector: [0, 0, 1]}", 15, {"`base` of prism must be a list of 3 points"});
+  expect_node("polygon: {outer: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], holes: [[]]}", 61,
+              {"a list of 3 points or more"});
+  expect_node("polygon: {outer: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], fit: 0}", 58, {"must be a positive length"});
+  expect_node("disk: {center: [0, 0, 0], radii: [1, 0], normal: [0, 0, 1]}", 34,
+              {"each must be a positive length"});
+  expect_node("disk: {center: [0, 0, 0], radii: [1, 1]}", 7, {"needs `normal` or `dip`"});
+  expect_node("disk: {center: [0, 0, 0], radii: [1, 1], dip: 30}", 7, {"needs `strike`"});
   expect_node("minkowski: [[[0, 0, 0]]]", 12, {"minkowski must be two or more lists of points"});
   expect_node("csg: model.scad", 6, {"`csg` must be a file that ends as .csg"});
   for (const std::string word : {"yes", "No", "on", "\"true\""})

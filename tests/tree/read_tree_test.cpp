@@ -5,6 +5,7 @@
 #include "csg/tree/sizes.h"
 #include "csg/tree/tree.h"
 #include "csg/tree/unfold.h"
+#include "kernel/exact/exact_vectors.h"
 #include "tests/catch.h"
 
 namespace cnrg {
@@ -120,6 +121,17 @@ TEST_CASE("every leaf has its form", "[tree]") {
   CHECK(std::get<HullShape>(read("minkowski: [[[0, 0, 0]], [[1, 0, 0], [0, 1, 0]]]")).summands[1].size() == 2);
   CHECK(std::get<PolygonShape>(read("polygon: {outer: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], holes: []}"))
             .outer.size() == 3);
+  CHECK(*std::get<PolygonShape>(read("polygon: {outer: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], fit: 1e-5}")).fit ==
+        Rational(1, 100000));
+  // The strike to the north-east, the dip to the south-east.
+  const auto disk = std::get<DiskShape>(read("disk: {center: [0, 0, 0], radii: [2, 1], dip: 90, strike: 45}"));
+  CHECK(std::abs(to_double(disk.along[0]) - std::sqrt(0.5)) < 1e-15);
+  CHECK(std::abs(to_double(disk.along[1]) - std::sqrt(0.5)) < 1e-15);
+  CHECK(std::abs(to_double(disk.normal[0]) - std::sqrt(0.5)) < 1e-15);
+  CHECK(std::abs(to_double(disk.normal[1]) + std::sqrt(0.5)) < 1e-15);
+  CHECK(dot(disk.along, disk.normal) == 0);
+  CHECK(std::get<DiskShape>(read("disk: {center: [0, 0, 0], radii: [2, 1], dip: 0, strike: 90}")).along ==
+        RationalPoint{1, 0, 0});
   CHECK(
       std::get<PolylineShape>(read("polyline: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], closed: true}")).closed);
   CHECK(std::get<PointsShape>(read("points: [[0, 0, 0]]")).points.size() == 1);

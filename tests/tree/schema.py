@@ -120,7 +120,10 @@ materials:
   graded: {distance: {to: box, stops: [[0, steel], [1, {steel: 1/2, ceramic: "${half}"}]]}, x-note: 1}
 weld: 1e-9
 nodes:
-  prism: {prism: {base: [[0, 0, 0], [4, 0, 0], [0, 4, 0]], holes: [[[1, 1, 0], [2, 1, 0], [1, 2, 0]]], vector: [0, 0, 1]}}
+  prism: {prism: {base: [[0, 0, 0], [4, 0, 0], [0, 4, 0]], holes: [[[1, 1, 0], [2, 1, 0], [1, 2, 0]]], vector: [0, 0, 1],
+    fit: 0.1}}
+  ellipse: {disk: {center: [0, 0, 0], radii: [2, 1], normal: [0, 0, 1], along: [1, 1, 0], segments: 8}}
+  fracture: {disk: {center: [0, 0, 0], radii: [2, 1], dip: 30, strike: 45}}
   polyline: {polyline: {points: [[0, 0, 0], [1, 0, 0], [0, "${R}", 0]], closed: true}, name: 12}
   dots: {points: [[0, 0, 0]], attributes: {diameter: 25, section: round}, size: 0.5, dominance: -1/2}
   sphere: {sphere: {center: [0, 0, 0], radius: 1, segments: 8, rings: 4}, simplify: points, regularize: true}
@@ -131,6 +134,9 @@ nodes:
   sheet: {extrude: {curve: [[0, 0, 0], [1, 0, 0]], vector: [0, 0, 1]}}
   revolve: {revolve: {profile: {outer: [[1, 0], [3, 0], {bezier: [[3, 2]], weights: [1, 1, 1]}, [1, 3]],
     holes: [[[1.2, 0.2], [1.4, 0.2], [1.2, 0.4]]]}, center: [0, 0, 0], axis: [0, 1, 0], degrees: 90, chord: 0.1}}
+  pipe: {sweep: {profile: {outer: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], holes: [[[0.1, 0.1, 0], [0.4, 0.1, 0], [0.1, 0.4, 0]]]},
+    path: [[0, 0, 0], [0, 0, 9], [0, 9, 9]], radius: 4, chord: 0.1}}
+  hopper: {loft: {profiles: [[[0, 0, 0], [1, 0, 0], [0, 1, 0]], {outer: [[0, 0, 1], [2, 0, 1], [0, 2, 1]]}], segments: 4}}
   cup: {revolve: {curve: [[1, 0], [2, 1]], segments: 4}}
   bezier: {bezier: {patches: [{points: [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 1]]], weights: [[1, 1], [1, 2]]}],
     curves: [[[0, 0, 0], [0, 0, 1]], {points: [[0, 0, 0], [0, 1, 1]], weights: [1, 2]}], fill: none, chord: 0.1}}

@@ -64,14 +64,25 @@ def box(
     return leaf("box", {"min": _exactly(corner), "max": _exactly([x + s for x, s in zip(corner, sides)])}, attributes)
 
 
-def prism(base: Loop, vector: Point, *, holes: Sequence[Loop] | None = None, **attributes: Any) -> Node:
-    """A simple polygon in a plane (face 0), with holes, moved along a vector out of that plane (face 1)."""
-    return leaf("prism", {"base": _exactly(base), "holes": _optional(holes), "vector": _exactly(vector)}, attributes)
+def prism(
+    base: Loop,
+    vector: Point,
+    *,
+    holes: Sequence[Loop] | None = None,
+    fit: Number | None = None,
+    **attributes: Any,
+) -> Node:
+    """A simple polygon in a plane (face 0), with holes, moved along a vector out of that plane (face 1).
+
+    `fit`: corners that lie between two planes this far apart move onto one.
+    """
+    keys = {"base": _exactly(base), "holes": _optional(holes), "vector": _exactly(vector), "fit": _optional(fit)}
+    return leaf("prism", keys, attributes)
 
 
-def pyramid(base: Loop, apex: Point, **attributes: Any) -> Node:
-    """A simple polygon in a plane (face 0) and a point off it."""
-    return leaf("pyramid", {"base": _exactly(base), "apex": _exactly(apex)}, attributes)
+def pyramid(base: Loop, apex: Point, *, fit: Number | None = None, **attributes: Any) -> Node:
+    """A simple polygon in a plane (face 0) and a point off it; `fit` as of a prism."""
+    return leaf("pyramid", {"base": _exactly(base), "apex": _exactly(apex), "fit": _optional(fit)}, attributes)
 
 
 def tetrahedron(a: Point, b: Point, c: Point, d: Point, **attributes: Any) -> Node:
@@ -91,9 +102,31 @@ def minkowski(*summands: Loop, **attributes: Any) -> Node:
     return leaf("minkowski", _exactly(list(summands)), attributes)
 
 
-def polygon(outer: Loop, *, holes: Sequence[Loop] | None = None, **attributes: Any) -> Node:
-    """A surface: a simple polygon, exactly in a plane, with holes."""
-    return leaf("polygon", {"outer": _exactly(outer), "holes": _optional(holes)}, attributes)
+def polygon(
+    outer: Loop, *, holes: Sequence[Loop] | None = None, fit: Number | None = None, **attributes: Any
+) -> Node:
+    """A surface: a simple polygon, exactly in a plane, with holes; `fit` as of a prism."""
+    return leaf("polygon", {"outer": _exactly(outer), "holes": _optional(holes), "fit": _optional(fit)}, attributes)
+
+
+def disk(
+    center: Point,
+    radii: Sequence[Number],
+    *,
+    normal: Point | None = None,
+    along: Point | None = None,
+    dip: Number | None = None,
+    strike: Number | None = None,
+    segments: int | None = None,
+    **attributes: Any,
+) -> Node:
+    """A flat ellipse of `segments` corners (32), by its normal, or by dip and strike in degrees.
+
+    The first radius is along `along`, or the strike; dip goes down to the right of the strike, an angle from y to x.
+    """
+    keys = {"center": _exactly(center), "radii": _exactly(list(radii)), "normal": _optional(normal)}
+    keys.update(along=_optional(along), dip=_optional(dip), strike=_optional(strike), segments=_optional(segments))
+    return leaf("disk", keys, attributes)
 
 
 def polyline(points: Loop, *, closed: bool | None = None, **attributes: Any) -> Node:
@@ -199,6 +232,26 @@ def revolve(
     return leaf("revolve", keys, attributes)
 
 
+def sweep(
+    profile: Any,
+    path: Sequence[Point],
+    *,
+    radius: Number | None = None,
+    chord: Number | None = None,
+    segments: int | None = None,
+    **attributes: Any,
+) -> Node:
+    """A profile (as of `extrude`) along a path at right angles to it, its bends round with a radius, else mitred."""
+    keys = {"profile": _line(profile), "path": _exactly(path), "radius": _optional(radius)}
+    return leaf("sweep", {**keys, "chord": _optional(chord), "segments": _optional(segments)}, attributes)
+
+
+def loft(profiles: Sequence[Any], *, chord: Number | None = None, segments: int | None = None, **attributes: Any) -> Node:
+    """Straight lines from each profile to the next; all have equal numbers of segments."""
+    keys = {"profiles": _exactly(list(profiles)), "chord": _optional(chord), "segments": _optional(segments)}
+    return leaf("loft", keys, attributes)
+
+
 def _net(operator: str, keys: Mapping[str, Any], fill: str | None, attributes: Mapping[str, Any]) -> Node:
     return leaf(operator, {**{key: _optional(value) for key, value in keys.items()}, "fill": fill}, attributes)
 
@@ -273,14 +326,23 @@ def _path(path: Any) -> str | None:
     return data_of(os.path.abspath(name)) if name else ""
 
 
-def mesh(points: Any, faces: Any = None, *, fill: str | None = None, weld: Number | None = None, **attributes: Any) -> Node:
+def mesh(
+    points: Any,
+    faces: Any = None,
+    *,
+    fill: str | None = None,
+    weld: Number | None = None,
+    fit: Number | None = None,
+    **attributes: Any,
+) -> Node:
     """A mesh from arrays, or from one object: of trimesh (`.vertices`, `.faces`), PolyData of PyVista, or a mesh of
     meshio, of whose cells triangles, quadrilaterals and polygons are taken.
 
     points: (n, 3), of any float or integer type; each is taken exactly. faces: (m, 3) or (m, k) numbers of points from
         0, or a list of polygons of different sizes; counter-clockwise as seen from outside.
     fill: "winding" (closed and oriented alike; the default where it is so), "parity", "cells" or "none" (a surface).
-    weld: what is nearer is made to coincide.
+    weld: what is nearer is made to coincide; fit: corners of faces, and faces, that lie between two planes this far
+        apart move onto one.
 
     The arrays are copied, since a node never changes. Equal points are one.
     """
@@ -305,11 +367,13 @@ def mesh(points: Any, faces: Any = None, *, fill: str | None = None, weld: Numbe
         keys["fill"] = data_of(fill)
     if weld is not None:
         keys["weld"] = exact(weld)
+    if fit is not None:
+        keys["fit"] = exact(fit)
     try:
         arrays = _cnrg.MeshData(doubles, corners, offsets)
     except InputError as e:
         raise fault(e.message) from None
-    return made("mesh", (), MeshArrays(arrays, keys), _attributes(attributes, ("fill", "weld")))
+    return made("mesh", (), MeshArrays(arrays, keys), _attributes(attributes, ("fill", "weld", "fit")))
 
 
 def _corners(numpy: Any, faces: Any) -> tuple[Any, Any]:
@@ -337,7 +401,7 @@ def _corners(numpy: Any, faces: Any) -> tuple[Any, Any]:
 
 
 _CAD = {".step": "step", ".stp": "step", ".brep": "brep"}
-_NUMBERS = ("chord", "segments", "weld", "base")
+_NUMBERS = ("chord", "segments", "weld", "fit", "base")
 
 
 def load(path: str | os.PathLike[str], **keys: Any) -> Node:
