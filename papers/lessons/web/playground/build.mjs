@@ -50,7 +50,7 @@ function models() {
 const carried = (id, content) => `<script type="text/plain" id="${id}">${deflateSync(content, {level: 9}).toString('base64')}</script>`;
 const places = {'<!--cnrg:title-->': '', '<!--cnrg:stamp-->': '', '<!--cnrg:data-->': ''};
 const page = await bundler(modules)(join(here, 'playground.js'));
-const worker = await bundler(modules, {alias: {'cnrg-module': join(program, 'cnrg.mjs')}, define: {'import.meta.url': '""'}, external: ['module']})(join(here, 'worker.js'));
+const worker = await bundler(modules, {alias: {'cnrg-module': join(program, 'cnrg.mjs'), module: join(here, 'no_node.js')}, define: {'import.meta.url': '""'}})(join(here, 'worker.js'));
 writeFileSync(output, filled(readFileSync(join(here, 'page.html'), 'utf8'), {
   '<!--bundle:policy-->': policyOf("worker-src blob:; frame-src 'self'").replace("script-src 'unsafe-inline'", "script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:"),
   '<!--bundle:style-->': `<style>${page.style}</style>`,
