@@ -26,8 +26,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 sys.dont_write_bytecode = True
 
 from found import found_trees  # noqa: E402
-from runs import (STOPPED, answers, command_runs, differences, digest_of, files_in, key_of, runs_of,  # noqa: E402
-                  where, write_tree)
+from runs import (LIBRARY_LEAVES, STOPPED, answers, command_runs, differences, digest_of, files_in,  # noqa: E402
+                  key_of, runs_of, where, without_libraries, write_tree)
 from trees import Tree, random_tree  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -47,6 +47,7 @@ class Same:
     def __init__(self, options):
         self.base, self.head = options.base, options.head
         self.seconds, self.jobs, self.keep, self.seed = options.seconds, options.jobs, options.keep, options.seed
+        self.bare = options.bare
         self.counts = dict.fromkeys(("trees", "runs", "files", "refused", "stopped"), 0)
         self.rewords = [text.encode().split(b"=", 1) for text in options.reword]
         self.different, self.smallest = 0, None
@@ -59,6 +60,8 @@ class Same:
     def compare(self, tree):
         """Of one tree: runs, what head answers, and where base answers differently."""
         runs = command_runs(tree) if tree.name == "commands" else runs_of(tree)
+        if self.bare:
+            runs = without_libraries(runs)
         with tempfile.TemporaryDirectory(prefix="cnrg_same_") as folder:
             head = answers(self.head, tree, runs, in_folder(folder, "head"), self.seconds)
             key = key_of(tree, runs)
@@ -200,7 +203,9 @@ def trees_of(options):
     boxes = ("cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
              "  b: {box: {min: [1, 0, 0], max: [2, 1, 1]}}\n  c: {union: [a, b]}\nresult: c\n")
     trees = [Tree("commands", boxes, nodes=["a", "b", "c"])] + found_trees(ROOT)
-    cad = cad_files() if options.trees else {}
+    if options.bare:
+        trees = [tree for tree in trees if not LIBRARY_LEAVES.search(tree.text)]
+    cad = cad_files() if options.trees and not options.bare else {}
     trees += [random_tree(options.seed, number, cad) for number in range(options.trees)]
     return [tree for tree in trees if options.only in tree.name]
 
@@ -222,6 +227,9 @@ def parse():
                         help="messages are meant to have changed so: both count as OLD")
     parser.add_argument("--answers", metavar="FOLDER",
                         help="digests of what base answers are kept here, so that it is asked once only")
+    parser.add_argument("--bare", action="store_true",
+                        help="only what builds without optional libraries answer alike: no CAD files, .vtp, .h5m, .med, "
+                             "mesh, --parameters")
     parser.add_argument("--print", action="store_true", help="print the trees instead of comparing anything")
     options = parser.parse_args()
     if not all(text.partition("=")[2] for text in options.reword):

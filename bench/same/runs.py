@@ -17,6 +17,8 @@ LARGE = {"papers/keyser2004/chords.yaml": re.compile("_(60|360)$")}
 FINE = re.compile(r"chord: \"?1/\d{3,}|segments: \d{3}")
 SURFACE_FILES = ("off", "stl", "ply", "3mf")  # of solids alone: the first one that is refused ends the run
 FILES = ("json", "vtu", "obj", "dot", "regions.dot", "msh", "mesh", "inp", "bdf", "h5m", "med", "poly", "smesh", "glb")
+LIBRARY_FILES = (".h5m", ".med")  # by plug-ins
+LIBRARY_LEAVES = re.compile(r"\b(step|brep|vtp|stp)\b")
 STOPPED = b"stopped: it ran too long"
 MISSING = b"no such file"
 
@@ -120,6 +122,21 @@ def command_runs(tree):
              run_of("explain", tree.path, "--point", "1,2"), run_of("explain", tree.path, "--point", "1,b,2"),
              run_of("locate", tree.path, text="1 2\n"), run_of("locate", tree.path, text="1 2 x\n"),
              run_of("locate", tree.path, text="\n1 1 1\n1 2 3 4\n")])
+
+
+def without_libraries(runs):
+    """What builds without optional libraries answer alike: no meshes of tetrahedra, no files of HDF5; no parameters u, v,
+    whose last digits differ where the C library does."""
+    kept = []
+    for run in runs:
+        if run.arguments[:1] == ["mesh"] or {"--version", "--parameters"} & set(run.arguments):
+            continue
+        lost = {file for file in run.files if file.endswith(LIBRARY_FILES)}
+        words = run.arguments
+        arguments = [word for i, word in enumerate(words)
+                     if not (word in lost or (word == "-o" and words[i + 1:i + 2] and words[i + 1] in lost))]
+        kept.append(Run(arguments, run.input, [file for file in run.files if file not in lost]))
+    return kept
 
 
 def without_times(text):

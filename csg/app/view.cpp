@@ -1,8 +1,12 @@
 // `cnrg view`: a page of the tree, shown in a browser if asked for, made again when the tree changes.
+#include "csg/text/child.h"
+
+#ifdef CNRG_FORK
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#endif
 
 #include <cerrno>
 #include <chrono>
@@ -104,6 +108,7 @@ void make_page(const ViewArguments& arguments, std::set<std::string>& files) {
             << std::flush;
 }
 
+#ifdef CNRG_FORK
 /// Opens the page as the desktop opens files of its kind.
 void open_page(const std::string& path) {
   std::string file = fs::absolute(path).string();
@@ -127,6 +132,11 @@ void open_page(const std::string& path) {
   throw FileError(path + ": was written, but `xdg-open` " + (refused == 0 ? "found no browser" : "is not there") +
                   "; open the file in a browser");
 }
+#else
+void open_page(const std::string& path) {
+  throw FileError(path + ": was written, but this system starts no other program; open the file in a browser");
+}
+#endif
 
 /// Makes the page again whenever a file that it is made of changes, until somebody ends the program.
 [[noreturn]] void follow(const ViewArguments& arguments, std::set<std::string> files) {

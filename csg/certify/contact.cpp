@@ -273,7 +273,7 @@ bool Contact::has(const RationalPoint& p) const {
   if (kind == Kind::line) return is_zero(cross(p - point, direction));
   if (kind == Kind::circle) {
     const RationalPoint way = p - point;
-    return dot(way, direction) == 0 && abs(dot(way, way) / (radius * radius) - 1) < Rational(1, 1'000'000'000'000);
+    return dot(way, direction) == 0 && abs(dot(way, way) / (radius * radius) - 1) < fraction(1, 1'000'000'000'000);
   }
   return kind == Kind::conic && dot(p - point, direction) == 0;
 }

@@ -181,7 +181,7 @@ class Mesher {
   /// With both ends.
   std::vector<std::uint64_t> places_of(const std::vector<Rational>& inside) const {
     std::vector<std::uint64_t> result{0};
-    const Rational whole = whole_;
+    const Rational whole = to_integer(whole_);
     for (const Rational& t : inside) result.push_back(to_machine<std::uint64_t>(Rational(t * whole).get_num()));
     result.push_back(whole_);
     return result;
@@ -198,7 +198,7 @@ class Mesher {
     }
     const bool even = std::all_of(inside_.begin(), inside_.end(), [&](const std::vector<Rational>& inside) {
       return std::all_of(inside.begin(), inside.end(),
-                         [&](const Rational& t) { return Rational(t * Rational(whole_)).get_den() == 1; });
+                         [&](const Rational& t) { return Rational(t * to_integer(whole_)).get_den() == 1; });
     });
     if (even && lines_[0].empty() && lines_[1].empty()) return;
     // Lines are multiples of 2^-40; between them is room for twelve bisections.
@@ -405,7 +405,7 @@ class Mesher {
     std::map<RationalPoint, std::uint32_t> number;
     std::vector<std::uint32_t> point_of;
     for (const Place& place : places_) {
-      Rational u(place[0], whole_), v(place[1], whole_);
+      Rational u(to_integer(place[0]), to_integer(whole_)), v(to_integer(place[1]), to_integer(whole_));
       u.canonicalize();
       v.canonicalize();
       const auto [it, is_new] =

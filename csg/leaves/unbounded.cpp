@@ -131,7 +131,7 @@ ExactBox frame_box(const ExactBox* points, const std::vector<ExactHalfspace>& gi
   }
   // The corner moves along t -> (t, t^2, t^3), which meets any plane at most three times: this ends.
   const RationalPoint corner = box.high;
-  for (std::int64_t t = 1;; ++t) {
+  for (Rational t = 1;; ++t) {
     const bool clear = std::none_of(planes.begin(), planes.end(),
                                     [&](const ExactHalfspace& p) { return dot(p.normal, box.high) == p.offset; });
     if (clear) return box;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include "csg/text/escape.h"
 #include "csg/text/input_file.h"
@@ -89,7 +90,7 @@ class JsonParser {
     ++at_;
   }
   void wait(Kind kind, std::size_t begin, std::size_t count, std::size_t first = 0) {
-    if (count >> 32 != 0 || first >> 32 != 0) {
+    if (!std::in_range<std::uint32_t>(count) || !std::in_range<std::uint32_t>(first)) {
       throw JsonError(begin, "there are more than 2^32 values or bytes in a text here; no result is that large");
     }
     Value value{};

@@ -49,7 +49,7 @@ Rational random_number(const std::vector<Rational>& of) {
     for (const char c : to_string(x)) add(static_cast<unsigned char>(c));
     add(0);
   }
-  return Rational(static_cast<std::int64_t>(mix >> 44)) / (1 << 20);
+  return Rational(static_cast<std::int32_t>(mix >> 44)) / (1 << 20);
 }
 
 class Expression {

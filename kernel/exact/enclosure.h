@@ -10,6 +10,10 @@
 #include "kernel/exact/cross_filter.h"
 #include "kernel/exact/points.h"
 
+#if defined(__EMSCRIPTEN__) && !(defined(CGAL_ALWAYS_ROUND_TO_NEAREST) && defined(CNRG_ROUND_UP))
+#error "WebAssembly rounds to nearest only: intervals need CGAL_ALWAYS_ROUND_TO_NEAREST and kernel/stand_ins"
+#endif
+
 namespace cnrg::enclosure {
 
 using Interval = CGAL::Interval_nt<false>;

@@ -87,7 +87,7 @@ class Nesting {
     Vector w;
     for (Integer& x : w) {
       state = state * 1664525u + 1013904223u;
-      x = static_cast<std::int64_t>(state >> 16) - 32768;
+      x = static_cast<std::int32_t>(state >> 16) - 32768;
     }
     return w;
   }

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 # Folders of programs and of stand-ins: what is in one of these files meets nothing of the others.
-ALONE = ("csg/examples", "bench", "bench/peers/external", "tests/consumer", "tests/threads")
+ALONE = ("csg/examples", "bench", "bench/peers/external", "tests/consumer", "kernel/stand_ins")
 
 
 class Name(NamedTuple):

@@ -75,9 +75,12 @@ export class Dag {
       inner.style.zoom = Math.min(Math.max((holder.clientWidth - 4) / width, 0.8), 1);
       if (this.current !== undefined) this.reveal(this.buttons[this.current]);
     };
-    new ResizeObserver(() => this.fit()).observe(holder);
+    this.resized = new ResizeObserver(() => this.fit());
+    this.resized.observe(holder);
     this.fit();
   }
+
+  leave() { this.resized.disconnect(); }
 
   mark(index, operands) {
     this.buttons.forEach((b, i) => {

@@ -6,9 +6,9 @@ import {Model, nameOf, WORDS} from './model.js';
 import {h, showCell, showNode, swatch} from './panels.js';
 import {Scene} from './scene.js';
 
-const DOUBT = '#d6006c';
+const DOUBT = '#d6006c', FRONT = [0.55, -0.95, 0.62];
 const $ = (id) => document.getElementById(id);
-const page = new Page(source.json);
+let page = new Page(source.json);
 source.json = null;
 
 const state = {node: page.result, cell: null, colour: null, show: [true, true, true, true], labels: false, ghosts: false, through: false, doubts: true,
@@ -362,10 +362,14 @@ function picture(times) {
 
 // --- everything together
 
-const dag = new Dag($('dag'), page.nodes, (i) => chooseNode(i));
+let dag = null;
+function showTree() {
+  dag?.leave();
+  dag = new Dag($('dag'), page.nodes, (i) => chooseNode(i));
+  $('title').textContent = page.tree.replace(/^.*\//, '');
+}
 
 function wire() {
-  $('title').textContent = page.tree.replace(/^.*\//, '');
   $('back').onclick = () => state.node > 0 && chooseNode(state.node - 1);
   $('forth').onclick = () => state.node + 1 < page.nodes.length && chooseNode(state.node + 1);
   [0, 1, 2, 3].forEach((k) => ($(`show${k}`).onchange = (e) => ((state.show[k] = e.target.checked), draw(), later())));
@@ -489,6 +493,22 @@ function signs() {
   $('signs').replaceChildren(...list.flatMap(([sign, words, tint]) => [h('dt', {}, swatch(tint, sign)), h('dd', {}, words)]));
 }
 
+/** Other data in the page. The camera stays, unless `fresh`, and so does what is chosen, as far as it is there. */
+function load(json, fresh) {
+  const before = page, {node} = state, view = fresh ? null : scene?.view;
+  page = new Page(json);
+  const same = node === before.result ? -1 : page.nodes.findIndex((n) => n.name === before.nodes[node].name);
+  state.node = same < 0 ? page.result : same;
+  if (state.colour === before.colour_by) state.colour = page.colour_by;
+  scene?.setExtent(...extent());
+  showTree();
+  showControls();
+  chooseNode(state.node, state.cell);
+  section();
+  if (view) scene.view = view;
+  else scene?.lookFrom(...FRONT);
+}
+
 function begin() {
   const cell = restore();
   state.colour ??= page.colour_by;
@@ -499,13 +519,14 @@ function begin() {
   section();
   if (scene) {
     if (state.view) scene.view = state.view;
-    else scene.lookFrom(0.55, -0.95, 0.62);
+    else scene.lookFrom(...FRONT);
   }
 }
 
-window.cnrg = {page, state, get scene() { return scene; }, get model() { return model; }};
+window.cnrg = {state, load, get page() { return page; }, get scene() { return scene; }, get model() { return model; }};
 scene?.setExtent(...extent());
 signs();
+showTree();
 wire();
 panel('tree');
 begin();

@@ -1,4 +1,5 @@
-// What we use of oneTBB, made of std::thread, for the build with the thread sanitizer.
+// What we use of oneTBB, made of std::thread, for the build with the thread sanitizer; with one thread for
+// WebAssembly.
 //
 // The sanitizer knows that two accesses are in order only if it has seen what orders them. Debian's oneTBB is not
 // compiled with it, so that handing a task over and waiting for it look like nothing, and each value that a loop
@@ -24,7 +25,10 @@
 namespace tbb {
 namespace stand_in {
 
-inline constexpr std::size_t kThreads = 4;
+#ifndef CNRG_STAND_IN_THREADS
+#define CNRG_STAND_IN_THREADS 4
+#endif
+inline constexpr std::size_t kThreads = CNRG_STAND_IN_THREADS;
 inline constexpr std::size_t kPieces = 4 * kThreads;  ///< of a loop
 inline std::atomic<std::size_t> allowed{kThreads};
 inline thread_local bool inside = false;
@@ -195,3 +199,5 @@ decltype(auto) isolate(const Body& body) {
 }  // namespace this_task_arena
 
 }  // namespace tbb
+
+inline const char* TBB_runtime_version() { return "a stand-in"; }

@@ -1,0 +1,62 @@
+// Makes playground.html: page, scripts, the program, the page of `cnrg view` and the models in one file.
+//
+//   node build.mjs MODULES OUTPUT PROGRAM VIEW     MODULES: the folder node_modules that npm filled; PROGRAM: the folder of
+//                                                  cnrg.mjs and cnrg.wasm; VIEW: the template view.html
+import {existsSync, readdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {basename, dirname, join, resolve} from 'node:path';
+import {fileURLToPath, pathToFileURL} from 'node:url';
+import {deflateSync} from 'node:zlib';
+import {bundler, filled, policyOf} from '../../../../csg/view/web/bundling.mjs';
+import {run} from './program.mjs';
+
+const [modules, output, program, view] = process.argv.slice(2).map((path) => resolve(path));
+const here = dirname(fileURLToPath(import.meta.url)), papers = join(here, '../../..');
+const READ = /[\w./-]+\.(?:off|obj|stl|ply|vtk|json|csv|asc|xyz|txt|step|stp|brep|vtp|csg)\b/g;
+
+/** The schema, as the program itself prints it. */
+async function schemaOf() {
+  const {default: create} = await import(pathToFileURL(join(program, 'cnrg.mjs')));
+  const compiled = new WebAssembly.Module(readFileSync(join(program, 'cnrg.wasm')));
+  const {stdout} = await run(create, compiled, ['schema']);
+  return JSON.parse(new TextDecoder().decode(stdout));
+}
+
+/** A tree with the files that it reads beside it; null where one of them is made by another tree. */
+function modelOf(folder, file, group) {
+  const text = readFileSync(join(folder, file), 'utf8'), files = {};
+  for (const path of text.replace(/#.*$/gm, '').match(READ) ?? []) {
+    if (path.startsWith('..') || !existsSync(join(folder, path))) return null;
+    files[path] = readFileSync(join(folder, path), 'utf8');
+  }
+  return {group, name: basename(file, '.yaml'), text, files};
+}
+
+function models() {
+  const lessons = [], exercises = [], others = [];
+  const treesIn = (folder) => readdirSync(folder).filter((f) => f.endsWith('.yaml')).sort();
+  for (const name of readdirSync(join(papers, 'lessons')).filter((n) => /^\d\d-/.test(n)).sort()) {
+    const folder = join(papers, 'lessons', name), answer = readFileSync(join(folder, 'answer.yaml'), 'utf8');
+    for (const file of treesIn(folder).filter((f) => f !== 'answer.yaml')) {
+      const of = file === 'exercise.yaml' ? exercises : lessons, model = modelOf(folder, file, of === exercises ? 'Exercises' : 'Lessons');
+      if (model) of.push({...model, name: of === exercises ? name : `${name}: ${model.name}`, ...(of === exercises && {answer})});
+    }
+  }
+  for (const paper of readdirSync(papers).filter((n) => /\d{4}$/.test(n)).sort()) {
+    for (const file of treesIn(join(papers, paper))) others.push(modelOf(join(papers, paper), file, `Papers: ${paper}`));
+  }
+  return [...lessons, ...exercises, ...others.filter(Boolean)];
+}
+
+const carried = (id, content) => `<script type="text/plain" id="${id}">${deflateSync(content, {level: 9}).toString('base64')}</script>`;
+const places = {'<!--cnrg:title-->': '', '<!--cnrg:stamp-->': '', '<!--cnrg:data-->': ''};
+const page = await bundler(modules)(join(here, 'playground.js'));
+const worker = await bundler(modules, {alias: {'cnrg-module': join(program, 'cnrg.mjs'), module: join(here, 'no_node.js')}, define: {'import.meta.url': '""'}})(join(here, 'worker.js'));
+writeFileSync(output, filled(readFileSync(join(here, 'page.html'), 'utf8'), {
+  '<!--bundle:policy-->': policyOf("worker-src blob:; frame-src 'self'").replace("script-src 'unsafe-inline'", "script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:"),
+  '<!--bundle:style-->': `<style>${page.style}</style>`,
+  '<!--bundle:data-->': [
+    carried('cnrg-wasm', readFileSync(join(program, 'cnrg.wasm'))), carried('cnrg-view', filled(readFileSync(view, 'utf8'), places)), carried('cnrg-worker', worker.script),
+    carried('cnrg-data', JSON.stringify({schema: await schemaOf(), trees: models()})),
+  ].join('\n'),
+  '<!--bundle:script-->': `<script>${page.script}</script>`,
+}));

@@ -1,0 +1,39 @@
+#!/usr/bin/env node
+// `cnrg` in WebAssembly as a command, by what the playground runs: for comparisons with the native program. It sees the
+// files of the current folder. CNRG_WASM names the folder of cnrg.mjs and cnrg.wasm.
+import {readdirSync, readFileSync, statSync, writeFileSync, writeSync} from 'node:fs';
+import {join, relative, resolve} from 'node:path';
+
+import {run} from '../../papers/lessons/web/playground/program.mjs';
+
+const built = process.env.CNRG_WASM ?? new URL('../../build/wasm/csg', import.meta.url).pathname;
+
+function filesBelow(folder, files = {}) {
+  for (const name of readdirSync(folder)) {
+    const path = join(folder, name);
+    if (statSync(path).isDirectory()) filesBelow(path, files);
+    else files[relative('.', path)] = readFileSync(path);
+  }
+  return files;
+}
+
+/** Writes all of it, also to a pipe that is slow. */
+function print(stream, bytes) {
+  for (let at = 0; at < bytes.length;) {
+    try {
+      at += writeSync(stream, bytes, at);
+    } catch (fault) {
+      if (fault.code !== 'EAGAIN') throw fault;
+    }
+  }
+}
+
+const {default: create} = await import(resolve(built, 'cnrg.mjs'));
+const compiled = new WebAssembly.Module(readFileSync(resolve(built, 'cnrg.wasm')));
+const words = process.argv.slice(2);
+const input = words[0] === 'locate' || words.includes('-') ? readFileSync(0) : new Uint8Array();
+const done = await run(create, compiled, words, filesBelow('.'), input);
+for (const [path, content] of Object.entries(done.files)) writeFileSync(path, content);
+print(1, done.stdout);
+print(2, done.stderr);
+process.exitCode = done.status;
