@@ -107,4 +107,21 @@ std::unique_ptr<PreparedLeaf> extrude_anew(const ExtrudeForm& form, const Transf
   return tessellate(sweep);
 }
 
+bool overlap(const PlacedForm& a, const PlacedForm& b) {
+  const RationalPoint& axis = a.axis.direction;
+  const auto inside = [&](const PlacedForm& arc, const RationalPoint& d) {
+    const RationalPoint &from = arc.along ? arc.start : arc.end, &to = arc.along ? arc.end : arc.start;
+    return dot(cross(from, d), axis) > 0 && dot(cross(d, to), axis) > 0;
+  };
+  return inside(a, b.start) || inside(a, b.end) || inside(b, a.start) || inside(b, a.end) ||
+         (a.start == b.start && a.end == b.end) || (a.start == b.end && a.end == b.start);
+}
+
+bool same_arc(const ExtrudedArc& a, const ExtrudedArc& b) {
+  const ControlRow p = reduced(a.curve.net), q = reduced(b.curve.net);
+  const Rational one = p[2][3] / p[0][3], other = q[2][3] / q[0][3];
+  if (a.placed.start == b.placed.start && a.placed.end == b.placed.end) return one == other;
+  return a.placed.start == b.placed.end && a.placed.end == b.placed.start && one * other == 1;
+}
+
 }  // namespace cnrg

@@ -29,4 +29,9 @@ std::vector<ExtrudedArc> arcs_of(const ExtrudeForm& form, const Transform& trans
 std::unique_ptr<PreparedLeaf> extrude_anew(const ExtrudeForm& form, const Transform& transform,
                                            FixedSamples fixed);
 
+/// True if two arcs of less than half a turn, about one axis, have more than ends in common.
+bool overlap(const PlacedForm& a, const PlacedForm& b);
+/// True if two arcs with the same ends are equal curves.
+bool same_arc(const ExtrudedArc& a, const ExtrudedArc& b);
+
 }  // namespace cnrg

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "csg/carriers/axes.h"
+#include "csg/carriers/meridians.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -77,6 +78,21 @@ double axes_apart(const PlacedForm& a, const PlacedForm& b) {
 bool slanted(const MeridianPiece& piece) { return piece.kind == MeridianPiece::Kind::line && !piece.flat(); }
 
 }  // namespace
+
+bool touch(const PlacedForm& a, const PlacedForm& b) {
+  const Rational square = a.square();
+  for (const auto& line : a.lines) {
+    for (const MeridianPiece& p : line) {
+      for (const auto& other : b.lines) {
+        for (const MeridianPiece& q : other) {
+          const MeridianContact found = contact(p, q, square);
+          if (found.joins || !found.points.empty()) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
 
 bool sides_near(const PlacedForm& a, const PlacedForm& b, double near) {
   for (const auto& line : a.lines) {

@@ -16,6 +16,8 @@ struct NearSurfaces {
   double apart = 0;                     ///< the largest distance, in the model's unit, greater than 0
 };
 
+/// True if meridians about the same axis have more than points of it in common.
+bool touch(const PlacedForm& a, const PlacedForm& b);
 /// True if a side of a cylinder or cone is beside one of the other, about the same axis, nearer than a part of its
 /// radius.
 bool sides_near(const PlacedForm& a, const PlacedForm& b, double near);

@@ -95,21 +95,6 @@ class Space {
 
   const RevolvedForm& form_of(Index i) const { return *forms_.at(i); }
 
-  static bool touch(const PlacedForm& a, const PlacedForm& b) {
-    const Rational square = a.square();
-    for (const auto& line : a.lines) {
-      for (const MeridianPiece& p : line) {
-        for (const auto& other : b.lines) {
-          for (const MeridianPiece& q : other) {
-            const MeridianContact found = contact(p, q, square);
-            if (found.joins || !found.points.empty()) return true;
-          }
-        }
-      }
-    }
-    return false;
-  }
-
   /// Balls that touch from inside.
   void touch_nested() {
     for (const auto& [i, j] : of_.contacts.nested) {
@@ -353,23 +338,6 @@ class Space {
     }
     return true;
   }
-  /// True if two arcs of less than half a turn have more than ends in common.
-  static bool overlap(const PlacedForm& a, const PlacedForm& b) {
-    const RationalPoint& axis = a.axis.direction;
-    const auto inside = [&](const PlacedForm& arc, const RationalPoint& d) {
-      const RationalPoint &from = arc.along ? arc.start : arc.end, &to = arc.along ? arc.end : arc.start;
-      return dot(cross(from, d), axis) > 0 && dot(cross(d, to), axis) > 0;
-    };
-    return inside(a, b.start) || inside(a, b.end) || inside(b, a.start) || inside(b, a.end) ||
-           (a.start == b.start && a.end == b.end) || (a.start == b.end && a.end == b.start);
-  }
-  static bool same_arc(const ExtrudedArc& a, const ExtrudedArc& b) {
-    const ControlRow p = reduced(a.curve.net), q = reduced(b.curve.net);
-    const Rational one = p[2][3] / p[0][3], other = q[2][3] / q[0][3];
-    if (a.placed.start == b.placed.start && a.placed.end == b.placed.end) return one == other;
-    return a.placed.start == b.placed.end && a.placed.end == b.placed.start && one * other == 1;
-  }
-
   void build() {
     // A ball that meets nobody about an axis, but another ball or a mark: about the axis of its own leaf.
     for (const auto& [ball, of] : balls_) {

@@ -14,7 +14,7 @@ namespace {
 constexpr double kRounded = 1e-13, kLengthMargin = 1e-12;
 constexpr double kAngleMargin = 1e-8;
 constexpr double kLeastLength = 1e-7;  // of a chord, so that its direction is not rounded by more than a margin
-constexpr int kMostSteps = 20000;
+constexpr int kMostHalvings = 20000;
 
 /// Away from the axis and along it.
 using Point2 = std::array<Interval, 2>;
@@ -49,7 +49,7 @@ struct Meridian {
 };
 
 /// A part of a meridian: F and S.
-struct Part {
+struct MeridianPart {
   const Meridian* of;
   std::array<double, 2> range;
   Point2 chord{};                  // F in the middle
@@ -58,7 +58,7 @@ struct Part {
   Point2 middle{}, tangent{};  // of S
   Interval off = 0;            // parameters from its middle
 
-  Part(const Meridian& meridian, const std::array<double, 2>& of_range, Between between)
+  MeridianPart(const Meridian& meridian, const std::array<double, 2>& of_range, Between between)
       : of(&meridian), range(of_range) {
     const Interval whole(range[0], range[1]), at(middle_of(whole));
     off = whole - at;
@@ -77,18 +77,18 @@ struct Part {
   }
 };
 
-class Question {
+class MeridianQuestion {
  public:
-  Question(Meridian a, Meridian b, Between between, double size)
+  MeridianQuestion(Meridian a, Meridian b, Between between, double size)
       : a_(std::move(a)), b_(std::move(b)), between_(between), size_(size) {}
   Coaxial run() {
-    if (!answer(Part(a_, a_.range, between_), Part(b_, b_.range, between_))) return Coaxial::open;
+    if (!answer(MeridianPart(a_, a_.range, between_), MeridianPart(b_, b_.range, between_))) return Coaxial::open;
     return some_ ? Coaxial::crossing : Coaxial::apart;
   }
 
  private:
-  bool answer(const Part& a, const Part& b) {
-    for (const Part* const one : {&a, &b}) {
+  bool answer(const MeridianPart& a, const MeridianPart& b) {
+    for (const MeridianPart* const one : {&a, &b}) {
       const Point2 &f = one->tangents[0], &s = one->tangent;
       if (parted(a, b, f, s) || parted(a, b, {f[1], -f[0]}, {s[1], -s[0]})) return true;
     }
@@ -96,21 +96,21 @@ class Question {
       some_ = true;
       return true;
     }
-    if (steps_++ == kMostSteps) return false;
+    if (steps_++ == kMostHalvings) return false;
     const bool first = a.length() >= b.length();
-    const Part& longer = first ? a : b;
+    const MeridianPart& longer = first ? a : b;
     const double middle = longer.range[0] / 2 + longer.range[1] / 2;
     if (!(longer.range[0] < middle && middle < longer.range[1]) || !(longer.length() > kLengthMargin * size_))
       return false;
     for (const std::array<double, 2>& half : {std::array{longer.range[0], middle}, {middle, longer.range[1]}}) {
-      const Part part(*longer.of, half, between_);
+      const MeridianPart part(*longer.of, half, between_);
       if (!answer(first ? part : a, first ? b : part)) return false;
     }
     return true;
   }
 
   /// By a line that turns from one direction to another while t goes from 0 to 1.
-  bool parted(const Part& a, const Part& b, const Point2& first, const Point2& last) const {
+  bool parted(const MeridianPart& a, const MeridianPart& b, const Point2& first, const Point2& last) const {
     const auto across = [](const Point2& way) {
       const double length = length_of(way);
       return std::array{-middle_of(way[1]) / length, middle_of(way[0]) / length};
@@ -126,10 +126,10 @@ class Question {
       before = before && (of_a + margin).sup() < of_b.inf();
       behind = behind && (of_b + margin).sup() < of_a.inf();
     };
-    compare([&](const Part& part) { return dot2(e, part.middle) + part.off * dot2(e, part.tangent); });
+    compare([&](const MeridianPart& part) { return dot2(e, part.middle) + part.off * dot2(e, part.tangent); });
     if (between_ == Between::surfaces) return before || behind;
-    compare([&](const Part& part) { return dot2(d, part.chord) + part.off * dot2(d, part.tangents[0]); });
-    compare([&](const Part& part) {
+    compare([&](const MeridianPart& part) { return dot2(d, part.chord) + part.off * dot2(d, part.tangents[0]); });
+    compare([&](const MeridianPart& part) {
       return dot2(d, part.middle) + dot2(e, part.chord) +
              part.off * (dot2(d, part.tangent) + dot2(e, part.tangents[0]));
     });
@@ -137,7 +137,7 @@ class Question {
   }
 
   /// True if tangents are at an angle, of one sign.
-  bool cross(const Part& a, const Part& b) const {
+  bool cross(const MeridianPart& a, const MeridianPart& b) const {
     bool left = true, right = true;
     const auto compare = [&](const Interval& x, double of) {
       left = left && x.inf() > kAngleMargin * of;
@@ -178,7 +178,7 @@ struct Sides {
 };
 
 /// The size of coordinates.
-double size_of(const Piece& piece) {
+double size_of_corners(const Piece& piece) {
   double size = 0;
   for (const Interval3& p : piece.corners) {
     for (const Interval& x : p) size = std::max({size, std::abs(x.inf()), std::abs(x.sup())});
@@ -287,7 +287,7 @@ std::optional<Meridian> meridian(const std::vector<Piece>& all, const Piece& pie
 Coaxial ask_coaxial(const std::vector<Piece>& all, const Piece& a, const Piece& b, Between between) {
   if (!a.column || !b.column || !a.foreign.empty() || !b.foreign.empty()) return Coaxial::other;
   const Revolution turn = *a.surface->revolution();
-  const double size = std::max(size_of(a), size_of(b));
+  const double size = std::max(size_of_corners(a), size_of_corners(b));
   if (!one_axis(turn, *b.surface->revolution(), size)) return Coaxial::other;
   const Sides of_a(a), of_b(b);
   const auto ways = ways_off(turn, a, of_a), others = ways_off(turn, b, of_b);
@@ -310,7 +310,7 @@ Coaxial ask_coaxial(const std::vector<Piece>& all, const Piece& a, const Piece& 
   const HalfPlane plane{turn.center, *away, turn.axis};
   const auto one = meridian(all, a, of_a, i, plane, size), other = meridian(all, b, of_b, j, plane, size);
   if (!one || !other) return Coaxial::other;
-  return Question(*one, *other, between, size).run();
+  return MeridianQuestion(*one, *other, between, size).run();
 }
 
 }  // namespace cnrg

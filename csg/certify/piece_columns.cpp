@@ -36,9 +36,10 @@ std::array<double, 2> flatness(const Piece& piece) {
   return {2 * std::max(off.sup(), -off.inf()) / length(normal), shortest};
 }
 
-double most(const Interval& x) { return std::max(x.sup(), -x.inf()); }
+double largest(const Interval& x) { return std::max(x.sup(), -x.inf()); }
 double longest(const Interval3& v) {
-  return std::sqrt(most(v[0]) * most(v[0]) + most(v[1]) * most(v[1]) + most(v[2]) * most(v[2])) * (1 + 1e-14);
+  return std::sqrt(largest(v[0]) * largest(v[0]) + largest(v[1]) * largest(v[1]) + largest(v[2]) * largest(v[2])) *
+         (1 + 1e-14);
 }
 
 /// The derivative of F in a half-plane of a side, and by how much that of S differs from it, at most.

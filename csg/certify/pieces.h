@@ -1,9 +1,9 @@
 // The pieces of which a proof speaks: what facets are and what they stand for, side by side.
 //
 // A curved leaf has a map F from the parameters of its cells to its facets, and S to its true surfaces. The proof
-// (proof.h) moves one into the other: H = (1 - t) F + t S for t from 0 to 1, or nearly (piece_columns.cpp). A *piece* is a cell of a curved
-// patch, a flat face or an edge of a curve, with boxes that hold all its H, and the derivatives of all its H.
-// PieceParts of a piece, by parameters, have smaller ones.
+// (proof.h) moves one into the other: H = (1 - t) F + t S for t from 0 to 1, or nearly (piece_columns.cpp). A
+// *piece* is a cell of a curved patch, a flat face or an edge of a curve, with boxes that hold all its H, and the
+// derivatives of all its H. PieceParts of a piece, by parameters, have smaller ones.
 //
 // Pieces lie on *sheets*. Sheets have one number where they are one surface in truth: planes where they are equal,
 // curved patches by csg/carriers/surface_numbers.h.

@@ -209,8 +209,8 @@ struct ExtrudeShape {
   Profile profile;
   RationalPoint vector;
   Rational twist = 0, scale = 1;
-  std::optional<RationalPoint> center;
-  Tessellation tessellation;
+  std::optional<RationalPoint> center{};
+  Tessellation tessellation{};
 };
 /// `{revolve: {profile: [[r, z], ...], center: p, axis: n, degrees: 360, chord: e}}`: the profile, r >= 0 from the
 /// axis and z along it, turned about the axis by the right-hand rule.
