@@ -13,7 +13,7 @@ namespace {
 // Of the size of coordinates: what is rounded, and the margins.
 constexpr double kRounded = 1e-13, kLengthMargin = 1e-12;
 constexpr double kAngleMargin = 1e-8;
-constexpr double kLeastLength = 1e-7;  // of a chord, so that its direction is not rounded by more than a margin
+constexpr double kLeastLength = 1e-7;  // of a chord
 constexpr int kMostHalvings = 20000;
 
 /// Away from the axis and along it.
@@ -37,6 +37,7 @@ struct Meridian {
   std::array<double, 2> range{};                  ///< of the other one
   std::array<Point2, 2> corners{};                ///< at its ends
   Point2 chord{};                                 ///< the derivative of F
+  double turned = 0;                              ///< by how much rounded corners may turn it
   std::array<std::optional<Point2>, 2> beyond{};  ///< that of the next cells, at these ends
 
   Point2 on_chord(const Interval& m) const {
@@ -140,8 +141,9 @@ class MeridianQuestion {
   bool cross(const MeridianPart& a, const MeridianPart& b) const {
     bool left = true, right = true;
     const auto compare = [&](const Interval& x, double of) {
-      left = left && x.inf() > kAngleMargin * of;
-      right = right && x.sup() < -kAngleMargin * of;
+      const double least = (kAngleMargin + a_.turned + b_.turned) * of;
+      left = left && x.inf() > least;
+      right = right && x.sup() < -least;
     };
     compare(cross2(a.tangent, b.tangent), length_of(a.tangent) * length_of(b.tangent));
     if (between_ == Between::surfaces) return left || right;
@@ -240,8 +242,10 @@ Point2 slope(const Point2& p, const Point2& q, double from, double to) {
   return {(q[0] - p[0]) / step, (q[1] - p[1]) / step};
 }
 
-/// The slopes of the chords of the next cells of the patch in the column.
-void find_beyond(const std::vector<Piece>& all, const Sides& sides, std::size_t side, Meridian& result) {
+/// The slopes of the chords of the next cells of the patch in the column; `shortest` gets the length of one that
+/// is shorter.
+void find_beyond(const std::vector<Piece>& all, const Sides& sides, std::size_t side, Meridian& result,
+                 double& shortest) {
   const Piece& piece = *result.piece;
   for (const auto& [number, bits] : piece.neighbours) {
     const Piece& next = all[number];
@@ -253,8 +257,9 @@ void find_beyond(const std::vector<Piece>& all, const Sides& sides, std::size_t 
       for (const auto& ends : of.corners) {
         const std::size_t near = ends[1 - k], far = ends[k];
         if (next.points[near] != corner) continue;
-        result.beyond[k] = slope(result.corners[k], result.plane.at(next.corners[far]),
-                                 next.at[near][result.along], next.at[far][result.along]);
+        const Point2 end = result.plane.at(next.corners[far]);
+        shortest = std::min(shortest, length_of({end[0] - result.corners[k][0], end[1] - result.corners[k][1]}));
+        result.beyond[k] = slope(result.corners[k], end, next.at[near][result.along], next.at[far][result.along]);
       }
     }
   }
@@ -264,7 +269,7 @@ void find_beyond(const std::vector<Piece>& all, const Sides& sides, std::size_t 
 std::optional<Meridian> meridian(const std::vector<Piece>& all, const Piece& piece, const Sides& sides,
                                  std::size_t side, const HalfPlane& plane, double size) {
   Meridian result{&piece, plane, 1 - sides.around};
-  const auto& ends = sides.corners[side];
+  const auto &ends = sides.corners[side], &others = sides.corners[1 - side];
   const Interval3 across = thin(cross(plane.axis, plane.away));
   const auto beside = [&](const Interval3& p) {
     const Interval off = dot(across, difference(p, thin(plane.center)));
@@ -275,10 +280,18 @@ std::optional<Meridian> meridian(const std::vector<Piece>& all, const Piece& pie
     result.range[k] = piece.at[ends[k]][result.along];
     result.corners[k] = plane.at(piece.corners[ends[k]]);
     if (beside(piece.corners[ends[k]]) || beside(result.jet(Interval(result.range[k])).point)) return std::nullopt;
+    // In the other half-plane it is where it is in this one.
+    const Vector3<double> way = difference(middle_of(piece.corners[others[k]]), plane.center);
+    const double high = dot(way, plane.axis), off = length(difference(way, scaled(high, plane.axis)));
+    if (!(std::hypot(off - middle_of(result.corners[k][0]), high - middle_of(result.corners[k][1])) <=
+          kRounded * size))
+      return std::nullopt;
   }
   result.chord = slope(result.corners[0], result.corners[1], result.range[0], result.range[1]);
-  if (!(length_of(result.chord) * (result.range[1] - result.range[0]) > kLeastLength * size)) return std::nullopt;
-  find_beyond(all, sides, side, result);
+  double shortest = length_of(result.chord) * (result.range[1] - result.range[0]);
+  find_beyond(all, sides, side, result, shortest);
+  if (!(shortest > kLeastLength * size)) return std::nullopt;
+  result.turned = kRounded * size / shortest;
   return result;
 }
 

@@ -64,7 +64,7 @@ MeridianSlope slope_of(const Piece& piece, std::size_t along) {
 }
 
 std::optional<Piece::Column> column_of(const Piece& piece) {
-  constexpr double kMostTurns = 0.2;
+  constexpr double kMostTurns = 0.24;
   constexpr double kMostOff = 1e-10;  // of the shortest side
   const auto turn = piece.grid && !piece.blind ? piece.surface->revolution() : std::nullopt;
   if (!turn) return std::nullopt;
@@ -75,7 +75,8 @@ std::optional<Piece::Column> column_of(const Piece& piece) {
   if (!(half.inf() > 0) || !(half.sup() < kMostTurns / 2)) return std::nullopt;
   const std::size_t along = 1 - turn->around;
   const MeridianSlope slope = slope_of(piece, along);
-  if (!(slope.off < slope.chord)) return std::nullopt;
+  const double least = slope.chord * cosine(half).inf() - slope.off;  // F's slope is less in the middle
+  if (!(least > 0)) return std::nullopt;
   const double wide = (Interval(piece.range[along].sup()) - Interval(piece.range[along].inf())).sup();
   return Piece::Column{.around = turn->around,
                        .half = half,
@@ -83,7 +84,7 @@ std::optional<Piece::Column> column_of(const Piece& piece) {
                        .flat = (Interval(1) - cosine(half)).sup(),
                        .off = off,
                        .chord = (Interval(slope.off) * wide).sup() / 2,
-                       .tilt = slope.off / (slope.chord - slope.off) / 4 * (1 + 1e-12)};
+                       .tilt = slope.off / least / 4 * (1 + 1e-12)};
 }
 
 bool goes_around(const Piece& cell, std::size_t side) {

@@ -212,7 +212,8 @@ void find_poles(std::vector<Piece>& all, std::size_t first);
 /// The cells of a patch; none of one that has a pole.
 std::vector<std::uint32_t> cells_without_pole(const std::vector<Piece>& all, LeafId leaf, std::uint32_t patch);
 /// True if H is one to one on two cells of a patch that have corners in common, or on one. Not asked where corners
-/// in common are at different parameters (a closed patch). `patch`: all its cells.
+/// in common are at different parameters: where a patch is closed, it may meet itself there. `patch`: all its
+/// cells.
 bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,
                 std::uint32_t b);
 

@@ -15,7 +15,7 @@ struct Asked {
   Evaluation evaluation;
   /// `leaves`: lines of a map of nodes; `result`: an operation with them.
   Asked(const std::string& leaves, const std::string& result, AskedProof proof = AskedProof::to_the_end,
-        int finer = 1, const std::string& parameters = "{}")
+        int finer = 1, const std::string& parameters = "")
       : tree(parse_tree(
             "cnrg: 1\nparameters: " + parameters + "\nnodes:\n" + leaves + "  r: " + result + "\nresult: r\n",
             "t.yaml")) {
@@ -133,7 +133,8 @@ TEST_CASE("surfaces about one axis are told apart however near they are", "[cert
         INFO(known.what << ", " << near << ", " << turned);
         std::string result = known.result;
         result.insert(1, turned);
-        const Asked asked(known.leaves, result, AskedProof::to_the_end, 1, std::string("{n: ") + near + "}");
+        const Asked asked(known.leaves, result, AskedProof::to_the_end, 1,
+                          std::string("parameters: {n: ") + near + "}\n");
         CHECK(asked.certified());
         CHECK(asked.cells() == known.cells);
       }
