@@ -16,9 +16,8 @@ struct Asked {
   /// `leaves`: lines of a map of nodes; `result`: an operation with them.
   Asked(const std::string& leaves, const std::string& result, AskedProof proof = AskedProof::to_the_end,
         int finer = 1, const std::string& parameters = "")
-      : tree(parse_tree(
-            "cnrg: 1\nparameters: " + parameters + "\nnodes:\n" + leaves + "  r: " + result + "\nresult: r\n",
-            "t.yaml")) {
+      : tree(parse_tree("cnrg: 1\n" + parameters + "nodes:\n" + leaves + "  r: " + result + "\nresult: r\n",
+                        "t.yaml")) {
     make_finer(tree, finer);
     EvaluateOptions options;
     options.proof = proof;
