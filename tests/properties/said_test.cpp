@@ -12,7 +12,7 @@ namespace {
 TEST_CASE("random trees say something of every kind of cell, and contradict themselves", "[cubical]") {
   const cubical::Grid grid(4);
   cubical::SaidTally tally;
-  for (std::uint64_t seed = 0; seed < 40; ++seed)
+  for (std::uint64_t seed = 0; seed < 160; ++seed)
     CHECK(cubical::compare_by_brute_force(grid, cubical::random_said_dag(grid, seed, false), &tally) == "");
   CAPTURE(tally.nodes, tally.said_cells, tally.regions, tally.conflicts, tally.counted);
   CHECK(

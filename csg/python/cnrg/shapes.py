@@ -407,14 +407,14 @@ _NUMBERS = ("chord", "segments", "weld", "fit", "base")
 def load(path: str | os.PathLike[str], **keys: Any) -> Node:
     """A leaf from a file, by its extension: meshes (.off .obj .stl .ply .vtp .vtu .vtk .ts .pl .wl), CAD models (.step .stp
     .brep), grids of heights (.asc), results (.json of `Result.write`), OpenSCAD (.csg). The path is relative to the current folder. keys:
-    those of the leaf in a tree file (fill, weld, chord, segments, unit, solids, seams, coordinates, base), and
+    those of the leaf in a tree file (fill, weld, fit, chord, segments, unit, solids, seams, coordinates, base), and
     attributes."""
     name = _path(path)
     if not name:
         raise fault("load: the name of the file is empty")
     extension = os.path.splitext(name)[1].lower()
     own = {}
-    for key in ("fill", "weld", "chord", "segments", "unit", "solids", "seams", "coordinates", "base"):
+    for key in ("fill", "weld", "fit", "chord", "segments", "unit", "solids", "seams", "coordinates", "base"):
         value = keys.pop(key, None)
         if value is not None:
             own[key] = exact(value) if key in _NUMBERS else data_of(value)
