@@ -10,7 +10,7 @@ class Measures(unittest.TestCase):
             "kernel/exact/a.h": "1\n2\n", "kernel/exact/b.cpp": "1\n", "csg/app/deep/c.cpp": "1\n" * 601,
             "kernel/cnrg.h": "1\n", "csg/app/x.py": "no\n", "papers/p.cpp": "no\n", "README.md": "two words\n"})
         self.assertEqual(rooms, {"kernel/exact": 3, "csg/app": 601, "kernel": 1})
-        self.assertEqual(measures["lines of kernel"], 4)
+        self.assertEqual(measures["lines of kernel and csg"], 605)
         self.assertEqual(measures["words of pages"], 2)
         self.assertEqual(measures["files above 600 lines"], 1)
         self.assertEqual(large, [(601, "csg/app/deep/c.cpp")])

@@ -13,7 +13,7 @@
 #undef CGAL_IA_MUL
 #undef CGAL_IA_DIV
 
-#include "kernel/stand_ins/round_up.h"
+#include "../../round_up.h"
 
 #define CNRG_ROUND_UP
 #define CGAL_IA_ADD(a, b) (::cnrg::round_up::add(a, b))
