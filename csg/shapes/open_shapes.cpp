@@ -41,8 +41,7 @@ std::unique_ptr<PreparedLeaf> prepare_disk(const DiskShape& shape) {
   LeafBuilder builder(Fill::none);
   std::vector<PointId> loop;
   for (int i = 0; i < shape.segments; ++i) {
-    Rational degrees(360 * std::int64_t{i}, shape.segments);
-    degrees.canonicalize();
+    Rational degrees = fraction(std::int64_t{360} * i, shape.segments);
     loop.push_back(builder.point(shape.center + scaled_cosine(degrees, first2) * first +
                                  scaled_cosine(90 - degrees, second2) * second));
   }
