@@ -317,7 +317,9 @@ class MshWriter {
       along = minus(b, a);
     }
     sort_unique(points);
-    const Vector u = unit(along), v = cross(unit(normal), u), origin = mesh_.points[points[0]];
+    // Rounding may have laid all triangles on a line or a point.
+    const auto direction = [](const Vector& x) { return dot(x, x) > 0 ? unit(x) : Vector{}; };
+    const Vector u = direction(along), v = cross(direction(normal), u), origin = mesh_.points[points[0]];
     text_ += std::to_string(mesh_.triangles[begin].entity + 1) + "\n" + std::to_string(points.size()) + " " +
              std::to_string(end - begin) + "\n";
     for (const Index p : points) {

@@ -353,6 +353,9 @@ TEST_CASE("a shape thinner than doubles is reported as not embedded") {
   const RoundingReport rounding = write(dir / "m.off", c.view());
   CHECK(rounding.moved == 4);
   CHECK_FALSE(rounding.embedded);
+  // Sides that are lines now have coordinates of their own all the same.
+  write(dir / "m.msh", c.view());
+  CHECK(text_of(dir / "m.msh").find("nan") == std::string::npos);
 }
 
 TEST_CASE("faces of a curved patch are one face with facets") {
