@@ -265,7 +265,7 @@ class Prover {
         return true;
       }
     }
-    const Coaxial coaxial = ask_coaxial(tuple, Between::facets_and_surfaces);
+    const Coaxial coaxial = ask_coaxial(tuple, question, Between::facets_and_surfaces);
     if (coaxial == Coaxial::apart || coaxial == Coaxial::crossing) {
       some = coaxial == Coaxial::crossing;
       return answered(key, some);
@@ -276,7 +276,7 @@ class Prover {
     if (answer(tuple, question, Between::facets_and_surfaces, steps, some, left)) return answered(key, some);
     some = true;
     OpenPlace place{tuple, middle_of(left), size_of(left), contacts > 1 ? Why::budget : Why::facets};
-    place.coaxial = coaxial == Coaxial::open && ask_coaxial(tuple, Between::surfaces) != Coaxial::open;
+    place.coaxial = coaxial == Coaxial::open && ask_coaxial(tuple, question, Between::surfaces) != Coaxial::open;
     ++open;
     if (contacts < 2 && !hopeless && !place.coaxial) {
       bool any = false;
@@ -295,8 +295,10 @@ class Prover {
     return false;
   }
 
-  Coaxial ask_coaxial(const std::vector<Index>& tuple, Between between) const {
-    return tuple.size() == 2 ? cnrg::ask_coaxial(all_, all_[tuple[0]], all_[tuple[1]], between) : Coaxial::other;
+  Coaxial ask_coaxial(const std::vector<Index>& tuple, Question question, Between between) const {
+    if (tuple.size() != 2) return Coaxial::other;
+    const Coaxial found = cnrg::ask_coaxial(all_, all_[tuple[0]], all_[tuple[1]], between);
+    return found == Coaxial::crossing && question != Question::angle ? Coaxial::open : found;
   }
 
   static PieceTuple key_of(std::vector<Index> tuple) {

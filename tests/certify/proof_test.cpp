@@ -153,6 +153,11 @@ TEST_CASE("a patch that meets itself is not certified, at any fineness", "[certi
     INFO(segments << " segments");
     CHECK(asked("0.95", "0.05", segments).certified());
     CHECK_FALSE(asked("1.1", "-0.1", segments).certified());  // a loop
+    // The same loop, turned.
+    const Asked turned("  p: {revolve: {curve: [[2, 0], {bezier: [[3.1, 1], [1.9, 1]]}, [3, 0]], segments: " +
+                           std::to_string(segments) + "}}\n",
+                       "{simplify: p, translate: [0, 0, 1]}");
+    CHECK_FALSE(turned.certified());
   }
 }
 
