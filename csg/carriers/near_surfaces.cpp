@@ -75,18 +75,14 @@ double axes_apart(const PlacedForm& a, const PlacedForm& b) {
   return far + rounded_length(cross(a.axis.direction, b.axis.direction)) / first / second * far;
 }
 
-bool slanted(const MeridianPiece& piece) { return piece.kind == MeridianPiece::Kind::line && !piece.flat(); }
-
-}  // namespace
-
-bool touch(const PlacedForm& a, const PlacedForm& b) {
-  const Rational square = a.square();
+/// True if `holds` is true of a piece of one and a piece of the other; no more are asked then.
+template <class Holds>
+bool any_two(const PlacedForm& a, const PlacedForm& b, const Holds& holds) {
   for (const auto& line : a.lines) {
     for (const MeridianPiece& p : line) {
       for (const auto& other : b.lines) {
         for (const MeridianPiece& q : other) {
-          const MeridianContact found = contact(p, q, square);
-          if (found.joins || !found.points.empty()) return true;
+          if (holds(p, q)) return true;
         }
       }
     }
@@ -94,18 +90,22 @@ bool touch(const PlacedForm& a, const PlacedForm& b) {
   return false;
 }
 
+bool slanted(const MeridianPiece& piece) { return piece.kind == MeridianPiece::Kind::line && !piece.flat(); }
+
+}  // namespace
+
+bool touch(const PlacedForm& a, const PlacedForm& b) {
+  return any_two(a, b, [square = a.square()](const MeridianPiece& p, const MeridianPiece& q) {
+    const MeridianContact found = contact(p, q, square);
+    return found.joins || !found.points.empty();
+  });
+}
+
 bool sides_near(const PlacedForm& a, const PlacedForm& b, double near) {
-  for (const auto& line : a.lines) {
-    for (const MeridianPiece& p : line) {
-      for (const auto& other : b.lines) {
-        for (const MeridianPiece& q : other) {
-          const auto gap = slanted(p) && slanted(q) ? between_lines(p, q, 0, near) : std::nullopt;
-          if (gap && gap->apart <= near * gap->radius) return true;
-        }
-      }
-    }
-  }
-  return false;
+  return any_two(a, b, [near](const MeridianPiece& p, const MeridianPiece& q) {
+    const auto gap = slanted(p) && slanted(q) ? between_lines(p, q, 0, near) : std::nullopt;
+    return gap && gap->apart <= near * gap->radius;
+  });
 }
 
 std::vector<NearSurfaces> near_surfaces(const std::vector<LeafInstance>& instances,
@@ -127,21 +127,17 @@ std::vector<NearSurfaces> near_surfaces(const std::vector<LeafInstance>& instanc
     // Places along two axes compare only if these have one direction; where they have not, spheres still do.
     const bool parallel = a->axis.direction == b->axis.direction;
     NearSurfaces found{std::min(i, j), std::max(i, j), "", 0};
-    for (const auto& line : a->lines) {
-      for (const MeridianPiece& p : line) {
-        for (const auto& other : b->lines) {
-          for (const MeridianPiece& q : other) {
-            std::optional<Gap> gap;
-            using Kind = MeridianPiece::Kind;
-            if (slanted(p) && slanted(q) && parallel) gap = between_lines(p, q, axes, kNear);
-            if (p.kind == Kind::arc && q.kind == Kind::arc) gap = between_balls(*a, p, *b, q);
-            if (!gap || gap->apart == 0 || gap->apart > kNear * gap->radius || gap->apart < found.apart) continue;
-            found.what = gap->what;
-            found.apart = gap->apart;
-          }
-        }
+    any_two(*a, *b, [&](const MeridianPiece& p, const MeridianPiece& q) {
+      std::optional<Gap> gap;
+      using Kind = MeridianPiece::Kind;
+      if (slanted(p) && slanted(q) && parallel) gap = between_lines(p, q, axes, kNear);
+      if (p.kind == Kind::arc && q.kind == Kind::arc) gap = between_balls(*a, p, *b, q);
+      if (gap && gap->apart != 0 && gap->apart <= kNear * gap->radius && gap->apart >= found.apart) {
+        found.what = gap->what;
+        found.apart = gap->apart;
       }
-    }
+      return false;
+    });
     if (found.apart > 0) result.push_back(found);
   }
   return result;

@@ -95,15 +95,21 @@ class Space {
 
   const RevolvedForm& form_of(Index i) const { return *forms_.at(i); }
 
+  /// The nodes of two balls on an axis through their centres, in one family.
+  std::array<Index, 2> join_balls(const Ball& a, const Ball& b, const RationalPoint& along) {
+    const AxisLine axis = axis_line(a.center, along);
+    const std::array<Index, 2> nodes{ball_node(a, axis, ball_on(a, axis)), ball_node(b, axis, ball_on(b, axis))};
+    edges_.push_back(nodes);
+    on_axes_.insert({a, b});
+    return nodes;
+  }
+
   /// Balls that touch from inside.
   void touch_nested() {
     for (const auto& [i, j] : of_.contacts.nested) {
       if (!forms_.contains(i) || !forms_.contains(j)) continue;
       const Ball a = ball_of(i), b = ball_of(j);
-      const AxisLine axis = axis_line(a.center, b.center - a.center);
-      const Index first = ball_node(a, axis, ball_on(a, axis)), second = ball_node(b, axis, ball_on(b, axis));
-      edges_.push_back({first, second});
-      on_axes_.insert({a, b});
+      join_balls(a, b, b.center - a.center);
       shared_.nest(a.radius < b.radius ? a : b, a.radius < b.radius ? b : a);
     }
   }
@@ -117,11 +123,8 @@ class Space {
       const RationalPoint between = b.center - a.center;
       const double apart = std::sqrt(to_double(dot(between, between))) + std::abs(to_double(a.radius - b.radius));
       if (!(apart <= kNearBalls * to_double(a.radius + b.radius))) continue;
-      const AxisLine axis =
-          axis_line(a.center, is_zero(between) ? relative_.at(i).apply_to_vector(form_of(i).axis) : between);
-      const std::array<Index, 2> nodes{ball_node(a, axis, ball_on(a, axis)), ball_node(b, axis, ball_on(b, axis))};
-      edges_.push_back(nodes);
-      on_axes_.insert({a, b});
+      const std::array<Index, 2> nodes =
+          join_balls(a, b, is_zero(between) ? relative_.at(i).apply_to_vector(form_of(i).axis) : between);
       int& steps = nodes_[nodes[0]].placed.lines[0][0].steps;
       int& others = nodes_[nodes[1]].placed.lines[0][0].steps;
       steps = others = std::max(steps, others);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cnrg {
 
@@ -187,15 +188,19 @@ double size_of_corners(const Piece& piece) {
   }
   return size;
 }
-double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
+
+/// The way to a point from the axis through `center`, and how far along that it begins.
+std::pair<Vector3<double>, double> off_axis(const Interval3& p, const Vector3<double>& center,
+                                            const Vector3<double>& axis) {
+  const Vector3<double> way = difference(middle_of(p), center);
+  const double high = dot(way, axis);
+  return {difference(way, scaled(high, axis)), high};
+}
 
 /// Of its two half-planes the ways from the axis to the corner that is farther off.
 std::array<Vector3<double>, 2> ways_off(const Revolution& turn, const Piece& piece, const Sides& sides) {
-  const auto off = [&](std::size_t i) {
-    const Vector3<double> way = difference(middle_of(piece.corners[i]), turn.center);
-    return difference(way, scaled(dot(way, turn.axis), turn.axis));
-  };
   const auto farther = [&](const std::array<std::size_t, 2>& ends) {
+    const auto off = [&](std::size_t i) { return off_axis(piece.corners[i], turn.center, turn.axis).first; };
     const Vector3<double> a = off(ends[0]), b = off(ends[1]);
     return length(a) >= length(b) ? a : b;
   };
@@ -281,9 +286,8 @@ std::optional<Meridian> meridian(const std::vector<Piece>& all, const Piece& pie
     result.corners[k] = plane.at(piece.corners[ends[k]]);
     if (beside(piece.corners[ends[k]]) || beside(result.jet(Interval(result.range[k])).point)) return std::nullopt;
     // In the other half-plane it is where it is in this one.
-    const Vector3<double> way = difference(middle_of(piece.corners[others[k]]), plane.center);
-    const double high = dot(way, plane.axis), off = length(difference(way, scaled(high, plane.axis)));
-    if (!(std::hypot(off - middle_of(result.corners[k][0]), high - middle_of(result.corners[k][1])) <=
+    const auto [off, high] = off_axis(piece.corners[others[k]], plane.center, plane.axis);
+    if (!(std::hypot(length(off) - middle_of(result.corners[k][0]), high - middle_of(result.corners[k][1])) <=
           kRounded * size))
       return std::nullopt;
   }
@@ -298,7 +302,9 @@ std::optional<Meridian> meridian(const std::vector<Piece>& all, const Piece& pie
 }  // namespace
 
 Coaxial ask_coaxial(const std::vector<Piece>& all, const Piece& a, const Piece& b, Between between) {
-  if (!a.column || !b.column || !a.foreign.empty() || !b.foreign.empty()) return Coaxial::other;
+  for (const Piece* const one : {&a, &b}) {
+    if (one->kind != Piece::Kind::cell || !one->column || !one->foreign.empty()) return Coaxial::other;
+  }
   const Revolution turn = *a.surface->revolution();
   const double size = std::max(size_of_corners(a), size_of_corners(b));
   if (!one_axis(turn, *b.surface->revolution(), size)) return Coaxial::other;

@@ -14,7 +14,7 @@
 // and so it holds for what differs so little from it, derivatives included.
 #pragma once
 
-#include "csg/certify/pieces.h"
+#include "csg/certify/piece_parts.h"
 
 namespace cnrg {
 

@@ -23,17 +23,14 @@ Interval from_middle(const Interval& way) { return Interval(2) * way - Interval(
 /// How far a corner is from the plane of three others, at most, and the length of the shortest side.
 std::array<double, 2> flatness(const Piece& piece) {
   const auto way = [&](std::size_t a, std::size_t b) { return difference(piece.corners[b], piece.corners[a]); };
-  const auto length = [](const Interval3& v) {
-    const Vector3<double> m = middle_of(v);
-    return std::sqrt(dot(m, m));
-  };
   const Interval3 normal = cross(way(0, 1), way(0, 3));
   const Interval off = dot(normal, way(0, 2));
   double shortest = HUGE_VAL;
   for (std::size_t i = 0; i < 4; ++i) {
-    if (piece.points[i] != piece.points[(i + 1) % 4]) shortest = std::min(shortest, length(way(i, (i + 1) % 4)));
+    if (piece.points[i] != piece.points[(i + 1) % 4])
+      shortest = std::min(shortest, length(middle_of(way(i, (i + 1) % 4))));
   }
-  return {2 * std::max(off.sup(), -off.inf()) / length(normal), shortest};
+  return {2 * std::max(off.sup(), -off.inf()) / length(middle_of(normal)), shortest};
 }
 
 double largest(const Interval& x) { return std::max(x.sup(), -x.inf()); }
@@ -54,7 +51,7 @@ MeridianSlope slope_of(const Piece& piece, std::size_t along) {
   const Interval start(piece.at[from][along]), step = Interval(piece.at[to][along]) - start;
   const Interval3 chord = scaled(Interval(1) / step, difference(piece.corners[to], piece.corners[from]));
   std::array<Interval, 2> at{Interval(piece.at[from][0]), Interval(piece.at[from][1])};
-  MeridianSlope slope{std::sqrt(dot(middle_of(chord), middle_of(chord))), 0};
+  MeridianSlope slope{length(middle_of(chord)), 0};
   for (int k = 0; k < kParts; ++k) {
     at[along] = start + step * Interval(double(k) / kParts, double(k + 1) / kParts);
     const SurfaceJet<Interval> jet = piece.surface->over(at[0], at[1]);
@@ -147,12 +144,10 @@ void find_columns(std::vector<Piece>& all, std::size_t first, const PieceSides& 
     const Piece::Column& column = *all[i].column;
     // The directions of two triangles are no farther from those of their sides.
     const double rounded = column.off > 0 ? 1e-9 : 0;
-    const auto widen = [](Interval3& along, double by) {
-      along = normalized(along);
-      for (Interval& x : along) x += Interval(-by, by);
-    };
-    widen(column.around == 0 ? all[i].along_u : all[i].along_v, rounded);
-    widen(column.around == 0 ? all[i].along_v : all[i].along_u, rounded + column.tilt * column.flat);
+    Interval3& around = column.around == 0 ? all[i].along_u : all[i].along_v;
+    Interval3& along = column.around == 0 ? all[i].along_v : all[i].along_u;
+    around = widened(normalized(around), rounded);
+    along = widened(normalized(along), rounded + column.tilt * column.flat);
   }
 }
 

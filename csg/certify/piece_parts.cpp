@@ -1,8 +1,9 @@
 // Parts of pieces, by intervals; see the header.
+#include "csg/certify/piece_parts.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "csg/certify/pieces.h"
 #include "kernel/base/limits.h"
 
 namespace cnrg {
@@ -61,7 +62,6 @@ PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Inter
   }
   // F is bilinear: its hull is that of its corners. In a column also of two triangles that are nearly so.
   const double off = piece.column ? piece.column->off : 0;
-  const Interval3 around{Interval(-off, off), Interval(-off, off), Interval(-off, off)};
   const auto share = [&](const Interval& way, std::size_t k) {
     return piece.column && piece.column->around == k ? piece.column->share(way) : way;
   };
@@ -70,7 +70,7 @@ PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Inter
     const Interval3 low = mix(piece.corners[0], piece.corners[1], s),
                     high = mix(piece.corners[3], piece.corners[2], s);
     for (const double y : {range[second].inf(), range[second].sup()})
-      result.add(sum(around, mix(low, high, share(place(y, piece.at[0][second], piece.at[3][second]), second))));
+      result.add(widened(mix(low, high, share(place(y, piece.at[0][second], piece.at[3][second]), second)), off));
   }
   return result;
 }
@@ -244,9 +244,7 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
   }
   part.facet = facet_corners(piece, range);
   part.box = hull(facet_box(piece, range, part.facet), jet.point);
-  if (piece.column) {
-    for (Interval& x : part.box) x += Interval(-piece.column->bulge(), piece.column->bulge());
-  }
+  if (piece.column) part.box = widened(part.box, piece.column->bulge());
   part.blind = piece.blind || holds_zero(jet.normal);
   if (part.blind) return part;
   const std::optional<Interval3> normals = normals_of(all, piece, range, jet);
@@ -304,7 +302,7 @@ std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d) {
     if (width <= 1e-15 * whole || middle <= part.range[k].inf() || middle >= part.range[k].sup())
       return;  // no halves
     const Vector3<double> way = middle_of(along);
-    const double length = std::sqrt(dot(way, way)) * width;
+    const double length = cnrg::length(way) * width;
     result[k] = std::abs(dot(way, d)) * width + piece.turn[k] * (width / whole) * length + 1e-9 * length;
   };
   if (piece.kind == Piece::Kind::flat) return result;
@@ -312,7 +310,7 @@ std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d) {
     gain(0, piece.along_u);
     if (result[0] > 0) {  // how it bends is not known
       const Vector3<double> way = middle_of(piece.along_u);
-      result[0] = std::sqrt(dot(way, way)) * (part.range[0].sup() - part.range[0].inf());
+      result[0] = length(way) * (part.range[0].sup() - part.range[0].inf());
     }
     return result;
   }
@@ -351,9 +349,9 @@ Interval3 normalized(const Interval3& x) {
 
 Interval3 thin(const Vector3<double>& x) { return {Interval(x[0]), Interval(x[1]), Interval(x[2])}; }
 std::optional<Vector3<double>> direction(const Vector3<double>& x) {
-  const double length = std::sqrt(dot(x, x));
-  if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
-  return scaled(1 / length, x);
+  const double size = length(x);
+  if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
+  return scaled(1 / size, x);
 }
 
 bool independent(const Interval3& a, const Interval3& b) {

@@ -76,7 +76,7 @@ std::vector<std::array<double, 2>> places_of(const std::vector<Piece>& all, cons
         return middle_of(difference(piece.corners[k], piece.corners[wedge.at_pole]));
       };
       const Vector3<double> a = way(wedge.from), b = way(wedge.to), across = cross(a, b);
-      angle = std::atan2(std::sqrt(dot(across, across)), dot(a, b));
+      angle = std::atan2(length(across), dot(a, b));
     }
     ends.push_back(ends.back() + angle);
   }
@@ -101,12 +101,6 @@ struct Directions {
     hulls = hulls ? std::array{hull((*hulls)[0], x), hull((*hulls)[1], y)} : std::array{x, y};
   }
 };
-
-Interval3 widened(Interval3 x, double by) {
-  by *= 1 + 1e-12;
-  for (Interval& c : x) c += Interval(-by, by);
-  return x;
-}
 
 Interval near_pole(const Piece& piece, const Wedge& wedge) {
   return hull(Interval(piece.at[wedge.at_pole][wedge.away]), Interval(middle_of(piece.range[wedge.away])));
@@ -146,8 +140,8 @@ std::optional<Interval3> normals_about(const std::vector<Piece>& all, const std:
       // What H has besides, as a function of r and f, is at most chord flat r / 2 long.
       const Piece::Column& column = *piece.column;
       const Interval share = column.share(f), radians = Interval(2) * turn<Interval>() * column.half;
-      const double more_by_r = column.chord * column.flat / 2,
-                   more_by_f = (radians * (column.tangent + Interval(column.flat))).sup() * column.chord / 2;
+      const double more_by_r = (Interval(column.chord) * column.flat).sup() / 2,
+                   more_by_f = (radians * (column.tangent + Interval(column.flat)) * column.chord).sup() / 2;
       found.add(widened(by_r, more_by_r), scaled(Interval(1) / column.growth(f), widened(by_f, more_by_f)),
                 {c[0] + share * step[0], c[1] + share * step[1]}, step);
     }

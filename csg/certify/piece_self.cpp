@@ -3,7 +3,7 @@
 // Where all derivatives of H by u are in a convex cone, and those by v in another one, and no vector of the one is
 // parallel to one of the other, H(x) and H(y) differ for all x and y that are joined by a line of parameters
 // there: their difference is a mean of the first times a step of u and a mean of the second times a step of v.
-#include "csg/certify/pieces.h"
+#include "csg/certify/piece_parts.h"
 
 namespace cnrg {
 

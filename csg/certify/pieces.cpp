@@ -6,6 +6,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "csg/certify/piece_parts.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 #include "kernel/base/error.h"
@@ -257,13 +258,9 @@ class PieceMaker {
                  v1 = piece.range[1].sup();
     const auto normal = [&](double u, double v) {
       const Vector3<double> n = piece.surface->at(u, v).normal;
-      const double length = std::sqrt(dot(n, n));
-      return length > 0 ? scaled(1 / length, n) : n;
+      return direction(n).value_or(n);
     };
-    const auto turn = [](const Vector3<double>& a, const Vector3<double>& b) {
-      const Vector3<double> way = difference(a, b);
-      return std::sqrt(dot(way, way));
-    };
+    const auto turn = [](const Vector3<double>& a, const Vector3<double>& b) { return length(difference(a, b)); };
     const double u = (u0 + u1) / 2, v = (v0 + v1) / 2;
     piece.turn = {turn(normal(u0, v), normal(u1, v)), turn(normal(u, v0), normal(u, v1))};
   }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "csg/certify/coaxial.h"
+#include "csg/certify/piece_parts.h"
 #include "kernel/base/limits.h"
 #include "kernel/refine/box_pairs.h"
 

@@ -78,4 +78,15 @@ N sine(const N& turns) {
   return cosine(N(turns - N(0.25)));
 }
 
+/// A surface by a template of `Of`, `jet(u, v)`, for both kinds of numbers.
+template <class Of>
+class SurfaceByJet : public Surface {
+ public:
+  SurfaceJet<double> at(double u, double v) const final { return static_cast<const Of&>(*this).jet(u, v); }
+  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const final {
+    const enclosure::RoundOutward outward;
+    return static_cast<const Of&>(*this).jet(u, v);
+  }
+};
+
 }  // namespace cnrg::surface_math

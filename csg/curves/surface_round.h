@@ -18,7 +18,7 @@ struct MeridianJet {
 
 /// `Meridian` has `jet(m)` for doubles and intervals, and `bend(m)`: the second derivatives of r and z, if known.
 template <class Meridian>
-class RoundSurface final : public Surface {
+class RoundSurface final : public surface_math::SurfaceByJet<RoundSurface<Meridian>> {
  public:
   struct Place {
     RationalPoint center;
@@ -35,11 +35,6 @@ class RoundSurface final : public Surface {
         turns_(surface_math::constant(Rational(place.degrees / 360))),
         angle_first_(place.angle_first) {}
 
-  SurfaceJet<double> at(double u, double v) const override { return jet(u, v); }
-  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override {
-    const enclosure::RoundOutward outward;
-    return jet(u, v);
-  }
   std::optional<SurfaceBend> bend_over(const Interval& u, const Interval& v) const override {
     using namespace surface_math;
     const enclosure::RoundOutward outward;
@@ -61,6 +56,7 @@ class RoundSurface final : public Surface {
   }
 
  private:
+  friend class surface_math::SurfaceByJet<RoundSurface<Meridian>>;
   /// Unit vectors at an angle: away from the axis, and where it grows.
   template <class N>
   std::array<Vector3<N>, 2> directions(const N& turns) const {

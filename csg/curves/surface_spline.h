@@ -36,16 +36,12 @@ class SplineCurve final : public Curve {
   std::vector<Piece> pieces_;
 };
 
-class SplinePatch final : public Surface {
+class SplinePatch final : public surface_math::SurfaceByJet<SplinePatch> {
  public:
   SplinePatch(const std::vector<BezierPatch>& pieces, const std::vector<std::array<Span, 2>>& spans);
-  SurfaceJet<double> at(double u, double v) const override { return jet(u, v); }
-  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override {
-    const enclosure::RoundOutward outward;
-    return jet(u, v);
-  }
 
  private:
+  friend class surface_math::SurfaceByJet<SplinePatch>;
   template <class N>
   SurfaceJet<N> jet(const N& u, const N& v) const;
 

@@ -14,7 +14,7 @@ namespace {
 
 using namespace surface_math;
 
-class SweptSurface final : public Surface {
+class SweptSurface final : public SurfaceByJet<SweptSurface> {
  public:
   /// `center` is in the plane of the profile where that is turned or scaled.
   SweptSurface(const ExtrudeShape& shape, const RationalPoint& center, const CurveNet& net)
@@ -27,13 +27,8 @@ class SweptSurface final : public Surface {
         twisted_(shape.twist != 0),
         scaled_(shape.scale != 1) {}
 
-  SurfaceJet<double> at(double u, double t) const override { return jet(u, t); }
-  SurfaceJet<Interval> over(const Interval& u, const Interval& t) const override {
-    const enclosure::RoundOutward outward;
-    return jet(u, t);
-  }
-
  private:
+  friend class SurfaceByJet<SweptSurface>;
   template <class N>
   SurfaceJet<N> jet(const N& u, const N& t) const {
     const CurveJet<N> p = profile_.jet(u);
@@ -60,18 +55,13 @@ class SweptSurface final : public Surface {
 };
 
 /// S(u, v) = p(u) + v q(u).
-class RuledSurface final : public Surface {
+class RuledSurface final : public SurfaceByJet<RuledSurface> {
  public:
   RuledSurface(const BezierCurve& first, const BezierCurve& ways)
       : first_({first}, {{0, 1}}), ways_({ways}, {{0, 1}}) {}
 
-  SurfaceJet<double> at(double u, double v) const override { return jet(u, v); }
-  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override {
-    const enclosure::RoundOutward outward;
-    return jet(u, v);
-  }
-
  private:
+  friend class SurfaceByJet<RuledSurface>;
   template <class N>
   SurfaceJet<N> jet(const N& u, const N& v) const {
     const CurveJet<N> p = first_.jet(u), q = ways_.jet(u);

@@ -1,0 +1,55 @@
+// Parts of pieces by parameters, which a proof halves (proof.h): what they hold, and whether a plane parts them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "csg/certify/pieces.h"
+
+namespace cnrg {
+
+/// What a part is of: facets and surfaces and all between, or surfaces alone.
+enum class Between : std::uint8_t { facets_and_surfaces, surfaces };
+
+/// A part of a piece: what its parameters are limited to, a box around it for all t, and what is at right angles
+/// to it there (of a curve: along it), for all t, up to factors.
+struct PiecePart {
+  const Piece* piece = nullptr;
+  std::array<Interval, 2> range{0, 0};
+  Interval3 box{}, cone{};
+  Interval3 along_u{}, along_v{};  ///< of S
+  bool blind = false;              ///< `cone` says nothing
+  /// F is in their convex hull; of a cell, not of surfaces alone.
+  struct FacetCorners {
+    std::array<Interval3, 6> all;
+    std::size_t count = 0;
+    void add(const Interval3& p) { all[count++] = p; }
+  } facet{};
+  /// S in the middle of the range, once it is asked for.
+  const Interval3& middle() const;
+  mutable std::optional<Interval3> known_middle{};
+};
+/// Of all pieces of `all`; who calls keeps an enclosure::RoundOutward alive, here and below.
+PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
+                  Between between = Between::facets_and_surfaces);
+/// How much a half of a part would tell, by u and by v, lengths: how far the surface goes in a direction d, and
+/// how far it bends away from a plane.
+std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d);
+/// Two halves by u (0) or v (1).
+std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, std::size_t k,
+                                Between between);
+/// What holds d . x for all x of a part: of its facets, and of its surface.
+struct Extents {
+  Interval facets{0}, surface{0};
+  double bulge = 0;
+  Interval all() const { return hull(facets, surface) + Interval(-bulge, bulge); }
+};
+Extents extents(const PiecePart& part, const Vector3<double>& d, Between between);
+/// True if parts with these extents have no point in common at any t: facets and surfaces are on the same sides.
+bool parted(const Extents& a, const Extents& b);
+/// True if two of the parts are on different sides of a plane across one of them.
+bool parted(std::span<const PiecePart> parts, Between between);
+
+}  // namespace cnrg
