@@ -2,43 +2,17 @@
 // up in its frame with the node and cell that the lesson names, slides turn by keys and hold all that they show, with
 // answers folded and open, and axe-core finds no fault in pages and slides, light and dark.
 import {execFileSync} from 'node:child_process';
-import {readdirSync, readFileSync} from 'node:fs';
-import {createRequire} from 'node:module';
+import {readdirSync} from 'node:fs';
 import {dirname, join} from 'node:path';
+import {accessible, check, finish, folder, program, watched} from '../view/browser/checks.mjs';
 
-const [program, folder, executablePath] = process.argv.slice(2);
-const require = createRequire(join(folder, 'node_modules', 'x.js'));
-const {chromium} = require('playwright-core');
-const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 const work = join(folder, 'lessons');
 execFileSync('papers/lessons/make', ['--out', work], {env: {...process.env, PATH: `${dirname(program)}:${process.env.PATH}`}});
 
-let checks = 0, faults = 0;
-function check(holds, what) {
-  ++checks;
-  if (!holds) {
-    ++faults;
-    console.log(`FAULT: ${what}`);
-  }
-}
-
-const browser = await chromium.launch({executablePath, args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
-
 async function open(file, colorScheme) {
-  const context = await browser.newContext({viewport: {width: 1280, height: 720}, colorScheme});
-  const page = await context.newPage();
-  page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !m.text().includes('GPU stall') && check(false, `${file}: console: ${m.text()}`));
-  page.on('pageerror', (e) => check(false, `${file}: ${e}`));
-  page.on('request', (r) => check(/^(file|data|blob):/.test(r.url()), `${file}: asks the network for ${r.url()}`));
+  const page = await watched(file, {viewport: {width: 1280, height: 720}, colorScheme});
   await page.goto(`file://${file}`);
   return page;
-}
-
-async function accessible(page, what) {
-  await page.evaluate(axe);
-  const {violations} = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations'], iframes: false}));
-  for (const v of violations) check(false, `${what}: axe: ${v.id}: ${v.nodes.slice(0, 3).map((n) => `${n.html.slice(0, 120)} ${n.any[0]?.message ?? ''}`).join(' | ')}`);
-  ++checks;
 }
 
 /** The view in the frame of a page: it is up, and shows what its address asks for. */
@@ -66,7 +40,7 @@ for (const lesson of readdirSync(work).filter((name) => /^\d\d-/.test(name))) {
   for (const scheme of lesson.startsWith('01') ? ['light', 'dark'] : ['light']) {
     const page = await open(join(work, lesson, 'index.html'), scheme);
     await viewed(page, lesson);
-    await accessible(page, `${lesson} ${scheme}`);
+    await accessible(page, `${lesson} ${scheme}`, false);
     await page.context().close();
   }
   const page = await open(join(work, lesson, 'slides.html'), 'light');
@@ -82,7 +56,7 @@ for (const lesson of readdirSync(work).filter((name) => /^\d\d-/.test(name))) {
       check((await page.locator('.slide.here details[open]').count()) === 1, `${lesson}: answers are open`);
       check((await overflow(page)) === '', `${lesson}, answers: ${await overflow(page)}`);
     }
-    if (i === 1) await accessible(page, `${lesson}, slides`);
+    if (i === 1) await accessible(page, `${lesson}, slides`, false);
     await page.keyboard.press(i % 2 ? 'ArrowRight' : ' ');
   }
   await page.keyboard.press('Home');
@@ -90,6 +64,4 @@ for (const lesson of readdirSync(work).filter((name) => /^\d\d-/.test(name))) {
   await page.context().close();
 }
 
-await browser.close();
-console.log(faults ? `${faults} of ${checks} checks failed` : `${checks} checks`);
-process.exit(faults ? 1 : 0);
+await finish();

@@ -3,14 +3,10 @@
 // that are saved have the bytes of the native program, keys are completed.
 import {execFileSync} from 'node:child_process';
 import {existsSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
-import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {join, resolve} from 'node:path';
+import {accessible, check, finish, program, watched} from '../view/browser/checks.mjs';
 
-const [program, folder, executablePath] = process.argv.slice(2);
-const require = createRequire(join(folder, 'node_modules', 'x.js'));
-const {chromium} = require('playwright-core');
-const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 const file = resolve('out/lessons/playground.html');
 if (!existsSync(file)) {
   console.error('not run: there is no out/lessons/playground.html; papers/lessons/playground makes it');
@@ -19,22 +15,8 @@ if (!existsSync(file)) {
 const work = mkdtempSync(join(tmpdir(), 'cnrg_playground_'));
 const pictures = process.env.CNRG_PICTURES;  // a folder for pictures to look at
 
-let checks = 0, faults = 0;
-function check(holds, what) {
-  ++checks;
-  if (!holds) {
-    ++faults;
-    console.log(`FAULT: ${what}`);
-  }
-}
-
-const browser = await chromium.launch({executablePath, args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
-const context = await browser.newContext({viewport: {width: 1400, height: 850}, acceptDownloads: true});
-const page = await context.newPage();
+const page = await watched('playground', {viewport: {width: 1400, height: 850}, acceptDownloads: true}, 'file|data|blob|about');
 page.setDefaultTimeout(120000);
-page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !m.text().includes('GPU stall') && check(false, `console: ${m.text()}`));
-page.on('pageerror', (e) => check(false, `${e}`));
-page.on('request', (r) => check(/^(file|data|blob|about):/.test(r.url()), `asks the network for ${r.url()}`));
 
 const picture = async (name) => pictures && page.screenshot({path: join(pictures, `${name}.png`)});
 const root = page.locator('html');
@@ -94,7 +76,7 @@ await picture('fault');
 // A link.
 await evaluated(box);
 const hash = await page.evaluate(() => window.playground.hashOf(window.playground.editor.text));
-const second = await context.newPage();
+const second = await page.context().newPage();
 await second.goto(`file://${file}${hash}`);
 await second.locator('html[data-shown]').waitFor({state: 'attached', timeout: 60000});
 check((await second.evaluate(() => window.playground.editor.text)) === box, 'a link holds the tree');
@@ -111,7 +93,7 @@ async function completed(before, after) {
   await page.keyboard.press('Control+Space');
   await page.locator('.cm-tooltip-autocomplete li').first().waitFor({timeout: 5000}).catch(() => {});
   const words = await page.locator('.cm-tooltip-autocomplete li .cm-completionLabel').allInnerTexts();
-  await picture(`completion-${checks}`);
+  await picture(`completion-${before.length}`);
   await page.keyboard.press('Escape');
   return words;
 }
@@ -134,11 +116,7 @@ for (const {i, name, answer} of exercises) {
 }
 await picture('exercise');
 
-await page.evaluate(axe);
-const {violations} = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations'], iframes: false}));
-for (const v of violations) check(false, `axe: ${v.id}: ${v.nodes.slice(0, 3).map((n) => `${n.html.slice(0, 120)} ${n.any[0]?.message ?? ''}`).join(' | ')}`);
+await accessible(page, 'playground', false);
 
-await browser.close();
 rmSync(work, {recursive: true});
-console.log(`${checks} checks, ${faults} faults`);
-process.exit(faults ? 1 : 0);
+await finish();

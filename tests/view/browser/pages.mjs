@@ -2,53 +2,27 @@
 // eval --topology` and the exact .json. Nothing is asked of the page's own code but where on the screen a cell is.
 import {execFileSync, spawn} from 'node:child_process';
 import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
-import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {setTimeout as sleep} from 'node:timers/promises';
+import {accessible, check, finish, folder, program, watched} from './checks.mjs';
 import {testPictures} from './pictures.mjs';
 import {testScale} from './scale.mjs';
 
-const [program, folder, executablePath] = process.argv.slice(2);
-const require = createRequire(join(folder, 'node_modules', 'x.js'));
-const {chromium} = require('playwright-core');
-const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 const work = join(folder, 'pages');
 mkdirSync(work, {recursive: true});
 
-let checks = 0;
-const faults = [];
-function check(holds, what) {
-  ++checks;
-  if (!holds) {
-    faults.push(what);
-    console.log(`FAULT: ${what}`);
-  }
-}
 const equal = (a, b, what) => check(a === b, `${what}: page\n${a}\nprogram\n${b}`);
 const cnrg = (...words) => execFileSync(program, words, {encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'], maxBuffer: 1 << 28});
 
-const browser = await chromium.launch({executablePath, args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
-
 async function open(file, options = {}) {
   const {hash = '', scheme = 'light', width = 1120, height = 600} = options;
-  const context = await browser.newContext({viewport: {width, height}, colorScheme: scheme});
-  const page = await context.newPage();
-  page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !m.text().includes('GPU stall') && check(false, `${file}: console: ${m.text()}`));
-  page.on('pageerror', (e) => check(false, `${file}: ${e}`));
-  page.on('request', (r) => check(/^(file|data|blob):/.test(r.url()), `${file}: asks the network for ${r.url()}`));
+  const page = await watched(file, {viewport: {width, height}, colorScheme: scheme});
   await page.goto(`file://${file}${hash}`);
   await page.waitForSelector('html[data-ready]');
   await page.waitForTimeout(350);
   return page;
 }
 const close = (page) => page.context().close();
-
-async function accessible(page, what) {
-  await page.evaluate(axe);
-  const {violations} = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations']}));
-  for (const v of violations) check(false, `${what}: axe: ${v.id}: ${v.nodes.slice(0, 3).map((n) => `${n.html.slice(0, 120)} ${n.any[0]?.message ?? ''}`).join(' | ')}`);
-  ++checks;
-}
 
 /** Clicks at the first seen cell of a kind of which `keep` holds; its name, or null where none is seen. */
 async function click(page, kind, modifiers = []) {
@@ -284,6 +258,4 @@ result: both
   await close(page);
 }
 
-await browser.close();
-console.log(faults.length ? `${faults.length} of ${checks} checks failed` : `${checks} checks`);
-process.exit(faults.length ? 1 : 0);
+await finish();
