@@ -52,13 +52,15 @@ console.log(`Fig. 10: evaluated in ${own.toFixed(2)} s, shown after ${all.toFixe
 check((await frame.locator('#node').innerText()).length > 20, 'the node is told of beside the picture');
 await picture('fig10');
 const text = readFileSync('papers/pereira2012/fig10.yaml', 'utf8');
-writeFileSync(join(work, 'tree.yaml'), text);
-for (const ending of ['.json', '.obj', '.stl']) {
+/** What the page saves is what the program writes. */
+async function saved(tree, ending) {
   const name = `result${ending}`;
+  writeFileSync(join(work, 'tree.yaml'), tree);
   execFileSync(program, ['eval', 'tree.yaml', '--quiet', '-o', name], {cwd: work});
   const [download] = await Promise.all([page.waitForEvent('download', {timeout: 60000}), page.locator('#save').selectOption(ending)]);
   check(readFileSync(await download.path()).equals(readFileSync(join(work, name))), `${name} has the bytes of the native program`);
 }
+for (const ending of ['.json', '.obj']) await saved(text, ending);
 
 // A fault at its line; a change while another evaluation runs.
 const box = 'cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\nresult: a\n';
@@ -67,6 +69,7 @@ await page.waitForTimeout(400);
 await evaluated(box);
 check((await page.locator('#rows').innerText()).includes('box'), 'the later change is what is shown');
 check(!(await page.locator('#rows').innerText()).includes('tunnel'), 'nothing of the ended evaluation is shown');
+await saved(box, '.stl');
 await type(box.replace('max', 'mox'));
 await page.locator('#messages .error').waitFor({timeout: 60000});
 check((await page.locator('#messages .error').first().innerText()).startsWith('3:'), 'a fault is told with its line');
