@@ -11,8 +11,10 @@ const built = process.env.CNRG_WASM ?? new URL('../../build/wasm/csg', import.me
 function filesBelow(folder, files = {}) {
   for (const name of readdirSync(folder)) {
     const path = join(folder, name);
-    if (statSync(path).isDirectory()) filesBelow(path, files);
-    else files[relative('.', path)] = readFileSync(path);
+    if (statSync(path).isDirectory()) {
+      files[relative('.', path) + '/'] = '';
+      filesBelow(path, files);
+    } else files[relative('.', path)] = readFileSync(path);
   }
   return files;
 }

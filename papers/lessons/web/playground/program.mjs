@@ -8,7 +8,7 @@ function writeAll(FS, files) {
   for (const [path, content] of Object.entries(files)) {
     const full = path.startsWith('/') ? path : `${HOME}/${path}`;
     FS.mkdirTree(full.replace(/\/[^/]*$/, ''));
-    FS.writeFile(full, content);
+    if (!path.endsWith('/')) FS.writeFile(full, content);
   }
 }
 
@@ -25,7 +25,7 @@ function written(FS, words) {
 }
 
 /**
- * Runs `cnrg WORDS...` in a folder with `files` (texts or bytes by path). `create` is what the module `cnrg.mjs` exports,
+ * Runs `cnrg WORDS...` in a folder with `files` (texts or bytes by path; a path that ends with / is a folder). `create` is what the module `cnrg.mjs` exports,
  * `compiled` its WebAssembly.Module. Gives the exit status, both streams, and the files after `-o`, as bytes.
  */
 export async function run(create, compiled, words, files = {}, input = new Uint8Array()) {
