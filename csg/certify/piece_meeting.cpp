@@ -13,12 +13,8 @@ using namespace surface_math;
 
 namespace {
 
-std::span<const std::uint32_t> corner_numbers(const Piece& piece) {
-  if (piece.kind == Piece::Kind::flat) return piece.corner_numbers;
-  return {piece.points.data(), piece.kind == Piece::Kind::curve ? 2u : piece.corner_count};
-}
 bool has_corner(const Piece& piece, std::uint32_t number) {
-  const auto numbers = corner_numbers(piece);
+  const auto numbers = piece.numbers();
   return piece.kind == Piece::Kind::flat ? std::binary_search(numbers.begin(), numbers.end(), number)
                                          : std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
@@ -26,8 +22,7 @@ bool has_corner(const Piece& piece, std::uint32_t number) {
 }  // namespace
 
 bool Pieces::adjacent(std::uint32_t a, std::uint32_t b) const {
-  return std::ranges::any_of(corner_numbers(pieces_[a]),
-                             [&](std::uint32_t p) { return has_corner(pieces_[b], p); });
+  return std::ranges::any_of(pieces_[a].numbers(), [&](std::uint32_t p) { return has_corner(pieces_[b], p); });
 }
 
 std::array<Interval, 2> Pieces::range_beside(std::uint32_t cell, std::uint32_t other) const {

@@ -95,7 +95,8 @@ bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> pa
                 std::uint32_t b) {
   const PiecePart one = part_of(all, all[a], all[a].range);
   if (a == b) return Neighbours(all, patch).alone(one);
-  return !side_by_side(all[a], all[b]) || Neighbours(all, patch).ask(one, part_of(all, all[b], all[b].range));
+  if (!side_by_side(all[a], all[b])) return apart_but_beside(all, a, b);  // where the patch is closed
+  return Neighbours(all, patch).ask(one, part_of(all, all[b], all[b].range));
 }
 
 }  // namespace cnrg

@@ -129,6 +129,11 @@ struct Piece {
   std::vector<std::uint32_t> foreign{};
   Box box{};
   bool exact() const { return kind == Kind::flat || (kind == Kind::curve && surface == nullptr && !curve); }
+  /// Its corners by number.
+  std::span<const std::uint32_t> numbers() const {
+    if (kind == Kind::flat) return corner_numbers;
+    return {points.data(), kind == Kind::curve ? 2u : corner_count};
+  }
 };
 
 /// All pieces of leaves as they are drawn.
@@ -150,10 +155,10 @@ class Pieces {
   bool drawn_alike(std::uint32_t a, std::uint32_t b) const;
   /// What two sheets have in common, if one is on one side of the other, exactly.
   const std::optional<Contact>& contact_of(std::uint32_t sheet, std::uint32_t other);
-  /// Whether it is asked if the patch of a cell meets itself. A quadric or torus does not.
-  bool asked_of_itself(const Piece& cell) const {
-    return of_themselves_ && cell.kind == Piece::Kind::cell && !equations_.quadrics.contains(cell.sheet) &&
-           !equations_.tori.contains(cell.sheet);
+  /// Whether it is asked if the patch of a cell, or a curved wire, meets itself. A quadric or torus does not.
+  bool asked_of_itself(const Piece& piece) const {
+    if (piece.kind != Piece::Kind::cell) return of_themselves_ && piece.curve;
+    return of_themselves_ && !equations_.quadrics.contains(piece.sheet) && !equations_.tori.contains(piece.sheet);
   }
   /// Of a flat sheet.
   const PlaneEquation& plane_of(std::uint32_t sheet) const { return planes_.at(sheet); }
@@ -227,10 +232,11 @@ void find_poles(std::vector<Piece>& all, std::size_t first);
 
 /// The cells of a patch; none of one that has a pole.
 std::vector<std::uint32_t> cells_without_pole(const std::vector<Piece>& all, LeafId leaf, std::uint32_t patch);
-/// True if H is one to one on two cells of a patch that have corners in common, or on one. Not asked where corners
-/// in common are at different parameters: where a patch is closed, it may meet itself there. `patch`: all its
-/// cells.
+/// True if H is one to one on two cells of a patch that have corners in common, or on one. `patch`: all its cells.
 bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,
                 std::uint32_t b);
+/// True if two pieces of a leaf have no more in common than their common side or corner, but where they cross at
+/// an angle away from it (piece_beside.cpp). Cells have no pole; a curve may be asked with itself.
+bool apart_but_beside(const std::vector<Piece>& all, std::uint32_t a, std::uint32_t b);
 
 }  // namespace cnrg

@@ -122,8 +122,12 @@ class Prover {
     const bool one_leaf = all_[a].leaf == all_[b].leaf;
     if (one_leaf && is_cell(a) && of_one_surface(a, b) && is_cell(b)) return ask_of_itself(a, b);
     if (one_leaf ? of_one_surface(a, b) : answered_by_fewer(a, b)) return;
-    if (one_leaf && pieces_.adjacent(a, b)) return meet(a, b);
-    const Question question = one_leaf ? Question::angle : question_of({a, b});
+    if (one_leaf && pieces_.adjacent(a, b)) {
+      if (asked_beside(a, b) && !apart_but_beside(all_, a, b)) leave(a, b);
+      return meet(a, b);
+    }
+    const bool wires = all_[a].curve && all_[b].curve;
+    const Question question = !one_leaf ? question_of({a, b}) : wires ? Question::apart : Question::angle;
     if (question == Question::none) return;
     ++proof_.asked;
     bool some = false;
@@ -132,16 +136,28 @@ class Prover {
     else ++(some ? proof_.crossing : proof_.apart);
     if (some) meet(a, b);
   }
-  /// Two cells of one surface, or one.
+  bool has_pole(Index i) { return all_[i].kind == Piece::Kind::cell && of_patch(all_[i]).empty(); }
+  /// Two cells, two wires, or a cell and a flat piece, of one leaf and beside each other.
+  bool asked_beside(Index a, Index b) {
+    return is_cell(a) == is_cell(b) && (pieces_.asked_of_itself(all_[a]) || pieces_.asked_of_itself(all_[b])) &&
+           !has_pole(a) && !has_pole(b);
+  }
+  /// Two cells of one surface, or one, or a wire.
   void ask_of_itself(Index a, Index b) {
-    if (!pieces_.asked_of_itself(all_[a]) || all_[a].patch != all_[b].patch || of_patch(all_[a]).empty()) return;
+    if (!pieces_.asked_of_itself(all_[a]) || all_[a].patch != all_[b].patch || has_pole(a)) return;
+    if (!is_cell(a)) {
+      if (!apart_but_beside(all_, a, b)) leave(a, b);
+      return;
+    }
     bool some = false;
     if (a != b && !pieces_.adjacent(a, b)) {
       ++proof_.asked;
       if (ask({a, b}, Question::apart, some)) ++proof_.apart;
       return;
     }
-    if (one_to_one(all_, of_patch(all_[a]), a, b)) return;
+    if (!one_to_one(all_, of_patch(all_[a]), a, b)) leave(a, b);
+  }
+  void leave(Index a, Index b) {
     const PieceTuple key = key_of({a, b});
     if (!proof_.answers.contains(key))
       add_open(key, {{a, b}, middle_of(root(a).box), size_of(root(a).box), Why::facets});

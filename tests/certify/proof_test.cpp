@@ -161,6 +161,58 @@ TEST_CASE("a patch that meets itself is not certified, at any fineness", "[certi
   }
 }
 
+TEST_CASE("patches of one leaf are asked whether they meet beside their common side", "[certify]") {
+  // The line of the first patch is crossed by the curve of the second one, or not; nearer and nearer to the
+  // corner.
+  const auto asked = [](const std::string& height, int segments) {
+    const std::string fine = ", segments: " + std::to_string(segments) + "}";
+    const std::string turned = "matrix: [[3/5, -4/5, 0, 1], [4/5, 3/5, 0, 0], [0, 0, 1, 2]]}";
+    return std::array{Asked("  p: {extrude: {curve: [[1, 0, 0], [0, 0, 0], {bezier: [[1, " + height +
+                                ", 0]]}, [1, 1, 0]], vector: [0, 0, 1]" + fine + "}\n",
+                            "{simplify: p, " + turned),
+                      Asked("  p: {bezier: {patches: [[[[1, 0, 0], [1, 0, 1]], [[1/2, 0, 0], [1/2, 0, 1]], [[0, "
+                            "0, 0], [0, 0, 1]]], "
+                            "[[[0, 0, 0], [0, 0, 1]], [[1, " +
+                                height + ", 0], [1, " + height + ", 1]], [[1, 1, 0], [1, 1, 1]]]]" + fine + "}\n",
+                            "{simplify: p, " + turned)};
+  };
+  using Cells = std::array<std::size_t, 4>;
+  for (const int segments : {1, 2, 5}) {
+    for (const char* height : {"-1/2", "-1/10", "-1/1000", "1/1000", "1/10"}) {
+      INFO(segments << " segments, " << height);
+      for (const Asked& one : asked(height, segments)) {
+        CHECK(one.certified());
+        CHECK(one.cells() == (height[0] == '-' ? Cells{8, 12, 4, 0} : Cells{6, 7, 2, 0}));
+      }
+    }
+    for (const Asked& one : asked("0", segments)) CHECK_FALSE(one.certified());  // tangent there
+  }
+}
+
+TEST_CASE("a closed patch is asked whether it meets itself where it closes, and a wire", "[certify]") {
+  // A curve from the origin to the origin, at the end in a loop, or not.
+  const auto closed = [](const std::string& points, int segments) {
+    return Asked("  p: {bezier: {patch: [[[0, 0, 0], [0, 0, 1]], " + points +
+                     ", [[0, 0, 0], [0, 0, 1]]], segments: " + std::to_string(segments) + "}}\n",
+                 "{simplify: p}");
+  };
+  const auto wire = [](const std::string& points, int segments) {
+    return Asked("  p: {bezier: {curve: [[0, 0, 0], " + points +
+                     ", [1, 0, 0]], segments: " + std::to_string(segments) + "}}\n",
+                 "{simplify: p}");
+  };
+  for (const int segments : {6, 16}) {
+    INFO(segments << " segments");
+    CHECK(closed("[[2, -1, 0], [2, -1, 1]], [[2, 2, 0], [2, 2, 1]], [[-1, 1, 0], [-1, 1, 1]]", segments)
+              .certified());
+    CHECK_FALSE(closed("[[4, -1, 0], [4, -1, 1]], [[-2, 2, 0], [-2, 2, 1]], [[1, -1, 0], [1, -1, 1]]", segments)
+                    .certified());
+    CHECK(wire("[1, 2, 0], [2, 0, 1]", segments).certified());
+    CHECK(wire("[3, 1, 0], [-2, 1, 1]", 2 * segments).certified());
+    CHECK_FALSE(wire("[3, 1, 0], [-2, 1, 0]", segments).certified());
+  }
+}
+
 TEST_CASE("what is left is told with its place", "[certify]") {
   // Equal pipes touch and cross in two points.
   const Asked asked(

@@ -1,0 +1,249 @@
+// Two pieces of a leaf from the side or corner that they have in common; see pieces.h.
+//
+// Points of both cells are e(s) + t v and e(s') + t' v' along a common side e, where v and v' are means of the
+// derivatives across it, t and t' not below 0. They are one point only if (s - s') e' + t v - t' v' vanishes: not
+// where e', v and v' are independent, nor where e' and all between v and -v' are, for points with t + t' > 0.
+// About a common corner, a plane between the derivatives away from it parts the pieces.
+#include <optional>
+#include <set>
+
+#include "csg/certify/piece_parts.h"
+
+namespace cnrg {
+
+using namespace surface_math;
+
+namespace {
+
+using Range = std::array<Interval, 2>;
+
+/// The corners that a piece has in common with another one, or with all flat ones in its plane: of each as many,
+/// one by one.
+struct CommonCorners {
+  std::vector<std::size_t> of_a, of_b;
+};
+CommonCorners common_corners(const std::vector<Piece>& all, const Piece& a, const Piece& b) {
+  CommonCorners common;
+  if (b.kind == Piece::Kind::flat) {
+    std::set<std::uint32_t> in_plane;
+    for (const Piece& flat : all) {
+      if (flat.kind == Piece::Kind::flat && flat.leaf == b.leaf && flat.sheet == b.sheet)
+        in_plane.insert(flat.corner_numbers.begin(), flat.corner_numbers.end());
+    }
+    for (std::size_t i = 0; i < a.numbers().size(); ++i) {
+      if (in_plane.contains(a.points[i])) common.of_a.push_back(i);
+    }
+    return common;
+  }
+  const auto numbers = b.numbers();
+  for (std::size_t i = 0; i < a.numbers().size(); ++i) {
+    for (std::size_t j = 0; j < numbers.size(); ++j) {
+      if (a.points[i] != numbers[j]) continue;
+      common.of_a.push_back(i);
+      common.of_b.push_back(j);
+    }
+  }
+  return common;
+}
+
+/// The derivatives of all H of a curve.
+Interval3 along_curve(const std::vector<Piece>& all, const Piece& curve, const Range& range) {
+  constexpr int kParts = 16;
+  Interval3 result = normalized(curve.along_u);
+  const Interval start(range[0].inf()), step = Interval(range[0].sup()) - start;
+  for (int k = 0; k < kParts && !curve.exact(); ++k) {
+    const Interval part = start + step * Interval(double(k) / kParts, double(k + 1) / kParts);
+    result = hull(result, normalized(part_of(all, curve, {part, range[1]}, Between::surfaces).along_u));
+  }
+  return result;
+}
+
+/// A piece that is not flat, as seen from corners that it has in common with another one.
+class Opened {
+ public:
+  /// `corners`: one, or the ends of a side.
+  Opened(const std::vector<Piece>& all, const Piece& piece, const std::vector<std::size_t>& corners)
+      : all_(all), piece_(piece), corner_(corners[0]) {
+    if (piece.kind == Piece::Kind::curve) {
+      ends_ = {1 - corner_};
+      return;
+    }
+    const std::size_t n = piece.corner_count, next = (corner_ + 1) % n, before = (corner_ + n - 1) % n;
+    ends_ = {next, before};
+    if (corners.size() < 2) return;
+    if (corners[1] == before) std::swap(ends_[0], ends_[1]);
+    by_side_ = ends_[0] == corners[1];
+  }
+
+  /// False if the corners are no side.
+  bool by_side() const { return by_side_; }
+  /// Where a range is from the first common corner to the second, from 0 to 1.
+  Interval along(const Range& range) const {
+    if (!piece_.grid) return {0, 1};
+    const std::size_t k = parameter(0);
+    return (range[k] - Interval(at(corner_, k))) / (Interval(at(ends_[0], k)) - Interval(at(corner_, k)));
+  }
+  /// The least range that holds a part, what it has in common with the other piece, and `along` of the side.
+  Range from_common(Range range, const std::optional<Interval>& along) const {
+    if (piece_.kind == Piece::Kind::curve) return {hull(range[0], Interval(double(corner_))), range[1]};
+    if (!piece_.grid) return piece_.range;
+    for (std::size_t k = 0; k < 2; ++k) range[k] = hull(range[k], Interval(at(corner_, k)));
+    if (!along) return range;
+    const std::size_t k = parameter(0);
+    const Interval wide =
+        Interval(at(corner_, k)) + *along * (Interval(at(ends_[0], k)) - Interval(at(corner_, k)));
+    const Interval all = hull(range[k], wide);
+    range[k] = Interval(std::max(all.inf(), piece_.range[k].inf()), std::min(all.sup(), piece_.range[k].sup()));
+    return range;
+  }
+  bool touches_common(const Range& range) const {
+    if (piece_.kind == Piece::Kind::curve) return corner_ == 0 ? range[0].inf() <= 0 : range[0].sup() >= 1;
+    const auto holds = [&](std::size_t k) {
+      return range[k].inf() <= at(corner_, k) && at(corner_, k) <= range[k].sup();
+    };
+    if (!piece_.grid) return true;
+    return by_side_ ? holds(parameter(1)) : holds(0) && holds(1);
+  }
+  /// The derivatives of all H there, away from the common corner: of a side the first is along it.
+  std::vector<Interval3> ways(const Range& range) const {
+    std::vector<Interval3> result;
+    if (piece_.kind == Piece::Kind::curve) {
+      const Interval3 all = along_curve(all_, piece_, range);
+      return {corner_ == 0 ? all : scaled(Interval(-1), all)};
+    }
+    const SurfaceJet<Interval> jet = piece_.surface->over(range[0], range[1]);
+    if (piece_.grid) {
+      const std::array<Interval3, 2> all{hull(normalized(piece_.along_u), normalized(jet.way_u)),
+                                         hull(normalized(piece_.along_v), normalized(jet.way_v))};
+      for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t k = parameter(i);
+        result.push_back(at(ends_[i], k) > at(corner_, k) ? all[k] : scaled(Interval(-1), all[k]));
+      }
+      return result;
+    }
+    const Interval3 u = hull(piece_.along_u, jet.along_u), v = hull(piece_.along_v, jet.along_v);
+    for (const std::size_t end : ends_) {
+      const auto step = [&](std::size_t k) { return Interval(at(end, k)) - Interval(at(corner_, k)); };
+      result.push_back(normalized(sum(scaled(step(0), u), scaled(step(1), v))));
+    }
+    return result;
+  }
+
+ private:
+  double at(std::size_t corner, std::size_t k) const { return piece_.at[corner][k]; }
+  /// Of a grid: which one leads from the common corner to an end.
+  std::size_t parameter(std::size_t end) const { return at(ends_[end], 0) != at(corner_, 0) ? 0 : 1; }
+
+  const std::vector<Piece>& all_;
+  const Piece& piece_;
+  std::size_t corner_;
+  std::vector<std::size_t> ends_;  // beside the corner; of a side its other end first
+  bool by_side_ = false;
+};
+
+bool all_above(const Vector3<double>& d, const std::vector<Interval3>& ways, double sign) {
+  return std::ranges::all_of(ways,
+                             [&](const Interval3& w) { return (Interval(sign) * dot(thin(d), w)).inf() > 0; });
+}
+
+/// True if a plane is between the directions of one and of the other.
+bool between(const std::vector<Interval3>& a, const std::vector<Interval3>& b) {
+  std::vector<Vector3<double>> all;
+  for (const Interval3& w : a) all.push_back(direction(middle_of(w)).value_or(Vector3<double>{}));
+  for (const Interval3& w : b) all.push_back(scaled(-1.0, direction(middle_of(w)).value_or(Vector3<double>{})));
+  const auto parts = [&](const Vector3<double>& d) { return all_above(d, a, 1) && all_above(d, b, -1); };
+  Vector3<double> mean{};
+  for (const Vector3<double>& w : all) mean = sum(mean, w);
+  if (parts(mean)) return true;
+  // At one angle to three of them.
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const Vector3<double> d = sum(cross(all[i], all[j]), sum(cross(all[j], all[k]), cross(all[k], all[i])));
+        if (parts(d) || parts(scaled(-1.0, d))) return true;
+      }
+    }
+  }
+  return false;
+}
+
+class Beside {
+ public:
+  Beside(const std::vector<Piece>& all, const Piece& a, const Piece& b, const CommonCorners& common)
+      : all_(all), a_(all, a, common.of_a), side_(a_.by_side()) {
+    if (b.kind == Piece::Kind::flat) {
+      flat_ = &b;
+      return;
+    }
+    b_.emplace(all, b, common.of_b);
+    side_ = side_ && b_->by_side();
+  }
+
+  bool ask(const PiecePart& a, const PiecePart& b) {
+    if (parted(std::array{a, b}, Between::facets_and_surfaces) || joined(a, b) || at_angle(a, b)) return true;
+    if (steps_-- <= 0) return false;
+    const bool first = b_ == std::nullopt || share(a) >= share(b);
+    const PiecePart& part = first ? a : b;
+    const std::size_t way = part.piece->kind == Piece::Kind::curve || length(part, 0) >= length(part, 1) ? 0 : 1;
+    for (const PiecePart& half : halves(all_, part, way, Between::facets_and_surfaces)) {
+      if (!ask(first ? half : a, first ? b : half)) return false;
+    }
+    return true;
+  }
+
+ private:
+  /// Of its piece's.
+  static double length(const PiecePart& part, std::size_t k) {
+    const Interval &of = part.range[k], &whole = part.piece->range[k];
+    return (of.sup() - of.inf()) / (whole.sup() - whole.inf());
+  }
+  static double share(const PiecePart& part) {
+    return part.piece->kind == Piece::Kind::curve ? length(part, 0) : std::max(length(part, 0), length(part, 1));
+  }
+
+  bool joined(const PiecePart& a, const PiecePart& b) const {
+    std::optional<Interval> along;
+    if (side_) along = hull(a_.along(a.range), b_ ? b_->along(b.range) : a_.along(a.range));
+    const std::vector<Interval3> of_a = a_.ways(a_.from_common(a.range, along));
+    if (flat_ != nullptr) {
+      const std::vector<Interval3> away = side_ ? std::vector{of_a[1]} : of_a;
+      const auto sign = [&](const Interval3& w) { return dot(flat_->normal, w); };
+      return std::ranges::all_of(away, [&](const Interval3& w) { return sign(w).inf() > 0; }) ||
+             std::ranges::all_of(away, [&](const Interval3& w) { return sign(w).sup() < 0; });
+    }
+    const std::vector<Interval3> of_b = b_->ways(b_->from_common(b.range, along));
+    if (!side_) return between(of_a, of_b);
+    const Interval3 e = hull(of_a[0], of_b[0]);
+    return independent(e, hull(of_a[1], scaled(Interval(-1), of_b[1]))) || independent(e, of_a[1], of_b[1]);
+  }
+  /// Away from what they have in common they may cross.
+  bool at_angle(const PiecePart& a, const PiecePart& b) const {
+    if (a.blind || b.blind || a.piece->kind == Piece::Kind::curve || b.piece->kind == Piece::Kind::curve)
+      return false;
+    if (a_.touches_common(a.range) && (!b_ || b_->touches_common(b.range))) return false;
+    return independent(a.cone, b.cone);
+  }
+
+  const std::vector<Piece>& all_;
+  Opened a_;
+  std::optional<Opened> b_;
+  const Piece* flat_ = nullptr;
+  bool side_;
+  int steps_ = 200;
+};
+
+}  // namespace
+
+bool apart_but_beside(const std::vector<Piece>& all, std::uint32_t a, std::uint32_t b) {
+  if (a == b) {  // a curve does not return where all its directions are on one side
+    const Interval3 way = along_curve(all, all[a], all[a].range);
+    return dot(thin(middle_of(way)), way).inf() > 0;
+  }
+  if (all[a].kind == Piece::Kind::flat) std::swap(a, b);
+  const CommonCorners common = common_corners(all, all[a], all[b]);
+  if (common.of_a.size() > 2 || common.of_a.empty()) return false;
+  Beside beside(all, all[a], all[b], common);
+  return beside.ask(part_of(all, all[a], all[a].range), part_of(all, all[b], all[b].range));
+}
+
+}  // namespace cnrg
