@@ -4,6 +4,7 @@
 // derivatives across it, t and t' not below 0. They are one point only if (s - s') e' + t v - t' v' vanishes: not
 // where e', v and v' are independent, nor where e' and all between v and -v' are, for points with t + t' > 0.
 // About a common corner, a plane between the derivatives away from it parts the pieces.
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -39,6 +40,9 @@ CommonCorners common_corners(const std::vector<Piece>& all, const Piece& a, cons
   for (std::size_t i = 0; i < a.numbers().size(); ++i) {
     for (std::size_t j = 0; j < numbers.size(); ++j) {
       if (a.points[i] != numbers[j]) continue;
+      const bool again =
+          std::ranges::any_of(common.of_a, [&](std::size_t k) { return a.points[k] == a.points[i]; });
+      if (again) continue;  // a pole
       common.of_a.push_back(i);
       common.of_b.push_back(j);
     }
@@ -70,7 +74,8 @@ class Opened {
     }
     const std::size_t n = piece.corner_count, next = (corner_ + 1) % n, before = (corner_ + n - 1) % n;
     ends_ = {next, before};
-    if (corners.size() < 2) return;
+    std::erase_if(ends_, [&](std::size_t end) { return piece.points[end] == piece.points[corner_]; });
+    if (corners.size() < 2 || ends_.size() < 2) return;
     if (corners[1] == before) std::swap(ends_[0], ends_[1]);
     by_side_ = ends_[0] == corners[1];
   }
@@ -87,7 +92,8 @@ class Opened {
   Range from_common(Range range, const std::optional<Interval>& along) const {
     if (piece_.kind == Piece::Kind::curve) return {hull(range[0], Interval(double(corner_))), range[1]};
     if (!piece_.grid) return piece_.range;
-    for (std::size_t k = 0; k < 2; ++k) range[k] = hull(range[k], Interval(at(corner_, k)));
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      range[parameter(i)] = hull(range[parameter(i)], Interval(at(corner_, parameter(i))));
     if (!along) return range;
     const std::size_t k = parameter(0);
     const Interval wide =
@@ -102,7 +108,7 @@ class Opened {
       return range[k].inf() <= at(corner_, k) && at(corner_, k) <= range[k].sup();
     };
     if (!piece_.grid) return true;
-    return by_side_ ? holds(parameter(1)) : holds(0) && holds(1);
+    return (by_side_ || holds(parameter(0))) && holds(parameter(ends_.size() - 1));
   }
   /// The derivatives of all H there, away from the common corner: of a side the first is along it.
   std::vector<Interval3> ways(const Range& range) const {
@@ -115,7 +121,7 @@ class Opened {
     if (piece_.grid) {
       const std::array<Interval3, 2> all{hull(normalized(piece_.along_u), normalized(jet.way_u)),
                                          hull(normalized(piece_.along_v), normalized(jet.way_v))};
-      for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t i = 0; i < ends_.size(); ++i) {
         const std::size_t k = parameter(i);
         result.push_back(at(ends_[i], k) > at(corner_, k) ? all[k] : scaled(Interval(-1), all[k]));
       }
@@ -137,7 +143,7 @@ class Opened {
   const std::vector<Piece>& all_;
   const Piece& piece_;
   std::size_t corner_;
-  std::vector<std::size_t> ends_;  // beside the corner; of a side its other end first
+  std::vector<std::size_t> ends_;  // beside the corner, but for a pole; of a side its other end first
   bool by_side_ = false;
 };
 

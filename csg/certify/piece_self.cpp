@@ -3,6 +3,9 @@
 // Where all derivatives of H by u are in a convex cone, and those by v in another one, and no vector of the one is
 // parallel to one of the other, H(x) and H(y) differ for all x and y that are joined by a line of parameters
 // there: their difference is a mean of the first times a step of u and a mean of the second times a step of v.
+#include <algorithm>
+#include <set>
+
 #include "csg/certify/piece_parts.h"
 
 namespace cnrg {
@@ -78,17 +81,18 @@ class Neighbours {
 
 }  // namespace
 
-std::vector<std::uint32_t> cells_without_pole(const std::vector<Piece>& all, LeafId leaf, std::uint32_t patch) {
-  std::vector<std::uint32_t> cells;
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
-    const Piece& one = all[i];
-    if (one.kind != Piece::Kind::cell || one.leaf != leaf || one.patch != patch) continue;
-    cells.push_back(i);
-    for (std::size_t k = 0; k < one.corner_count; ++k) {
-      if (one.blind || one.points[k] == one.points[(k + 1) % one.corner_count]) return {};
+bool meet_at_pole(const Piece& a, const Piece& b) {
+  if (a.blind || b.blind) return true;
+  std::set<std::uint32_t> common, poles;
+  for (const std::uint32_t p : a.numbers()) {
+    if (std::ranges::count(b.numbers(), p) > 0) common.insert(p);
+  }
+  for (const Piece* one : {&a, &b}) {
+    for (std::size_t k = 0; k < one->corner_count; ++k) {
+      if (one->points[k] == one->points[(k + 1) % one->corner_count]) poles.insert(one->points[k]);
     }
   }
-  return cells;
+  return common.size() > 1 && std::ranges::any_of(common, [&](std::uint32_t p) { return poles.contains(p); });
 }
 
 bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,

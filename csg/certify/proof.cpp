@@ -136,15 +136,14 @@ class Prover {
     else ++(some ? proof_.crossing : proof_.apart);
     if (some) meet(a, b);
   }
-  bool has_pole(Index i) { return all_[i].kind == Piece::Kind::cell && of_patch(all_[i]).empty(); }
   /// Two cells, two wires, or a cell and a flat piece, of one leaf and beside each other.
   bool asked_beside(Index a, Index b) {
     return is_cell(a) == is_cell(b) && (pieces_.asked_of_itself(all_[a]) || pieces_.asked_of_itself(all_[b])) &&
-           !has_pole(a) && !has_pole(b);
+           !meet_at_pole(all_[a], all_[b]);
   }
   /// Two cells of one surface, or one, or a wire.
   void ask_of_itself(Index a, Index b) {
-    if (!pieces_.asked_of_itself(all_[a]) || all_[a].patch != all_[b].patch || has_pole(a)) return;
+    if (!pieces_.asked_of_itself(all_[a]) || all_[a].patch != all_[b].patch) return;
     if (!is_cell(a)) {
       if (!apart_but_beside(all_, a, b)) leave(a, b);
       return;
@@ -155,7 +154,7 @@ class Prover {
       if (ask({a, b}, Question::apart, some)) ++proof_.apart;
       return;
     }
-    if (!one_to_one(all_, of_patch(all_[a]), a, b)) leave(a, b);
+    if (!meet_at_pole(all_[a], all_[b]) && !one_to_one(all_, of_patch(all_[a]), a, b)) leave(a, b);
   }
   void leave(Index a, Index b) {
     const PieceTuple key = key_of({a, b});
@@ -164,7 +163,10 @@ class Prover {
   }
   const std::vector<Index>& of_patch(const Piece& piece) {
     const auto [it, fresh] = of_patch_.try_emplace({piece.leaf, piece.patch});
-    if (fresh) it->second = cells_without_pole(all_, piece.leaf, piece.patch);
+    for (Index i = 0; fresh && i < all_.size(); ++i) {
+      if (all_[i].kind == Piece::Kind::cell && all_[i].leaf == piece.leaf && all_[i].patch == piece.patch)
+        it->second.push_back(i);
+    }
     return it->second;
   }
   /// What is asked of more pieces is asked of those that meet two at a time.

@@ -201,8 +201,16 @@ TEST_CASE("a closed patch is asked whether it meets itself where it closes, and 
                      ", [1, 0, 0]], segments: " + std::to_string(segments) + "}}\n",
                  "{simplify: p}");
   };
+  // From a point above, over a curve with a loop or without one.
+  const auto tent = [](const std::string& points, int segments) {
+    return Asked("  p: {bezier: {patch: [[[0, 0, 1], [0, 0, 1], [0, 0, 1], [0, 0, 1]], [[0, 0, 0], " + points +
+                     ", [1, 0, 0]]], segments: " + std::to_string(segments) + "}}\n",
+                 "{simplify: p}");
+  };
   for (const int segments : {6, 16}) {
     INFO(segments << " segments");
+    CHECK(tent("[0.95, 1, 0], [0.05, 1, 0]", segments).certified());
+    CHECK_FALSE(tent("[1.1, 1, 0], [-0.1, 1, 0]", segments).certified());
     CHECK(closed("[[2, -1, 0], [2, -1, 1]], [[2, 2, 0], [2, 2, 1]], [[-1, 1, 0], [-1, 1, 1]]", segments)
               .certified());
     CHECK_FALSE(closed("[[4, -1, 0], [4, -1, 1]], [[-2, 2, 0], [-2, 2, 1]], [[1, -1, 0], [1, -1, 1]]", segments)
