@@ -1,6 +1,10 @@
 // Constants and cosines; see the header.
 #include "csg/curves/surface_math.h"
 
+#include <array>
+#include <bit>
+#include <cstdint>
+
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg::surface_math {
@@ -91,8 +95,9 @@ double cosine(double turns) {
   return negative ? -c : c;
 }
 
-Interval cosine(const Interval& turns) {
-  const double a = turns.inf(), b = turns.sup();
+namespace {
+
+Interval cosine_between(double a, double b) {
   if (!(b - a < 1) || !(std::abs(a) < 1e9)) return {-1, 1};
   const bool point = a == b;
   const Interval from = cosine_at(a, point), to = point ? from : cosine_at(b, false);
@@ -101,6 +106,24 @@ Interval cosine(const Interval& turns) {
   const double half = std::ceil(2 * a);  // doubling is exact
   if ((std::fmod(half, 2) != 0 ? half : half + 1) <= 2 * b) low = -1;
   return {std::max(low, -1.0), std::min(high, 1.0)};
+}
+
+}  // namespace
+
+// Cells between the same meridians, or circles, ask the same.
+Interval cosine(const Interval& turns) {
+  struct Known {
+    double inf = NAN, sup = NAN;
+    Interval value{0};
+  };
+  constexpr std::size_t kKnown = 512;
+  thread_local std::array<Known, kKnown> known;
+  const double a = turns.inf(), b = turns.sup();
+  const std::uint64_t mixed =
+      (std::bit_cast<std::uint64_t>(a) * 3 + std::bit_cast<std::uint64_t>(b)) * 0x9e3779b97f4a7c15u;
+  Known& one = known[mixed >> 55];
+  if (one.inf != a || one.sup != b) one = {a, b, cosine_between(a, b)};
+  return one.value;
 }
 
 }  // namespace cnrg::surface_math

@@ -93,7 +93,8 @@ class PreparedLeaf {
 
   /// How to get the parameters of a curved leaf: `add_to` adds faces and wires in their order. Empty for others.
   const ParameterSource& parameters() const { return parameters_; }
-  void set_parameters(ParameterSource source) { parameters_ = std::move(source); }
+  /// They are made once, and kept.
+  void set_parameters(ParameterSource source);
 
   /// How to get the true surfaces of a curved leaf. Empty for others.
   const SurfaceSource& surfaces() const { return surfaces_; }

@@ -1,8 +1,10 @@
 // Interpolation in cells, and the tables of a leaf; see the header.
 #include "csg/leaves/parameters.h"
 
+#include <mutex>
 #include <tuple>
 
+#include "csg/leaves/leaf.h"
 #include "kernel/base/counts.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
@@ -173,6 +175,24 @@ std::vector<std::vector<PatchCorner>> LeafParameters::cells(std::size_t facet) c
       result.back().push_back({points_[corner.point], {values_[corner.u], values_[corner.v]}});
   }
   return result;
+}
+
+void PreparedLeaf::set_parameters(ParameterSource source) {
+  struct Made {
+    std::mutex mutex;
+    std::shared_ptr<const LeafParameters> parameters;
+  };
+  if (!source) return;
+  parameters_ = [source = std::move(source), made = std::make_shared<Made>()] {
+    {
+      const std::lock_guard lock(made->mutex);
+      if (made->parameters) return made->parameters;
+    }
+    std::shared_ptr<const LeafParameters> anew = source();  // not under the lock: it runs in parallel
+    const std::lock_guard lock(made->mutex);
+    if (!made->parameters) made->parameters = std::move(anew);
+    return made->parameters;
+  };
 }
 
 }  // namespace cnrg

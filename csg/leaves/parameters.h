@@ -13,7 +13,7 @@
 // and S at the parameters of a point of a facet is as near to that point as the facet is to the patch (chord.h).
 //
 // Parameters are found when someone asks: a leaf keeps what it was made of and is tessellated once more, to the
-// same facets, this time with its parameters. A leaf that nobody asks keeps nothing for them.
+// same facets, this time with its parameters, which it keeps. A leaf that nobody asks keeps nothing for them.
 #pragma once
 
 #include <array>
