@@ -11,10 +11,11 @@ using namespace surface_math;
 
 namespace {
 
-// Of the size of coordinates: what is rounded, and the margins.
-constexpr double kRounded = 1e-13, kLengthMargin = 1e-12;
+// Of the size of coordinates: what may be rounded, and what rounding in here adds at most.
+constexpr double kRounded = 1e-13, kOfOwn = 4e-15;
+constexpr double kMargin = 10;  // of what is rounded
 constexpr double kAngleMargin = 1e-8;
-constexpr double kLeastLength = 1e-7;  // of a chord
+constexpr double kLeastLength = 1e-10;  // of a chord
 constexpr int kMostHalvings = 20000;
 
 /// Away from the axis and along it.
@@ -38,7 +39,8 @@ struct Meridian {
   std::array<double, 2> range{};                  ///< of the other one
   std::array<Point2, 2> corners{};                ///< at its ends
   Point2 chord{};                                 ///< the derivative of F
-  double turned = 0;                              ///< by how much rounded corners may turn it
+  double rounded = 0;                             ///< how far corners are from where they should be, at most
+  double turned = 0;                              ///< by how much that may turn it
   std::array<std::optional<Point2>, 2> beyond{};  ///< that of the next cells, at these ends
 
   Point2 on_chord(const Interval& m) const {
@@ -81,8 +83,8 @@ struct MeridianPart {
 
 class MeridianQuestion {
  public:
-  MeridianQuestion(Meridian a, Meridian b, Between between, double size)
-      : a_(std::move(a)), b_(std::move(b)), between_(between), size_(size) {}
+  MeridianQuestion(Meridian a, Meridian b, Between between)
+      : a_(std::move(a)), b_(std::move(b)), between_(between), margin_(kMargin * (a_.rounded + b_.rounded)) {}
   Coaxial run() {
     if (!answer(MeridianPart(a_, a_.range, between_), MeridianPart(b_, b_.range, between_))) return Coaxial::open;
     return some_ ? Coaxial::crossing : Coaxial::apart;
@@ -102,8 +104,7 @@ class MeridianQuestion {
     const bool first = a.length() >= b.length();
     const MeridianPart& longer = first ? a : b;
     const double middle = longer.range[0] / 2 + longer.range[1] / 2;
-    if (!(longer.range[0] < middle && middle < longer.range[1]) || !(longer.length() > kLengthMargin * size_))
-      return false;
+    if (!(longer.range[0] < middle && middle < longer.range[1]) || !(longer.length() > margin_)) return false;
     for (const std::array<double, 2>& half : {std::array{longer.range[0], middle}, {middle, longer.range[1]}}) {
       const MeridianPart part(*longer.of, half, between_);
       if (!answer(first ? part : a, first ? b : part)) return false;
@@ -122,7 +123,7 @@ class MeridianQuestion {
       return Interval(x[0]) * p[0] + Interval(x[1]) * p[1];
     };
     bool before = true, behind = true;
-    const Interval margin(kLengthMargin * size_);
+    const Interval margin(margin_);
     const auto compare = [&](const auto& extent) {
       const Interval of_a = extent(a), of_b = extent(b);
       before = before && (of_a + margin).sup() < of_b.inf();
@@ -161,7 +162,7 @@ class MeridianQuestion {
 
   const Meridian a_, b_;
   const Between between_;
-  const double size_;  ///< of coordinates
+  const double margin_;
   int steps_ = 0;
   bool some_ = false;
 };
@@ -233,13 +234,13 @@ Coaxial ask_on_axis(const Revolution& turn, const Piece& a, const Piece& b, doub
     return std::nullopt;
   };
   const auto p = pole(a), q = pole(b);
-  if (p && q && std::abs(dot(difference(*p, *q), turn.axis)) <= kLengthMargin * size) return Coaxial::other;
+  if (p && q && std::abs(dot(difference(*p, *q), turn.axis)) <= kMargin * kRounded * size) return Coaxial::other;
   return Coaxial::apart;
 }
 
-bool one_axis(const Revolution& a, const Revolution& b, double size) {
-  return length(cross(a.axis, b.axis)) <= kRounded &&
-         length(cross(difference(b.center, a.center), a.axis)) <= kRounded * size;
+/// How far one axis is from the other, within a size.
+double between_axes(const Revolution& a, const Revolution& b, double size) {
+  return length(cross(a.axis, b.axis)) * size + length(cross(difference(b.center, a.center), a.axis));
 }
 
 Point2 slope(const Point2& p, const Point2& q, double from, double to) {
@@ -272,30 +273,33 @@ void find_beyond(const std::vector<Piece>& all, const Sides& sides, std::size_t 
 
 /// Nothing if the cell is not in the half-plane, or so short that its directions are rounded.
 std::optional<Meridian> meridian(const std::vector<Piece>& all, const Piece& piece, const Sides& sides,
-                                 std::size_t side, const HalfPlane& plane, double size) {
+                                 std::size_t side, const HalfPlane& plane, double size, double between_axes) {
   Meridian result{&piece, plane, 1 - sides.around};
   const auto &ends = sides.corners[side], &others = sides.corners[1 - side];
   const Interval3 across = thin(cross(plane.axis, plane.away));
   const auto beside = [&](const Interval3& p) {
     const Interval off = dot(across, difference(p, thin(plane.center)));
-    return std::max(off.sup(), -off.inf()) > kRounded * size;
+    return std::max(off.sup(), -off.inf());
   };
   result.angle = piece.at[ends[0]][sides.around];
   for (std::size_t k = 0; k < 2; ++k) {
     result.range[k] = piece.at[ends[k]][result.along];
     result.corners[k] = plane.at(piece.corners[ends[k]]);
-    if (beside(piece.corners[ends[k]]) || beside(result.jet(Interval(result.range[k])).point)) return std::nullopt;
     // In the other half-plane it is where it is in this one.
     const auto [off, high] = off_axis(piece.corners[others[k]], plane.center, plane.axis);
-    if (!(std::hypot(length(off) - middle_of(result.corners[k][0]), high - middle_of(result.corners[k][1])) <=
-          kRounded * size))
-      return std::nullopt;
+    const std::array<double, 2> from{length(off) - middle_of(result.corners[k][0]),
+                                     high - middle_of(result.corners[k][1])};
+    result.rounded = std::max({result.rounded, beside(piece.corners[ends[k]]),
+                               beside(result.jet(Interval(result.range[k])).point),
+                               std::sqrt(from[0] * from[0] + from[1] * from[1])});
   }
+  if (!(result.rounded <= kRounded * size)) return std::nullopt;
+  result.rounded += kOfOwn * size + between_axes;
   result.chord = slope(result.corners[0], result.corners[1], result.range[0], result.range[1]);
   double shortest = length_of(result.chord) * (result.range[1] - result.range[0]);
   find_beyond(all, sides, side, result, shortest);
   if (!(shortest > kLeastLength * size)) return std::nullopt;
-  result.turned = kRounded * size / shortest;
+  result.turned = kMargin * result.rounded / shortest;
   return result;
 }
 
@@ -307,7 +311,8 @@ Coaxial ask_coaxial(const std::vector<Piece>& all, const Piece& a, const Piece& 
   }
   const Revolution turn = *a.surface->revolution();
   const double size = std::max(size_of_corners(a), size_of_corners(b));
-  if (!one_axis(turn, *b.surface->revolution(), size)) return Coaxial::other;
+  const double off = between_axes(turn, *b.surface->revolution(), size);
+  if (!(off <= 2 * kRounded * size)) return Coaxial::other;
   const Sides of_a(a), of_b(b);
   const auto ways = ways_off(turn, a, of_a), others = ways_off(turn, b, of_b);
   if (!(length(difference(ways[1], ways[0])) > kLeastLength * size) ||
@@ -327,9 +332,10 @@ Coaxial ask_coaxial(const std::vector<Piece>& all, const Piece& a, const Piece& 
   const auto away = direction(ways[i]);
   if (!away) return Coaxial::other;
   const HalfPlane plane{turn.center, *away, turn.axis};
-  const auto one = meridian(all, a, of_a, i, plane, size), other = meridian(all, b, of_b, j, plane, size);
+  const auto one = meridian(all, a, of_a, i, plane, size, off),
+             other = meridian(all, b, of_b, j, plane, size, off);
   if (!one || !other) return Coaxial::other;
-  return MeridianQuestion(*one, *other, between, size).run();
+  return MeridianQuestion(*one, *other, between).run();
 }
 
 }  // namespace cnrg

@@ -62,7 +62,7 @@ MeridianSlope slope_of(const Piece& piece, std::size_t along) {
 
 std::optional<Piece::Column> column_of(const Piece& piece) {
   constexpr double kMostTurns = 0.24;
-  constexpr double kMostOff = 1e-10;  // of the shortest side
+  constexpr double kMostOff = 1e-7;  // of the shortest side
   const auto turn = piece.grid && !piece.blind ? piece.surface->revolution() : std::nullopt;
   if (!turn) return std::nullopt;
   const auto [off, shortest] = piece.bent ? flatness(piece) : std::array{0.0, 1.0};
@@ -80,6 +80,7 @@ std::optional<Piece::Column> column_of(const Piece& piece) {
                        .tangent = tangent_of(half),
                        .flat = (Interval(1) - cosine(half)).sup(),
                        .off = off,
+                       .turned = off > 0 ? std::max(1e-9, 10 * off / shortest) : 0,
                        .chord = (Interval(slope.off) * wide).sup() / 2,
                        .tilt = slope.off / least / 4 * (1 + 1e-12)};
 }
@@ -143,11 +144,10 @@ void find_columns(std::vector<Piece>& all, std::size_t first, const PieceSides& 
     if (!all[i].column) continue;
     const Piece::Column& column = *all[i].column;
     // The directions of two triangles are no farther from those of their sides.
-    const double rounded = column.off > 0 ? 1e-9 : 0;
     Interval3& around = column.around == 0 ? all[i].along_u : all[i].along_v;
     Interval3& along = column.around == 0 ? all[i].along_v : all[i].along_u;
-    around = widened(normalized(around), rounded);
-    along = widened(normalized(along), rounded + column.tilt * column.flat);
+    around = widened(normalized(around), column.turned);
+    along = widened(normalized(along), column.turned + column.tilt * column.flat);
   }
 }
 

@@ -103,6 +103,7 @@ struct Piece {
     Interval half, tangent;  ///< turns from the middle to a side, and their tangent
     double flat;             ///< 1 less the cosine of `half`
     double off;              ///< of two triangles: how far they are from one plane, by rounded corners
+    double turned;           ///< by how much these may turn directions
     double chord;            ///< how far F and S are apart in the half-plane of a side, at most
     double tilt;             ///< by how much directions along the meridian may differ from F's and S's, by `flat`
     /// How far H is from (1 - t) F + t S, at most.

@@ -141,6 +141,18 @@ TEST_CASE("surfaces about one axis are told apart however near they are", "[cert
   }
 }
 
+TEST_CASE("balls nearly in one place are told apart far from the origin, too", "[certify]") {
+  for (const auto& [far, near] : {std::pair("1000", "1/10000"), {"10000", "1/1000"}, {"0", "1/1000000"}}) {
+    INFO(near << " at " << far);
+    const auto ball = [&, x = std::string(far)](const std::string& z) {
+      return "{sphere: {center: [" + x + ", 0, " + z + "], radius: 1, segments: 16, rings: 8}}\n";
+    };
+    const Asked asked("  a: " + ball("0") + "  b: " + ball(near), "{difference: [a, b]}");
+    CHECK(asked.certified());
+    CHECK(asked.cells() == std::array<std::size_t, 4>{0, 1, 2, 1});
+  }
+}
+
 TEST_CASE("a patch that meets itself is not certified, at any fineness", "[certify]") {
   const auto asked = [](const char* x1, const char* x2, int segments) {
     std::string patch;
