@@ -37,7 +37,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-constexpr double kNearSides = 0.01;  // of the radius
+constexpr double kNearSides = 0.05;  // of the radius
 
 /// Families of one space.
 class Space {

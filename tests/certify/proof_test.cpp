@@ -141,6 +141,20 @@ TEST_CASE("surfaces about one axis are told apart however near they are", "[cert
   }
 }
 
+TEST_CASE("a cone in a cone is told apart whatever the segments of both", "[certify]") {
+  for (const int segments : {4, 5, 7}) {
+    INFO(segments << " segments");
+    const Asked asked(
+        "  a: {cone: {from: [0, 0, 0], to: [33/40, 0, 11/10], radius: 1/2, segments: 24}}\n"
+        "  b: {cone: {from: [-3/100, 0, -1/25], to: [819/1000, 0, 273/250], radius: 1/2, segments: " +
+            std::to_string(segments) + "}}\n",
+        "{difference: [b, a]}");
+    CHECK(asked.certified());
+    // Of b only what is below the base of a is left: two disks and the side.
+    CHECK(asked.cells() == std::array<std::size_t, 4>{0, 2, 3, 1});
+  }
+}
+
 TEST_CASE("balls nearly in one place are told apart far from the origin, too", "[certify]") {
   for (const auto& [far, near] : {std::pair("1000", "1/10000"), {"10000", "1/1000"}, {"0", "1/1000000"}}) {
     INFO(near << " at " << far);
