@@ -9,6 +9,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <memory>
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
@@ -86,7 +87,7 @@ void add_threads(CLI::App* sub, int& threads) {
   sub->add_option("--threads", threads, "Threads; 0 is one per core")->type_name("K")->check(whole_check(0, 4096));
 }
 
-/// A number between two bounds, as trees have them; it becomes a double.
+/// Such a number as a double.
 CLI::Validator number_check(double above, double below, const std::string& wanted) {
   return CLI::Validator(
       [=](std::string& text) {
@@ -223,6 +224,330 @@ std::vector<std::string> command_names(const CLI::App& program) {
   return out;
 }
 
+constexpr const char* kSnap =
+    "What is done without --no-snap: where rounding to doubles would break the result, move vertices until it "
+    "does not, and say how far";
+constexpr const char* kNoSnap = "Do not move vertices where rounding to doubles breaks the result: ";
+constexpr const char* kCertify =
+    "Where it is not proven that curved surfaces meet as their facets do: ask with a hundred times the steps, "
+    "and make an error of what is left";
+constexpr const char* kNoCertify = "Do not ask whether they do: facets stay as they are, right or wrong";
+constexpr const char* kJoin =
+    "Join what is nearer than D and does not touch: corners, edges and faces; say what met and how far it moved";
+
+/// What is asked for, once a command line is read.
+using Command = std::function<int()>;
+
+/// A command with its arguments, which live as long as somebody may run it.
+template <class Arguments>
+void on_callback(CLI::App* sub, Command& command, int (*run)(const Arguments&),
+                 const std::shared_ptr<Arguments>& arguments) {
+  sub->callback([=, &command] { command = [=] { return run(*arguments); }; });
+}
+
+/// The name of a node or a file.
+CLI::Option* add_name(CLI::App* sub, const char* option, std::string& name, const char* type, const char* help) {
+  return sub->add_option(option, name, help)->type_name(type)->check(name_fault);
+}
+/// Several of them, each behind the option.
+CLI::Option* add_all_names(CLI::App* sub, const char* option, std::vector<std::string>& names, const char* type,
+                           const char* help) {
+  return sub->add_option(option, names, help)->type_name(type)->check(name_fault)->expected(1)->take_all();
+}
+
+/// Two flags of which only one can be given.
+CLI::Option* add_either(CLI::App* sub, const char* flag, bool& yes, const char* help, const char* no_flag,
+                        bool& no, const std::string& no_help) {
+  CLI::Option* const option = sub->add_flag(flag, yes, help);
+  sub->add_flag(no_flag, no, no_help)->excludes(option);
+  return option;
+}
+
+void add_eval(CLI::App& program, Command& command) {
+  const auto given = std::make_shared<EvalArguments>();
+  CLI::App* const sub = program.add_subcommand("eval", "Evaluates a tree: one row per node, files of the result");
+  add_tree(sub, *given);
+  add_all_names(sub, "--node", given->nodes, "N",
+                "Evaluate this node too; files show it instead of the result: one node for all, or one for each "
+                "-o");
+  add_all_names(sub, "-o,--output", given->files, "FILE",
+                "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
+                ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png "
+                ".pdf; of a .csg the tree: .yaml");
+  sub->add_flag("--trace", given->trace, "Under each row: what each table row removed, volumes of regions");
+  sub->add_flag("--raw", given->raw, "Keep the unsimplified cells of the refinement");
+  sub->add_option_function<std::string>(
+         "--refine",
+         [given](const std::string& word) {
+           given->refining = word == "apart" ? Refining::apart : Refining::together;
+         },
+         "Refine all leaves `together`, or every node that may be `apart`; without it, apart what dies before it "
+         "meets others")
+      ->type_name("WAY")
+      ->check(CLI::IsMember({"together", "apart"}));
+  sub->add_flag("--topology", given->topology,
+                "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions "
+                "touch");
+  sub->add_flag("--list", given->list,
+                "For the result, or each --node: what the operator `select` can pick, with numbers of cells");
+  sub->add_option(
+         "--select", given->select,
+         "Files, --topology and --list show what this picks of the result, or of each --node: criteria of "
+         "the operator `select`, such as '{dimension: 2, between: [rock, clay]}'")
+      ->type_name("CRITERIA")
+      ->check([](const std::string& text) {
+        return text.empty() ? std::string("it is empty; give criteria, such as '{dimension: 2}'") : std::string();
+      });
+  CLI::Option* const snap = add_either(sub, "--snap", given->snap, kSnap, "--no-snap", given->no_snap,
+                                       std::string(kNoSnap) + "write the file, and warn");
+  sub->add_flag("--binary", given->binary, "Of .stl (numbers of 24 bits) and .ply (doubles): the binary form");
+  add_either(sub, "--certify", given->certify, kCertify, "--no-certify", given->no_certify, kNoCertify);
+  sub->add_flag("--parameters", given->parameters,
+                "In .json and .vtu: the parameters u, v of faces on curved patches")
+      ->excludes(snap);
+  sub->add_option("--join", given->join, kJoin)->type_name("D")->check(distance_fault);
+  add_threads(sub, given->threads);
+  CLI::Option* const quiet = sub->add_flag("-q,--quiet", given->quiet, "No rows and no notices");
+  CLI::Option* const json = sub->add_flag("--json", given->json, "The rows as JSON instead, volumes as fractions");
+  for (const char* const other : {"--trace", "--topology", "--list"}) json->excludes(sub->get_option(other));
+  json->excludes(quiet);
+  add_picture_options(sub);
+  sub->footer(
+      "Examples:\n  cnrg eval model.yaml --node split -o split.vtu --trace\n"
+      "  cnrg eval model.yaml --node split --node model --cut y=50 -o model.svg");
+  sub->callback([=, &command] {
+    given->picture = picture_words(*sub);
+    command = [=] { return run_eval(*given); };
+  });
+}
+
+void add_check(CLI::App& program, Command& command) {
+  const auto given = std::make_shared<CheckArguments>();
+  CLI::App* const sub = program.add_subcommand(
+      "check", "Reads and validates a tree file without evaluating it; with --features, lists what is small");
+  add_tree(sub, *given);
+  sub->add_flag(
+         "--features", given->features,
+         "List the smallest distances between what does not touch, lengths of edges and angles, with places "
+         "and nodes; with `--features D`, all distances and lengths below D")
+      ->check([](const std::string& text) { return text == kFlagGiven ? std::string() : distance_fault(text); });
+  add_name(sub, "--node", given->node, "N", "Of --features: this node; the result without it");
+  add_threads(sub, given->threads);
+  sub->footer("Example:\n  cnrg check model.yaml\n  cnrg check --features 0.001 model.yaml");
+  on_callback(sub, command, run_check, given);
+}
+
+void add_locate(CLI::App& program, Command& command) {
+  const auto given = std::make_shared<LocateArguments>();
+  CLI::App* const sub =
+      program.add_subcommand("locate", "Reads points `x y z` and prints `dim cell component name` for each");
+  add_tree(sub, *given, "Tree (YAML or JSON, or .csg), exact result, mesh or CAD model");
+  add_name(sub, "--node", given->node, "N", "Node to look into; the result without it");
+  add_threads(sub, given->threads);
+  sub->add_flag("--parameters", given->parameters,
+                "Also the place on patches and curves of leaves: `leaf: patch: u v`, `leaf: curve: t`, each "
+                "behind a tabulator");
+  sub->add_flag("--material", given->material,
+                "Also what a graded material is there: `material: steel 3/4, ceramic 1/4`, behind a tabulator");
+  sub->footer("Example:\n  echo \"1/3 0.5 2\" | cnrg locate model.yaml --node split");
+  on_callback(sub, command, run_locate, given);
+}
+
+void add_explain(CLI::App& program, Command& command) {
+  const auto given = std::make_shared<ExplainArguments>();
+  CLI::App* const sub =
+      program.add_subcommand("explain", "Tells of one cell, at every node, what kept or removed it, and why");
+  add_tree(sub, *given);
+  add_name(sub, "--node", given->node, "N", "Node to look into; the result without it");
+  sub->add_option("--cell", given->cell, "Cell of the node, as `cnrg locate` names it: v3, e0, f12, r1")
+      ->type_name("NAME");
+  sub->add_option("--point", given->point, "Instead of a cell: what holds this point, active or not")
+      ->type_name("X,Y,Z");
+  add_threads(sub, given->threads);
+  sub->footer(
+      "Example:\n  cnrg explain model.yaml --node split --cell f12\n  cnrg explain model.yaml --point 1/3,0.5,2");
+  on_callback(sub, command, run_explain, given);
+}
+
+void add_view(CLI::App& program, Command& command) {
+  const auto given = std::make_shared<ViewArguments>();
+  CLI::App* const sub =
+      program.add_subcommand("view", "Writes a page for a browser: the tree beside the cells of each node");
+  add_tree(sub, *given);
+  add_name(sub, "-o,--output", given->file, "FILE.html",
+           "Write this file; without it the tree's name with .html, in the current folder");
+  add_all_names(sub, "--node", given->nodes, "N", "Show this node and what is below it; without it all nodes");
+  sub->add_flag("--certify", given->certify, kCertify);
+  sub->add_flag("--open", given->open, "Open the page in the browser");
+  sub->add_flag("--watch", given->watch, "Write the page again whenever the tree changes; open pages follow");
+  add_threads(sub, given->threads);
+  sub->add_flag("-q,--quiet", given->quiet, "No line about the page and no notices");
+  sub->footer("Example:\n  cnrg view model.yaml -o model.html --open");
+  on_callback(sub, command, run_view, given);
+}
+
+/// A number between two bounds, as trees have them; it becomes a double.
+CLI::Option* add_number(CLI::App* sub, const char* option, double& number, const char* type, double above,
+                        double below, const char* wanted, const char* help) {
+  return sub->add_option(option, number, help)->type_name(type)->transform(number_check(above, below, wanted));
+}
+
+void add_bounds(CLI::App* sub, TetrahedraOptions& options) {
+  constexpr const char* kPositive = "a positive number";
+  add_number(sub, "--size", options.size, "H", 0, HUGE_VAL, kPositive,
+             "Edges are about as long as H, or shorter where the model asks for it");
+  add_number(sub, "--growth", options.growth, "G", 0.0499999, 2.0000001, "a number from 0.05 to 2",
+             "How much longer edges may be per unit of distance from where they are to be short, from 0.05 to 2")
+      ->capture_default_str();
+  add_number(sub, "--max-volume", options.max_volume, "V", 0, HUGE_VAL, kPositive,
+             "No tetrahedron is larger than V cubic units");
+  add_number(sub, "--quality", options.quality, "Q", 1.0999, 100.0001, "a number from 1.1 to 100",
+             "Largest ratio of circumradius to shortest edge, from 1.1: 2 is usual, below 1.4 may take very long; "
+             "thin regions take as many tetrahedra as that needs, if the forecast is no more than 20 seconds or a "
+             "third of --seconds; else, and without it, they are as flat as they are");
+  sub->add_option(
+         "--seconds", options.seconds,
+         "For all of the meshing, by the clock: a mesh that is there then is kept as it is, and said to be so; 0: "
+         "no bound. Without it steps are counted, and the mesh is the same on every machine")
+      ->type_name("S")
+      ->check(whole_check(0, 1'000'000));
+}
+
+void add_mesh(CLI::App& program, Command& command) {
+  const auto given = std::make_shared<MeshArguments>();
+  CLI::App* const sub = program.add_subcommand(
+      "mesh",
+      "Fills the regions with tetrahedra that conform to every face, wire and point; with --surface meshes faces "
+      "and wires alone. Nothing has to be asked for: shapes are as good as some thousand points more make them");
+  add_tree(sub, *given);
+  add_name(sub, "--node", given->node, "N", "Node to mesh; the result without it");
+  add_all_names(sub, "-o,--output", given->files, "FILE",
+                "Write this file, in the format of its extension: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf; "
+                ".html is a report with pictures")
+      ->required();
+  add_bounds(sub, given->options);
+  CLI::Option* const keep_boundary = sub->add_flag(
+      "-Y,--keep-boundary", given->options.keep_boundary,
+      "No new points on faces and edges, so that the meshes of neighbours fit; inside only is there room for "
+      "--size, --max-volume and --quality, and what they miss is said");
+  CLI::Option* const constrained =
+      sub->add_flag("--constrained", given->options.constrained,
+                    "Not by TetGen: exact constrained tetrahedra, improved; without it these are made only where "
+                    "TetGen fails");
+  add_either(sub, "--certify", given->certify, kCertify, "--no-certify", given->no_certify, kNoCertify);
+  CLI::Option* const joins = sub->add_option("--join", given->join, kJoin)->type_name("D")->check(distance_fault);
+  CLI::Option* const curved =
+      sub->add_flag("--curved", given->curved,
+                    "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes")
+          ->excludes(joins);
+  CLI::Option* const surface =
+      sub->add_flag("--surface", given->surface,
+                    "Triangles on all faces and segments on edges and wires, without volumes: no angle below 25 "
+                    "degrees but where the result has smaller ones or is very narrow");
+  for (CLI::Option* const option :
+       {curved, sub->get_option("--max-volume"), sub->get_option("--quality"), keep_boundary, constrained})
+    surface->excludes(option);
+  sub->add_option("--max-points", given->max_points,
+                  "Of --surface: no points are added beyond N; parts that are very narrow get a fiftieth of them")
+      ->type_name("N")
+      ->check(whole_check(1, 1'000'000'000))
+      ->capture_default_str()
+      ->needs(surface);
+  sub->add_flag("--surface-first", given->options.surface_first,
+                "Begin with the triangles that --surface makes, and keep them as the boundary of the tetrahedra: "
+                "faces are as good as there; where TetGen fails it only fills them, and where it cannot, it is an "
+                "error")
+      ->excludes(surface)
+      ->excludes(keep_boundary)
+      ->excludes(constrained)
+      ->excludes(curved);
+  CLI::Option* const order =
+      sub->add_option(
+             "--order", given->options.order,
+             "Of the elements: 1, or 2 with a node in the middle of each straight edge; --curved is of order 2")
+          ->type_name("N")
+          ->check(CLI::IsMember({1, 2}));
+  sub->add_flag("--quads", given->quads,
+                "Of --surface: merge triangles of a face by pairs into quadrilaterals with angles from 30 to 150 "
+                "degrees, as many as can be")
+      ->needs(surface)
+      ->excludes(order);
+  add_either(sub, "--snap", given->snap, kSnap, "--no-snap", given->no_snap, std::string(kNoSnap) + "refuse it")
+      ->excludes(curved);
+  add_threads(sub, given->threads);
+  sub->add_flag("-q,--quiet", given->quiet, "No table and no notices");
+  sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");
+  on_callback(sub, command, run_mesh, given);
+}
+
+void add_compare(CLI::App& program, Command& command) {
+  const auto given = std::make_shared<CompareArguments>();
+  CLI::App* const sub =
+      program.add_subcommand("compare", "Says whether two trees mean the same, and if not, what differs");
+  sub->add_option("A", given->a, "Tree, exact result (.json), mesh or CAD model; `-` for a tree on standard input")
+      ->required()
+      ->check(name_fault);
+  sub->add_option("B", given->b, "Another one")->required()->check(name_fault);
+  add_name(sub, "--node-a", given->node_a, "N", "Node of A; its result without it");
+  add_name(sub, "--node-b", given->node_b, "N", "Node of B; its result without it");
+  sub->add_option("--ignore", given->ignored,
+                  "More than once: `names`, `materials` or `attributes` (keys with values) of components, sheets, "
+                  "wires and "
+                  "points; `features`, that is lines and points that "
+                  "parts of one surface or line have by themselves; `components`, that is all but the point sets")
+      ->type_name("WHAT")
+      ->check(CLI::IsMember({"names", "materials", "attributes", "features", "components"}))
+      ->expected(1)
+      ->take_all();
+  add_fineness(sub, *given);
+  add_threads(sub, given->threads);
+  sub->add_flag("-q,--quiet", given->quiet, "Only the exit status");
+  sub->footer(
+      "Example:\n  cnrg compare answer.yaml solution.yaml\n\nExit status: 0 the same, 4 different, else as of all "
+      "commands.");
+  on_callback(sub, command, run_compare, given);
+}
+
+/// Of the commands that print what the program knows of itself, and of `nodes`, for completions.
+struct TextArguments {
+  bool tables = false;
+  std::string shell = "bash", helped, tree;
+};
+
+void add_texts(CLI::App& program, Command& command) {
+  const auto given = std::make_shared<TextArguments>();
+  const auto add = [&](const char* name, const char* help, const char* footer, const Command& run) {
+    CLI::App* const sub = program.add_subcommand(name, help);
+    if (footer != nullptr) sub->footer(footer);
+    sub->callback([=, &command] { command = run; });
+    return sub;
+  };
+  add("tables", "Prints the tables of the Booleans in Markdown", "Example:\n  cnrg tables > tables.md",
+      run_tables);
+  add("schema", "Prints the JSON schema of a tree file, for editors", "Example:\n  cnrg schema > tree.schema.json",
+      [=] { return run_schema(given->tables); })
+      ->add_flag("--tables", given->tables, "The keys of a tree file in Markdown instead");
+  add("manual", "Prints the manual page of cnrg, for `man`", "Example:\n  cnrg manual > cnrg.1\n  man -l cnrg.1",
+      [&] { return run_manual(program_text(program)); });
+  add("completion", "Prints what a shell needs to complete commands, options, files and nodes",
+      "Example:\n  source <(cnrg completion)\n  cnrg completion fish | source",
+      [=, &program] { return run_completion(program_text(program), given->shell); })
+      ->add_option("SHELL", given->shell, "Which")
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+      ->capture_default_str();
+  CLI::App* const help =
+      add("help", "Prints the help of a command, or of the program", "Example:\n  cnrg help mesh",
+          [=, &program] { return run_help(program, given->helped); });
+  help->add_option("COMMAND", given->helped, "Which")->check(CLI::IsMember(command_names(program)));
+  CLI::App* const nodes =
+      add("nodes", "Prints the names of the nodes of a tree", nullptr, [=] { return run_nodes(given->tree); });
+  nodes->group("");
+  nodes->add_option("TREE", given->tree, "Tree file")->required()->check(name_fault);
+}
+
+constexpr void (*kCommands[])(CLI::App&, Command&) = {add_eval, add_check, add_locate,  add_explain,
+                                                      add_view, add_mesh,  add_compare, add_texts};
+
 int run(int argc, char** argv) {
   CLI::App program{"Exact Booleans of non-manifold solids, surfaces, wires and points, by tree files.", "cnrg"};
   program.set_version_flag(
@@ -234,308 +559,8 @@ int run(int argc, char** argv) {
   program.footer(
       "Example:\n  cnrg eval model.yaml -o model.vtu\n\nExit status: 0 done, 2 bad input, 3 a file could not be "
       "read or written or memory ran out, 4 of `cnrg compare`: different, 1 a bug.");
-  std::function<int()> command;
-
-  EvalArguments eval;
-  CLI::App* sub = program.add_subcommand("eval", "Evaluates a tree: one row per node, files of the result");
-  add_tree(sub, eval);
-  sub->add_option("--node", eval.nodes,
-                  "Evaluate this node too; files show it instead of the result: one node for all, or one for each "
-                  "-o")
-      ->type_name("N")
-      ->check(name_fault)
-      ->expected(1)
-      ->take_all();
-  sub->add_option("-o,--output", eval.files,
-                  "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
-                  ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png "
-                  ".pdf; of a .csg the tree: .yaml")
-      ->type_name("FILE")
-      ->check(name_fault)
-      ->expected(1)
-      ->take_all();
-  sub->add_flag("--trace", eval.trace, "Under each row: what each table row removed, volumes of regions");
-  sub->add_flag("--raw", eval.raw, "Keep the unsimplified cells of the refinement");
-  sub->add_option_function<std::string>(
-         "--refine",
-         [&eval](const std::string& word) {
-           eval.refining = word == "apart" ? Refining::apart : Refining::together;
-         },
-         "Refine all leaves `together`, or every node that may be `apart`; without it, apart what dies before it "
-         "meets "
-         "others")
-      ->type_name("WAY")
-      ->check(CLI::IsMember({"together", "apart"}));
-  sub->add_flag("--topology", eval.topology,
-                "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions "
-                "touch");
-  sub->add_flag("--list", eval.list,
-                "For the result, or each --node: what the operator `select` can pick, with numbers of cells");
-  sub->add_option(
-         "--select", eval.select,
-         "Files, --topology and --list show what this picks of the result, or of each --node: criteria of "
-         "the operator `select`, such as '{dimension: 2, between: [rock, clay]}'")
-      ->type_name("CRITERIA")
-      ->check([](const std::string& text) {
-        return text.empty() ? std::string("it is empty; give criteria, such as '{dimension: 2}'") : std::string();
-      });
-  constexpr const char* kSnap =
-      "What is done without --no-snap: where rounding to doubles would break the result, move vertices until it "
-      "does not, and say how far";
-  constexpr const char* kNoSnap = "Do not move vertices where rounding to doubles breaks the result: ";
-  CLI::Option* const snap = sub->add_flag("--snap", eval.snap, kSnap);
-  sub->add_flag("--no-snap", eval.no_snap, std::string(kNoSnap) + "write the file, and warn")->excludes(snap);
-  sub->add_flag("--binary", eval.binary, "Of .stl (numbers of 24 bits) and .ply (doubles): the binary form");
-  constexpr const char* kCertify =
-      "Where it is not proven that curved surfaces meet as their facets do: ask with a hundred times the steps, "
-      "and make an error of what is left";
-  constexpr const char* kNoCertify = "Do not ask whether they do: facets stay as they are, right or wrong";
-  CLI::Option* const certify = sub->add_flag("--certify", eval.certify, kCertify);
-  sub->add_flag("--no-certify", eval.no_certify, kNoCertify)->excludes(certify);
-  sub->add_flag("--parameters", eval.parameters,
-                "In .json and .vtu: the parameters u, v of faces on curved patches")
-      ->excludes(snap);
-  constexpr const char* kJoin =
-      "Join what is nearer than D and does not touch: corners, edges and faces; say what met and how far it moved";
-  sub->add_option("--join", eval.join, kJoin)->type_name("D")->check(distance_fault);
-  add_threads(sub, eval.threads);
-  CLI::Option* const quiet = sub->add_flag("-q,--quiet", eval.quiet, "No rows and no notices");
-  CLI::Option* const json = sub->add_flag("--json", eval.json, "The rows as JSON instead, volumes as fractions");
-  for (const char* const other : {"--trace", "--topology", "--list"}) json->excludes(sub->get_option(other));
-  json->excludes(quiet);
-  add_picture_options(sub);
-  sub->footer(
-      "Examples:\n  cnrg eval model.yaml --node split -o split.vtu --trace\n"
-      "  cnrg eval model.yaml --node split --node model --cut y=50 -o model.svg");
-  sub->callback([&, sub] {
-    eval.picture = picture_words(*sub);
-    command = [&] { return run_eval(eval); };
-  });
-
-  CheckArguments check;
-  sub = program.add_subcommand(
-      "check", "Reads and validates a tree file without evaluating it; with --features, lists what is small");
-  add_tree(sub, check);
-  sub->add_flag(
-         "--features", check.features,
-         "List the smallest distances between what does not touch, lengths of edges and angles, with places "
-         "and nodes; with `--features D`, all distances and lengths below D")
-      ->check([](const std::string& text) { return text == kFlagGiven ? std::string() : distance_fault(text); });
-  sub->add_option("--node", check.node, "Of --features: this node; the result without it")
-      ->type_name("N")
-      ->check(name_fault);
-  add_threads(sub, check.threads);
-  sub->footer("Example:\n  cnrg check model.yaml\n  cnrg check --features 0.001 model.yaml");
-  sub->callback([&] { command = [&] { return run_check(check); }; });
-
-  LocateArguments locate;
-  sub = program.add_subcommand("locate", "Reads points `x y z` and prints `dim cell component name` for each");
-  add_tree(sub, locate, "Tree (YAML or JSON, or .csg), exact result, mesh or CAD model");
-  sub->add_option("--node", locate.node, "Node to look into; the result without it")
-      ->type_name("N")
-      ->check(name_fault);
-  add_threads(sub, locate.threads);
-  sub->add_flag("--parameters", locate.parameters,
-                "Also the place on patches and curves of leaves: `leaf: patch: u v`, `leaf: curve: t`, each "
-                "behind a tabulator");
-  sub->add_flag("--material", locate.material,
-                "Also what a graded material is there: `material: steel 3/4, ceramic 1/4`, behind a tabulator");
-  sub->footer("Example:\n  echo \"1/3 0.5 2\" | cnrg locate model.yaml --node split");
-  sub->callback([&] { command = [&] { return run_locate(locate); }; });
-
-  ExplainArguments explain;
-  sub = program.add_subcommand("explain", "Tells of one cell, at every node, what kept or removed it, and why");
-  add_tree(sub, explain);
-  sub->add_option("--node", explain.node, "Node to look into; the result without it")
-      ->type_name("N")
-      ->check(name_fault);
-  sub->add_option("--cell", explain.cell, "Cell of the node, as `cnrg locate` names it: v3, e0, f12, r1")
-      ->type_name("NAME");
-  sub->add_option("--point", explain.point, "Instead of a cell: what holds this point, active or not")
-      ->type_name("X,Y,Z");
-  add_threads(sub, explain.threads);
-  sub->footer(
-      "Example:\n  cnrg explain model.yaml --node split --cell f12\n  cnrg explain model.yaml --point 1/3,0.5,2");
-  sub->callback([&] { command = [&] { return run_explain(explain); }; });
-
-  ViewArguments view;
-  sub = program.add_subcommand("view", "Writes a page for a browser: the tree beside the cells of each node");
-  add_tree(sub, view);
-  sub->add_option("-o,--output", view.file,
-                  "Write this file; without it the tree's name with .html, in the current folder")
-      ->type_name("FILE.html")
-      ->check(name_fault);
-  sub->add_option("--node", view.nodes, "Show this node and what is below it; without it all nodes")
-      ->type_name("N")
-      ->check(name_fault)
-      ->expected(1)
-      ->take_all();
-  sub->add_flag("--certify", view.certify, kCertify);
-  sub->add_flag("--open", view.open, "Open the page in the browser");
-  sub->add_flag("--watch", view.watch, "Write the page again whenever the tree changes; open pages follow");
-  add_threads(sub, view.threads);
-  sub->add_flag("-q,--quiet", view.quiet, "No line about the page and no notices");
-  sub->footer("Example:\n  cnrg view model.yaml -o model.html --open");
-  sub->callback([&] { command = [&] { return run_view(view); }; });
-
-  MeshArguments mesh;
-  sub = program.add_subcommand(
-      "mesh",
-      "Fills the regions with tetrahedra that conform to every face, wire and point; with --surface meshes faces "
-      "and wires alone. Nothing has to be asked for: shapes are as good as some thousand points more make them");
-  add_tree(sub, mesh);
-  sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N")->check(name_fault);
-  sub->add_option("-o,--output", mesh.files,
-                  "Write this file, in the format of its extension: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf; "
-                  ".html is a report with pictures")
-      ->type_name("FILE")
-      ->check(name_fault)
-      ->expected(1)
-      ->take_all()
-      ->required();
-  sub->add_option("--size", mesh.options.size,
-                  "Edges are about as long as H, or shorter where the model asks for it")
-      ->type_name("H")
-      ->transform(number_check(0, HUGE_VAL, "a positive number"));
-  sub->add_option(
-         "--growth", mesh.options.growth,
-         "How much longer edges may be per unit of distance from where they are to be short, from 0.05 to 2")
-      ->type_name("G")
-      ->transform(number_check(0.0499999, 2.0000001, "a number from 0.05 to 2"))
-      ->capture_default_str();
-  CLI::Option* const max_volume =
-      sub->add_option("--max-volume", mesh.options.max_volume, "No tetrahedron is larger than V cubic units")
-          ->type_name("V")
-          ->transform(number_check(0, HUGE_VAL, "a positive number"));
-  CLI::Option* const quality =
-      sub->add_option(
-             "--quality", mesh.options.quality,
-             "Largest ratio of circumradius to shortest edge, from 1.1: 2 is usual, below 1.4 may take "
-             "very long; thin regions take as many tetrahedra as that needs, if the forecast is no more than "
-             "20 seconds or a third of --seconds; else, and without it, they are as flat as they are")
-          ->type_name("Q")
-          ->transform(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
-  sub->add_option(
-         "--seconds", mesh.options.seconds,
-         "For all of the meshing, by the clock: a mesh that is there then is kept as it is, and said to be so; 0: "
-         "no bound. Without it steps are counted, and the mesh is the same on every machine")
-      ->type_name("S")
-      ->check(whole_check(0, 1'000'000));
-  CLI::Option* const keep_boundary = sub->add_flag(
-      "-Y,--keep-boundary", mesh.options.keep_boundary,
-      "No new points on faces and edges, so that the meshes of neighbours fit; inside only is there room for "
-      "--size, --max-volume and --quality, and what they miss is said");
-  CLI::Option* const constrained =
-      sub->add_flag("--constrained", mesh.options.constrained,
-                    "Not by TetGen: exact constrained tetrahedra, improved; without it these are made only where "
-                    "TetGen fails");
-  CLI::Option* const certifies = sub->add_flag("--certify", mesh.certify, kCertify);
-  sub->add_flag("--no-certify", mesh.no_certify, kNoCertify)->excludes(certifies);
-  CLI::Option* const joins = sub->add_option("--join", mesh.join, kJoin)->type_name("D")->check(distance_fault);
-  CLI::Option* const curved =
-      sub->add_flag("--curved", mesh.curved,
-                    "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes")
-          ->excludes(joins);
-  CLI::Option* const surface =
-      sub->add_flag("--surface", mesh.surface,
-                    "Triangles on all faces and segments on edges and wires, without volumes: no angle below 25 "
-                    "degrees but where the result has smaller ones or is very narrow");
-  for (CLI::Option* const option : {curved, max_volume, quality, keep_boundary, constrained})
-    surface->excludes(option);
-  sub->add_option("--max-points", mesh.max_points,
-                  "Of --surface: no points are added beyond N; parts that are very narrow get a fiftieth of them")
-      ->type_name("N")
-      ->check(whole_check(1, 1'000'000'000))
-      ->capture_default_str()
-      ->needs(surface);
-  sub->add_flag("--surface-first", mesh.options.surface_first,
-                "Begin with the triangles that --surface makes, and keep them as the boundary of the tetrahedra: "
-                "faces are as good as there; where TetGen fails it only fills them, and where it cannot, it is an "
-                "error")
-      ->excludes(surface)
-      ->excludes(keep_boundary)
-      ->excludes(constrained)
-      ->excludes(curved);
-  CLI::Option* const order =
-      sub->add_option(
-             "--order", mesh.options.order,
-             "Of the elements: 1, or 2 with a node in the middle of each straight edge; --curved is of order 2")
-          ->type_name("N")
-          ->check(CLI::IsMember({1, 2}));
-  sub->add_flag("--quads", mesh.quads,
-                "Of --surface: merge triangles of a face by pairs into quadrilaterals with angles from 30 to 150 "
-                "degrees, as many as can be")
-      ->needs(surface)
-      ->excludes(order);
-  CLI::Option* const snaps = sub->add_flag("--snap", mesh.snap, kSnap)->excludes(curved);
-  sub->add_flag("--no-snap", mesh.no_snap, std::string(kNoSnap) + "refuse it")->excludes(snaps);
-  add_threads(sub, mesh.threads);
-  sub->add_flag("-q,--quiet", mesh.quiet, "No table and no notices");
-  sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");
-  sub->callback([&] { command = [&] { return run_mesh(mesh); }; });
-
-  CompareArguments compared;
-  sub = program.add_subcommand("compare", "Says whether two trees mean the same, and if not, what differs");
-  sub->add_option("A", compared.a,
-                  "Tree, exact result (.json), mesh or CAD model; `-` for a tree on standard input")
-      ->required()
-      ->check(name_fault);
-  sub->add_option("B", compared.b, "Another one")->required()->check(name_fault);
-  sub->add_option("--node-a", compared.node_a, "Node of A; its result without it")
-      ->type_name("N")
-      ->check(name_fault);
-  sub->add_option("--node-b", compared.node_b, "Node of B; its result without it")
-      ->type_name("N")
-      ->check(name_fault);
-  sub->add_option("--ignore", compared.ignored,
-                  "More than once: `names`, `materials` or `attributes` (keys with values) of components, sheets, "
-                  "wires and "
-                  "points; `features`, that is lines and points that "
-                  "parts of one surface or line have by themselves; `components`, that is all but the point sets")
-      ->type_name("WHAT")
-      ->check(CLI::IsMember({"names", "materials", "attributes", "features", "components"}))
-      ->expected(1)
-      ->take_all();
-  add_fineness(sub, compared);
-  add_threads(sub, compared.threads);
-  sub->add_flag("-q,--quiet", compared.quiet, "Only the exit status");
-  sub->footer(
-      "Example:\n  cnrg compare answer.yaml solution.yaml\n\nExit status: 0 the same, 4 different, else as of all "
-      "commands.");
-  sub->callback([&] { command = [&] { return run_compare(compared); }; });
-
-  sub = program.add_subcommand("tables", "Prints the tables of the Booleans in Markdown");
-  sub->footer("Example:\n  cnrg tables > tables.md");
-  sub->callback([&] { command = [] { return run_tables(); }; });
-
-  bool tables = false;
-  sub = program.add_subcommand("schema", "Prints the JSON schema of a tree file, for editors");
-  sub->add_flag("--tables", tables, "The keys of a tree file in Markdown instead");
-  sub->footer("Example:\n  cnrg schema > tree.schema.json");
-  sub->callback([&] { command = [&] { return run_schema(tables); }; });
-
-  sub = program.add_subcommand("manual", "Prints the manual page of cnrg, for `man`");
-  sub->footer("Example:\n  cnrg manual > cnrg.1\n  man -l cnrg.1");
-  sub->callback([&] { command = [&] { return run_manual(program_text(program)); }; });
-
-  std::string shell = "bash";
-  sub = program.add_subcommand("completion",
-                               "Prints what a shell needs to complete commands, options, files and nodes");
-  sub->add_option("SHELL", shell, "Which")->check(CLI::IsMember({"bash", "zsh", "fish"}))->capture_default_str();
-  sub->footer("Example:\n  source <(cnrg completion)\n  cnrg completion fish | source");
-  sub->callback([&] { command = [&] { return run_completion(program_text(program), shell); }; });
-
-  std::string helped;
-  sub = program.add_subcommand("help", "Prints the help of a command, or of the program");
-  sub->add_option("COMMAND", helped, "Which")->check(CLI::IsMember(command_names(program)));
-  sub->footer("Example:\n  cnrg help mesh");
-  sub->callback([&] { command = [&] { return run_help(program, helped); }; });
-
-  std::string asked;
-  sub = program.add_subcommand("nodes", "Prints the names of the nodes of a tree")->group("");  // for completions
-  sub->add_option("TREE", asked, "Tree file")->required()->check(name_fault);
-  sub->callback([&] { command = [&] { return run_nodes(asked); }; });
-
+  Command command;
+  for (const auto add : kCommands) add(program, command);
   try {
     program.parse(command_line(argc, argv));
   } catch (const CLI::ParseError& e) {

@@ -68,9 +68,9 @@ void for_star(const Complex& complex, VertexId v, F visit) {
 }
 
 /// Points in pieces, found by trial and decided by location, which is exact.
-class PointFinder {
+class PiecePoints {
  public:
-  PointFinder(const Complex& complex, const CellPlaces& places) : complex_(complex), places_(places) {}
+  PiecePoints(const Complex& complex, const CellPlaces& places) : complex_(complex), places_(places) {}
 
   RationalPoint in(const SetPiece& piece, std::uint32_t number, const std::vector<std::uint32_t>& piece_of) {
     const auto holds = [&](const RationalPoint& p) {
@@ -198,9 +198,9 @@ class Pieces {
     join();
     measure();
     count();
-    PointFinder finder(complex_, places_);
+    PiecePoints points(complex_, places_);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      pieces_[i].at = finder.in(pieces_[i], static_cast<std::uint32_t>(i), piece_of_);
+      pieces_[i].at = points.in(pieces_[i], static_cast<std::uint32_t>(i), piece_of_);
     }
     return in_order();
   }

@@ -16,9 +16,9 @@ using Index = Plc::Index;
 using Vector = std::array<double, 3>;
 using Loop = FlatComplex::Loop;
 
-class PlcMaker {
+class PlcBuilder {
  public:
-  PlcMaker(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets)
+  PlcBuilder(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets)
       : exact_(view.complex->points), flat_(flat), facets_(facets) {
     plc_.points = rounded.points().xyz;
     for (const Vector& p : plc_.points) table_.add(p[0], p[1], p[2]);
@@ -150,7 +150,7 @@ class PlcMaker {
 }  // namespace
 
 Plc plc_of(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets) {
-  return PlcMaker(view, flat, rounded, facets).run();
+  return PlcBuilder(view, flat, rounded, facets).run();
 }
 
 void add_regions(Plc& plc, const FlatComplex& flat) {

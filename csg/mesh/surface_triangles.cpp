@@ -121,9 +121,9 @@ class CompensatedSum {
   double sum_ = 0, lost_ = 0;
 };
 
-class SurfaceMaker {
+class SurfaceTriangulation {
  public:
-  SurfaceMaker(const ResultView& view, const SurfaceOptions& options)
+  SurfaceTriangulation(const ResultView& view, const SurfaceOptions& options)
       : view_(view), options_(options), flat_(flatten_for_mesh(view)) {}
 
   SurfaceTriangles run() {
@@ -261,7 +261,7 @@ SurfaceTriangles surface_triangles(const ResultView& view, const SurfaceOptions&
   const Deadline deadline(options.watch, options.seconds, "--size");
   SurfaceOptions bound = options;
   bound.watch = deadline.watch();
-  return deadline.run([&] { return SurfaceMaker(view, bound).run(); });
+  return deadline.run([&] { return SurfaceTriangulation(view, bound).run(); });
 }
 
 Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const SurfaceOptions& options,

@@ -1,7 +1,4 @@
-// An edge in the interior of a face is used twice by its loops, once in each direction; one of its boundary once.
 #include "csg/operators/paper_terms.h"
-
-#include <algorithm>
 
 namespace cnrg {
 
@@ -18,11 +15,6 @@ std::string condition_words(const TableRow& row) {
     case Condition::inside_region_b: return "insideB: " + ours;
     default: return ours;
   }
-}
-
-bool in_interior(const Complex& complex, EdgeId e, FaceId f) {
-  const auto uses = complex.edge_uses[e];
-  return std::count_if(uses.begin(), uses.end(), [&](const FaceUse& use) { return use.face == f; }) == 2;
 }
 
 }  // namespace cnrg

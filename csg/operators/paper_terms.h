@@ -15,14 +15,10 @@
 #include <string>
 
 #include "csg/operators/tables.h"
-#include "kernel/complex/complex.h"
 
 namespace cnrg {
 
 /// When a row removes, in the paper's terms beside ours: `not free in A: numFaceA > 0 or dangOrLoose`.
 std::string condition_words(const TableRow& row);
-
-/// True if the face lies on both sides of the edge: the edge is in its interior, and no boundary of it.
-bool in_interior(const Complex& complex, EdgeId e, FaceId f);
 
 }  // namespace cnrg

@@ -16,10 +16,10 @@ namespace {
 
 using Index = Scene::Index;
 
-class SceneMaker {
+class SceneBuilder {
  public:
-  SceneMaker(const ResultView& view, const FlatComplex& flat, const PictureCells& cells,
-             const DrawOptions& options, const Camera& camera)
+  SceneBuilder(const ResultView& view, const FlatComplex& flat, const PictureCells& cells,
+               const DrawOptions& options, const Camera& camera)
       : view_(view),
         flat_(flat),
         cells_(cells),
@@ -319,7 +319,7 @@ ColorBy colors_by(const ResultView& view, const std::optional<ColorBy>& asked) {
 
 Scene make_scene(const ResultView& view, const FlatComplex& flat, const PictureCells& cells,
                  const DrawOptions& options, const Camera& camera) {
-  return SceneMaker(view, flat, cells, options, camera).run();
+  return SceneBuilder(view, flat, cells, options, camera).run();
 }
 
 void add_ghosts(const Complex& complex, const FlatComplex& flat, const Camera& camera, Scene& scene) {

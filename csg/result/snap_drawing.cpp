@@ -95,7 +95,7 @@ class Snapper {
     const bool many = kManyCrossings * first.crossings > start_.triangles.size();
     double cell = unit_ * kSnapFirstCell;
     for (int start = 0; start < kSnapStarts; ++start, cell *= kSnapGrowth) {
-      State state = routed(start_, first, many || start > 0, cell);
+      SnappedTriangles state = routed(start_, first, many || start > 0, cell);
       std::size_t fewest = std::numeric_limits<std::size_t>::max();
       for (int tries = 0;;) {
         begin_round(++rounds);
@@ -121,7 +121,7 @@ class Snapper {
     std::array<Index, 3> points;
     Index faces;  // a list of faces and turns
   };
-  struct State {
+  struct SnappedTriangles {
     std::vector<Xyz> xyz;
     std::vector<Triangle> triangles;
     std::map<std::array<Index, 2>, Index> pieces;  // between two points: a list of edges
@@ -152,18 +152,18 @@ class Snapper {
   Watch watch_;  // of the round
   const NumberedDrawing& drawing_;
   Lists lists_;
-  State start_;      // each point rounded by itself
-  double unit_ = 1;  // one unit in the last place of the largest coordinate
+  SnappedTriangles start_;  // each point rounded by itself
+  double unit_ = 1;         // one unit in the last place of the largest coordinate
 
   void begin_round(int number) { watch_ = part_of(asked_, "snap, round " + std::to_string(number)); }
 
-  void add_piece(State& state, Index a, Index b, Index edges) {
+  void add_piece(SnappedTriangles& state, Index a, Index b, Index edges) {
     if (a == b) return;
     const auto [it, fresh] = state.pieces.try_emplace({std::min(a, b), std::max(a, b)}, edges);
     if (!fresh) it->second = lists_.unite(it->second, edges);
   }
 
-  Refined refine(State& state) const {
+  Refined refine(SnappedTriangles& state) const {
     drop_flat_triangles(state);
     keep_used_points(state);
     Refined refined{complex_of(state), {}, 0};
@@ -175,7 +175,7 @@ class Snapper {
     return refined;
   }
 
-  void drop_flat_triangles(State& state) const {
+  void drop_flat_triangles(SnappedTriangles& state) const {
     PointTable table;
     for (const Xyz& p : state.xyz) table.add(p[0], p[1], p[2]);
     std::vector<char> flat(state.triangles.size(), 0);
@@ -192,7 +192,7 @@ class Snapper {
   }
 
   /// Numbers the points again: those that something has, so that a point of the soup is the vertex of its number.
-  void keep_used_points(State& state) const {
+  void keep_used_points(SnappedTriangles& state) const {
     std::vector<Index> number(state.xyz.size(), kNone);
     for (const auto& t : state.triangles)
       for (const Index p : t.points) number[p] = 0;
@@ -215,7 +215,7 @@ class Snapper {
   }
 
   /// Source i is triangle i.
-  ComplexDraft complex_of(const State& state) const {
+  ComplexDraft complex_of(const SnappedTriangles& state) const {
     Soup soup;
     const LeafId leaf = soup.add_leaf(Fill::none);
     for (const Xyz& p : state.xyz) soup.add_point(p[0], p[1], p[2]);
@@ -243,14 +243,14 @@ class Snapper {
   }
 
   /// The refinement of a drawing that has not been cut yet is that drawing.
-  bool is_plain(const State& state, const Complex& complex) const {
+  bool is_plain(const SnappedTriangles& state, const Complex& complex) const {
     return state.xyz.size() == drawing_.points.size() && state.triangles.size() == drawing_.triangles.size() &&
            state.pieces.size() == drawing_.pieces.size() &&
            is_as_drawn(complex, state.xyz.size(), state.triangles.size());
   }
 
   /// The faces of the drawing on a face of the complex.
-  Index faces_on(const State& state, const Complex& complex, FaceId f) {
+  Index faces_on(const SnappedTriangles& state, const Complex& complex, FaceId f) {
     const auto covers = complex.cover(f);
     std::vector<Index> all;
     for (const Cover& cover : covers) {
@@ -264,7 +264,7 @@ class Snapper {
   }
 
   /// The edges of the drawing on an edge of the complex.
-  Index edges_on(const State& state, const Complex& complex, EdgeId e) {
+  Index edges_on(const SnappedTriangles& state, const Complex& complex, EdgeId e) {
     Index edges = lists_.intern({});
     for (const SegmentId s : complex.edge_segments[e]) {
       const auto& [a, b] = complex.segment_ends[s];
@@ -275,14 +275,14 @@ class Snapper {
   }
 
   /// The drawing with all that passes through a hot cell drawn to its center.
-  State routed(const State& state, const Refined& refined, bool everywhere, double size) {
+  SnappedTriangles routed(const SnappedTriangles& state, const Refined& refined, bool everywhere, double size) {
     const Complex& complex = *refined.complex;
     std::vector<Index> faces, edges;
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) faces.push_back(faces_on(state, complex, f));
     for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) edges.push_back(edges_on(state, complex, e));
     const HotRoutes routes = route(complex, refined.settled, everywhere, size, unit_, watch_);
 
-    State next;
+    SnappedTriangles next;
     next.displacement = state.displacement + routes.displacement;
     Numbering numbers(next.xyz);
     std::vector<Index> to;
@@ -303,7 +303,7 @@ class Snapper {
     return next;
   }
 
-  MovedDrawing finish(const State& state, Refined& refined, int rounds) {
+  MovedDrawing finish(const SnappedTriangles& state, Refined& refined, int rounds) {
     MovedDrawing result{std::move(refined.complex), {}, {}, {}, 0, false, 0};
     const Complex& complex = *result.complex;
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) {

@@ -13,9 +13,9 @@ namespace cnrg {
 
 namespace {
 
-class CrossingFinder {
+class SheetCrossings {
  public:
-  CrossingFinder(const SheetContent& content, const PointTable& points, const SegmentTable& segments,
+  SheetCrossings(const SheetContent& content, const PointTable& points, const SegmentTable& segments,
                  const KnownIncidence& known, const IdVector<SheetId, SourceId>& representative,
                  std::vector<Crossing>& crossings, std::vector<std::pair<SegmentId, VertexId>>& incidences)
       : c_(content),
@@ -224,7 +224,7 @@ class CrossingFinder {
 void find_crossings(const SheetContent& content, const PointTable& points, const SegmentTable& segments,
                     const KnownIncidence& known, const IdVector<SheetId, SourceId>& representative,
                     std::vector<Crossing>& crossings, std::vector<std::pair<SegmentId, VertexId>>& incidences) {
-  CrossingFinder(content, points, segments, known, representative, crossings, incidences).run();
+  SheetCrossings(content, points, segments, known, representative, crossings, incidences).run();
 }
 
 }  // namespace cnrg

@@ -14,7 +14,7 @@ namespace cnrg {
 
 namespace {
 
-struct Piece {
+struct SegmentPart {
   std::uint64_t key;
   std::uint32_t segment, place;  // the place in the chains of all segments
   std::array<VertexId, 2> ends;
@@ -75,7 +75,7 @@ class Cutter {
         from = points[k];
       }
     });
-    tbb::parallel_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
+    tbb::parallel_sort(pieces_.begin(), pieces_.end(), [](const SegmentPart& a, const SegmentPart& b) {
       return a.key != b.key ? a.key < b.key : a.place < b.place;
     });
   }
@@ -138,14 +138,14 @@ class Cutter {
     covering_.push_back(SegmentId(segment));
     chain_[place] = EdgeId(out_.ends.size() - 1);
   }
-  void cover(const Piece& piece) { cover(piece.segment, piece.place); }
+  void cover(const SegmentPart& piece) { cover(piece.segment, piece.place); }
 
   const PointTable& t_;
   const SegmentTable& segments_;
   const Csr<SegmentId, VertexId>& inner_;
   std::vector<std::uint32_t> place_;  // by segment: of its first piece in the chains
   std::vector<Cut> cuts_;
-  std::vector<Piece> pieces_;
+  std::vector<SegmentPart> pieces_;
   std::vector<std::uint32_t> offsets_;
   std::vector<SegmentId> covering_;
   std::vector<EdgeId> chain_;

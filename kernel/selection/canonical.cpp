@@ -143,9 +143,9 @@ IdVector<VertexId, Bends> bends_of(const Complex& complex, const SimplifiedCompl
 
 // Cells that meet in an edge within a facet are one. Around these a walk goes on in the next cell wherever it
 // comes to such an edge.
-class FacetFinder {
+class FacetMerger {
  public:
-  FacetFinder(const Complex& complex, const SimplifiedComplex& s, const SimplifiedComplex::Face& face)
+  FacetMerger(const Complex& complex, const SimplifiedComplex& s, const SimplifiedComplex::Face& face)
       : complex_(complex), s_(s), face_(face) {}
 
   std::vector<SimplifiedFacet> run() {
@@ -369,7 +369,7 @@ std::vector<VertexId> chain_vertices(const Complex& complex, const SimplifiedCom
 
 std::vector<SimplifiedFacet> facets_of(const Complex& complex, const SimplifiedComplex& simplified,
                                        std::uint32_t face) {
-  return FacetFinder(complex, simplified, simplified.faces[face]).run();
+  return FacetMerger(complex, simplified, simplified.faces[face]).run();
 }
 
 CanonicalPoints::CanonicalPoints(const Complex& complex, const SimplifiedComplex& s, const LeafAxes* axes)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <type_traits>
 
 #include "kernel/base/sorted.h"
 #include "kernel/selection/scratch.h"
@@ -35,14 +36,21 @@ void sort_cells(CellSet& set) {
   sort_unique(set.regions);
 }
 
+/// An operation on the cells of each dimension of some sets.
+template <class Out, class Operation, class... Sets>
+Out by_dimension(const Operation& operation, const Sets&... of) {
+  return {operation(of.vertices...), operation(of.edges...), operation(of.faces...), operation(of.regions...)};
+}
+
 template <class Operation>
-CellSet by_dimension(const CellSet& a, const CellSet& b, Operation operation) {
-  CellSet out;
-  operation(a.vertices, b.vertices, out.vertices);
-  operation(a.edges, b.edges, out.edges);
-  operation(a.faces, b.faces, out.faces);
-  operation(a.regions, b.regions, out.regions);
-  return out;
+CellSet merged(const CellSet& a, const CellSet& b, const Operation& operation) {
+  return by_dimension<CellSet>(
+      [&](const auto& x, const auto& y) {
+        std::remove_cvref_t<decltype(x)> out;
+        operation(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(out));
+        return out;
+      },
+      a, b);
 }
 
 template <class IdT>
@@ -94,21 +102,9 @@ class StarWalk {
     for (EdgeId e : complex_.vertex_edges[v]) {
       if (!complex_.on_frame(e)) edge_(e);
     }
-    faces_.clear();
-    complex_.star_faces(v, faces_);
-    visit_faces();
-    regions_.clear();
-    complex_.star_regions(v, regions_);
-    visit_regions();
+    visit_faces_and_regions(v);
   }
-  void of(EdgeId e) {
-    faces_.clear();
-    complex_.star_faces(e, faces_);
-    visit_faces();
-    regions_.clear();
-    complex_.star_regions(e, regions_);
-    visit_regions();
-  }
+  void of(EdgeId e) { visit_faces_and_regions(e); }
   void of(FaceId f) {
     for (RegionId r : complex_.face_regions[f]) {
       if (!complex_.outside_frame(r)) region_(r);
@@ -116,12 +112,15 @@ class StarWalk {
   }
 
  private:
-  void visit_faces() {
+  template <class IdT>
+  void visit_faces_and_regions(IdT cell) {
+    faces_.clear();
+    complex_.star_faces(cell, faces_);
     for (FaceId f : faces_) {
       if (!complex_.on_frame(f)) face_(f);
     }
-  }
-  void visit_regions() {
+    regions_.clear();
+    complex_.star_regions(cell, regions_);
     for (RegionId r : regions_) {
       if (!complex_.outside_frame(r)) region_(r);
     }
@@ -136,23 +135,24 @@ class StarWalk {
 
 }  // namespace
 
-CellSet support(const Selection& s) { return {ids(s.vertices), ids(s.edges), ids(s.faces), ids(s.regions)}; }
+CellSet support(const Selection& s) {
+  return by_dimension<CellSet>([](const auto& list) { return ids(list); }, s);
+}
 
 CellSet support(const Selection& s, Component c) {
-  return {ids(s.vertices, c), ids(s.edges, c), ids(s.faces, c), ids(s.regions, c)};
+  return by_dimension<CellSet>([c](const auto& list) { return ids(list, c); }, s);
 }
 
 CellSet all_cells(const Complex& complex) {
   CellSet out;
-  for (VertexId v : complex.vertices) {
-    if (!complex.on_frame(v)) out.vertices.push_back(v);
-  }
-  for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
-    if (!complex.on_frame(e)) out.edges.push_back(e);
-  }
-  for (FaceId f : IdRange<FaceId>(complex.face_count())) {
-    if (!complex.on_frame(f)) out.faces.push_back(f);
-  }
+  const auto take = [&](const auto& all, auto& to) {
+    for (const auto id : all) {
+      if (!complex.on_frame(id)) to.push_back(id);
+    }
+  };
+  take(complex.vertices, out.vertices);
+  take(IdRange<EdgeId>(complex.edge_count()), out.edges);
+  take(IdRange<FaceId>(complex.face_count()), out.faces);
   for (RegionId r : IdRange<RegionId>(complex.region_count)) {
     if (!complex.outside_frame(r)) out.regions.push_back(r);
   }
@@ -160,21 +160,15 @@ CellSet all_cells(const Complex& complex) {
 }
 
 CellSet unite(const CellSet& a, const CellSet& b) {
-  return by_dimension(a, b, [](const auto& x, const auto& y, auto& out) {
-    std::set_union(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(out));
-  });
+  return merged(a, b, [](auto... of) { std::set_union(of...); });
 }
 
 CellSet intersect(const CellSet& a, const CellSet& b) {
-  return by_dimension(a, b, [](const auto& x, const auto& y, auto& out) {
-    std::set_intersection(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(out));
-  });
+  return merged(a, b, [](auto... of) { std::set_intersection(of...); });
 }
 
 CellSet subtract(const CellSet& a, const CellSet& b) {
-  return by_dimension(a, b, [](const auto& x, const auto& y, auto& out) {
-    std::set_difference(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(out));
-  });
+  return merged(a, b, [](auto... of) { std::set_difference(of...); });
 }
 
 CellSet star(const Complex& complex, const CellSet& set) {
@@ -250,13 +244,12 @@ CellSet boundary(const Complex& complex, const CellSet& set) {
 }
 
 Selection restrict_to(const Selection& s, const CellSet& set) {
-  return {restricted(s.vertices, set.vertices), restricted(s.edges, set.edges), restricted(s.faces, set.faces),
-          restricted(s.regions, set.regions)};
+  return by_dimension<Selection>([](const auto& list, const auto& of) { return restricted(list, of); }, s, set);
 }
 
 Selection add_component(const Selection& s, const CellSet& set, Component component) {
-  return {extended(s.vertices, set.vertices, component), extended(s.edges, set.edges, component),
-          extended(s.faces, set.faces, component), extended(s.regions, set.regions, component)};
+  return by_dimension<Selection>([&](const auto& list, const auto& of) { return extended(list, of, component); },
+                                 s, set);
 }
 
 }  // namespace cnrg

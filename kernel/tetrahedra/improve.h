@@ -10,7 +10,9 @@
 // Is it worth its lines? TetGen's own optimization of 82 models (fracture networks, geology, triangle meshes) left
 // 18,420 of 43,729 tetrahedra with a shape below 0.1; these moves leave 510 of 102,784. New vertices in the middle
 // of spheres (klingner2007), besides halves of edges, left 506; of constrained tetrahedra of 65 models, 1.9 % in
-// place of 2.1 %, in 1.4 of the time: these were not.
+// place of 2.1 %, in 1.4 of the time: these were not. CGAL's isotropic remeshing (5.5.1, five rounds, with the
+// lengths of TetGen's mesh) leaves 15 % of the tetrahedra of 94 models below 0.1, or 14 % where it may change the
+// boundary, whose volume is another one then in 74 of them; of the same models these moves leave 0.8 %.
 #pragma once
 
 #include <cstdint>

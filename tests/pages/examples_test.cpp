@@ -42,7 +42,7 @@ fs::path folder_of(const Page& page) {
 }
 
 /// Where the commands of a page run: `cnrg` is the program, `example_NAME` are those of csg/examples beside it,
-/// `python3` has the module, papers/ is a copy.
+/// `python3` has the module, papers/ is a copy, and the files of the first page are there.
 void furnish(const Workshop& w, const Page& page) {
   fs::create_directory(w.path(".bin"));
   fs::create_symlink(CNRG_PROGRAM, w.path(".bin") / "cnrg");
@@ -54,6 +54,9 @@ void furnish(const Workshop& w, const Page& page) {
   fs::permissions(w.path(".bin/python3"), fs::perms::owner_all);
   fs::copy(root() / "papers", w.path("papers"), fs::copy_options::recursive);
   fs::create_directories(w.path("out") / page.path.parent_path().filename());
+  const Page first = read_page(root() / "README.md");
+  for (const CodeBlock& block : first.blocks)
+    if (!block.file.empty()) w.write(block.file, joined(lines_between(first, block.begin, block.end)));
 }
 
 /// What the command prints on standard output and then on standard error, and its status.
