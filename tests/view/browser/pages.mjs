@@ -143,7 +143,7 @@ for (const [k, [path, wanted]] of MODELS.entries()) {
   check((await page.locator('#cell').innerText()).includes(`${leaf}: `), `${tree}: ${found} came from ${leaf}`);
 
   // A link restores the view.
-  await page.selectOption('#colour', 'class');
+  await page.selectOption('#color', 'class');
   await page.check('#ghosts');
   await page.check('#labels');
   await page.locator('#explode').fill('0.4');
@@ -151,7 +151,7 @@ for (const [k, [path, wanted]] of MODELS.entries()) {
   const hash = await page.evaluate(() => location.hash);
   const again = await open(file, {hash, scheme: k % 2 ? 'dark' : 'light'});
   equal(await again.evaluate(() => location.hash || window.location.hash), hash, `${tree}: the address`);
-  check(await again.isChecked('#ghosts') && (await again.inputValue('#colour')) === 'class', `${tree}: the view comes back`);
+  check(await again.isChecked('#ghosts') && (await again.inputValue('#color')) === 'class', `${tree}: the view comes back`);
   equal(await again.locator('#picked').textContent(), await page.locator('#picked').textContent(), `${tree}: the picked cell comes back`);
   await close(again);
   await close(page);
@@ -176,7 +176,7 @@ check(removed >= 3, `of ${removed} models removed cells were picked`);
     await wide.keyboard.press('Tab');
     reached.add(await wide.evaluate(() => document.activeElement.id || document.activeElement.className));
   }
-  for (const id of ['search', 'link', 'png', 'print', 'theme', 'help', 'back', 'dag', 'colour', 'labels', 'explode', 'axis', 'scene', 'fit']) check(reached.has(id), `keyboard: Tab reaches ${id}`);
+  for (const id of ['search', 'link', 'png', 'print', 'theme', 'help', 'back', 'dag', 'color', 'labels', 'explode', 'axis', 'scene', 'fit']) check(reached.has(id), `keyboard: Tab reaches ${id}`);
   await wide.focus('#scene');
   const before = await wide.evaluate(() => window.cnrg.scene.view.join());
   await wide.keyboard.press('ArrowLeft');
