@@ -7,7 +7,7 @@ const executablePath = process.argv[4];
 export const [program, folder] = process.argv.slice(2);
 const require = createRequire(join(folder, 'node_modules', 'x.js'));
 const {chromium} = require('playwright-core');
-const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+export const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 
 let checks = 0, faults = 0;
 export function check(holds, what) {
@@ -37,9 +37,14 @@ export async function accessible(page, what, iframes = true) {
   ++checks;
 }
 
+/** Says what was found; the exit status for it. */
+export function told() {
+  console.log(faults ? `${faults} of ${checks} checks failed` : `${checks} checks`);
+  return faults ? 1 : 0;
+}
+
 /** Ends the script, with what was found. */
 export async function finish() {
   await browser.close();
-  console.log(faults ? `${faults} of ${checks} checks failed` : `${checks} checks`);
-  process.exit(faults ? 1 : 0);
+  process.exit(told());
 }
