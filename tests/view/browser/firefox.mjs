@@ -18,11 +18,18 @@ const freePort = () => new Promise((found) => {
   });
 });
 
+/** A screen that nobody sees: WebGL of a headless Firefox needs a graphics card. */
+async function screen() {
+  const child = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1280x900x24', '-nolisten', 'tcp'], {stdio: ['ignore', 'ignore', 'ignore', 'pipe']});
+  const number = await new Promise((found) => child.stdio[3].once('data', (words) => found(String(words).trim())));
+  return {child, DISPLAY: `:${number}`};
+}
+
 /** Firefox with a profile of its own; `ask(command, parameters)` is a command of the protocol. */
 async function started(path) {
-  const profile = mkdtempSync(join(tmpdir(), 'cnrg-firefox-')), port = await freePort();
+  const profile = mkdtempSync(join(tmpdir(), 'cnrg-firefox-')), port = await freePort(), {child: xvfb, DISPLAY} = await screen();
   writeFileSync(join(profile, 'user.js'), `user_pref("marionette.port", ${port});\nuser_pref("webgl.force-enabled", true);\nuser_pref("app.update.enabled", false);\n`);
-  const child = spawn(path, ['--headless', '--marionette', '--no-remote', '--profile', profile, '--width', '1280', '--height', '860'], {stdio: 'ignore', env: {...process.env, MOZ_WEBRENDER: '0'}});
+  const child = spawn(path, ['--marionette', '--no-remote', '--profile', profile, '--width', '1280', '--height', '860'], {stdio: 'ignore', env: {...process.env, DISPLAY, LIBGL_ALWAYS_SOFTWARE: '1'}});
   let socket = null;
   for (let i = 0; i < 600 && !socket; ++i) {
     socket = await new Promise((found) => {
@@ -32,6 +39,7 @@ async function started(path) {
   }
   const end = () => {
     child.kill();
+    xvfb.kill();
     rmSync(profile, {recursive: true, force: true, maxRetries: 10, retryDelay: 200});
   };
   if (!socket) {
@@ -89,7 +97,7 @@ try {
   await ask('WebDriver:Navigate', {url: `file://${file}#node=a_first&row=union.edge.BinA.dominant`});
   await until("document.documentElement.dataset.ready", 'the page comes up');
   await sleep(500);
-  check(await value('return window.cnrg.scene !== null'), 'Firefox: there is WebGL');
+  check(await value('return window.cnrg.scene !== null'), `Firefox: there is WebGL: ${await value("let m = ''; const c = document.createElement('canvas'); c.addEventListener('webglcontextcreationerror', (e) => (m = e.statusMessage)); c.getContext('webgl2'); return m")}`);
   check(await value("return document.querySelector('#rows [aria-pressed=true]')?.dataset.row === 'union.edge.BinA.dominant'"), 'Firefox: a link restores a row');
   const seen = await value("return window.cnrg.scene ? window.cnrg.scene.labelPlaces().map((p) => p.cell.kind) : []");
   for (const kind of ['v', 'e', 'f']) check(seen.includes(kind), `Firefox: a ${kind} is drawn`);

@@ -6,6 +6,7 @@ import {join} from 'node:path';
 import {setTimeout as sleep} from 'node:timers/promises';
 import {accessible, check, finish, folder, program, watched} from './checks.mjs';
 import {testPictures} from './pictures.mjs';
+import {testRows} from './rows.mjs';
 import {testScale} from './scale.mjs';
 
 const work = join(folder, 'pages');
@@ -44,6 +45,7 @@ async function compare(page, tree, node, result, expected) {
   const name = await page.locator('#picked').textContent();
   if (expected) equal(name, expected, `${tree} ${node}: the cell under the pointer`);
   equal((await page.locator('.story').textContent()) + '\n', cnrg('explain', tree, '--node', node, '--cell', name).replace(/\n+$/, '\n'), `${tree} ${node} ${name}: story`);
+  check(await page.locator('.story').evaluate((s) => s.scrollWidth <= s.clientWidth && s.scrollHeight <= s.clientHeight), `${tree} ${node} ${name}: the story wraps`);
   const i = Number(name.slice(1)), text = await page.locator('#cell').innerText();
   if (name[0] === 'v') {
     const shown = await page.locator('#cell > dl.point dd').evaluateAll((all) => all.map((d) => d.firstChild.textContent));
@@ -75,6 +77,8 @@ for (const [k, [path, wanted]] of MODELS.entries()) {
   check(bytes < 3e6, `${file} has ${bytes} bytes`);
   const page = await open(file, {scheme: k % 2 ? 'dark' : 'light'});
   await accessible(page, tree);
+
+  check(await page.evaluate(() => ['dag', 'node'].every((id) => document.getElementById(id).scrollWidth <= document.getElementById(id).clientWidth)), `${tree}: tree and panel fit`);
 
   // Through the evaluation, forward and back.
   const nodes = await page.locator('.node b').allTextContents();
@@ -186,6 +190,7 @@ check(removed >= 3, `of ${removed} models removed cells were picked`);
   await close(wide);
 }
 
+await testRows({cnrg, check, equal, open, close, click, work});
 await testPictures({cnrg, check, open, close, work});
 await testScale({cnrg, check, open, close, work});
 
