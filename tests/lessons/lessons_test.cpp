@@ -218,7 +218,7 @@ TEST_CASE("a lesson of one's own is a folder elsewhere", "[lessons]") {
   const Workshop w;
   const fs::path mine = w.path("mine");
   fs::create_directory(mine);
-  std::ofstream(mine / "README.md") << "# Mine\n\n[Look](tree.yaml \"node=a\")\n\n[the tree](tree.yaml)\n";
+  std::ofstream(mine / "README.md") << "# Mine\n\n[Look](tree.yaml \"node=a\")\n\nSee [the tree](tree.yaml).\n";
   for (const char* name : {"tree.yaml", "answer.yaml"}) fs::copy_file(folder_of(1) / "cells.yaml", mine / name);
   const Outcome made = script(w, "make mine 2 --out made");
   INFO(made.err);

@@ -23,6 +23,7 @@ let browser;
 export async function watched(name, options, schemes = 'file|data|blob') {
   browser ??= await chromium.launch({executablePath, args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
   const page = await (await browser.newContext(options)).newPage();
+  page.setDefaultTimeout(120000);  // a machine may have other things to do
   page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !m.text().includes('GPU stall') && check(false, `${name}: console: ${m.text()}`));
   page.on('pageerror', (e) => check(false, `${name}: ${e}`));
   page.on('request', (r) => check(new RegExp(`^(${schemes}):`).test(r.url()), `${name}: asks the network for ${r.url()}`));
