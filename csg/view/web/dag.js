@@ -2,9 +2,12 @@
 // layer wider than the panel is broken into rows, and a node is as wide as its words: so the drawing always fits, at
 // the size in which letters are read.
 
-const HEIGHT = 38, GAP_X = 6, GAP_ROW = 8, GAP_LAYER = 26, LEAST = 40, MOST = 128;
+const HEIGHT = 38, GAP_X = 6, GAP_ROW = 8, GAP_LAYER = 26, LEAST = 40, MOST = 128, BEND = 4;
 
-/** The layers, ordered so that few lines cross (by the mean place of neighbours, up and down). */
+/**
+ * The nodes in layers, ordered so that few lines cross (by the mean place of neighbours, up and down). A line over
+ * several layers has a bend in each between: numbers from `nodes.length` on. `ways[i][k]`: the bends from operand k to i.
+ */
 export function layers(nodes) {
   const layer = nodes.map(() => 0);
   nodes.forEach((node, i) => node.operands.forEach((o) => (layer[i] = Math.max(layer[i], layer[o] + 1))));
@@ -14,22 +17,34 @@ export function layers(nodes) {
   nodes.forEach((node, i) => {
     if (!node.operands.length && users[i].length) layer[i] = Math.min(...users[i].map((u) => layer[u])) - 1;
   });
+  const above = nodes.map(() => []), below = nodes.map(() => []);
+  const join = (o, i) => (above[i].push(o), below[o].push(i));
+  const ways = nodes.map((node, i) => node.operands.map((o) => {
+    const bends = [];
+    for (let l = layer[o] + 1, last = o; l <= layer[i]; ++l) {
+      const next = l === layer[i] ? i : layer.push(l) - 1;
+      if (next !== i) (bends.push(next), above.push([]), below.push([]));
+      join(last, next);
+      last = next;
+    }
+    return bends;
+  }));
   const rows = [];
   layer.forEach((l, i) => (rows[l] ??= []).push(i));
   for (let l = 0; l < rows.length; ++l) rows[l] ??= [];
-  const place = nodes.map(() => 0);
-  const settle = () => rows.forEach((row) => row.forEach((i, k) => (place[i] = k - (row.length - 1) / 2)));
-  settle();
+  const place = layer.map(() => 0);
+  const settle = (row) => row.forEach((i, k) => (place[i] = k - (row.length - 1) / 2));
+  rows.forEach(settle);
   const mean = (list, own) => (list.length ? list.reduce((s, x) => s + place[x], 0) / list.length : own);
   for (let round = 0; round < 12; ++round) {
     const down = round % 2 === 0;
     for (const row of down ? rows : [...rows].reverse()) {
-      const key = new Map(row.map((i) => [i, mean(down ? nodes[i].operands : users[i], place[i])]));
+      const key = new Map(row.map((i) => [i, mean((down ? above : below)[i], place[i])]));
       row.sort((a, b) => key.get(a) - key.get(b) || a - b);
-      row.forEach((i, k) => (place[i] = k - (row.length - 1) / 2));
+      settle(row);
     }
   }
-  return rows.filter((row) => row.length);
+  return {rows: rows.filter((row) => row.length), ways};
 }
 
 /** A layer in as few rows as its width needs, of nearly the same width. */
@@ -37,18 +52,19 @@ function broken(layer, widths, room) {
   const wide = (row) => row.reduce((s, i) => s + widths[i] + GAP_X, -GAP_X);
   const each = wide(layer) / Math.ceil(wide(layer) / room), rows = [[]];
   for (const i of layer) {
-    const last = rows.at(-1), with_i = wide([...last, i]);
-    if (last.length && (with_i > room || with_i - widths[i] / 2 > each)) rows.push([i]);
+    const last = rows.at(-1), more = wide([...last, i]);
+    if (last.length && (more > room || more - widths[i] / 2 > each)) rows.push([i]);
     else last.push(i);
   }
   return rows;
 }
 
-/** The middle of the upper border of each node, in a drawing `room` wide, and how high that is. */
-export function layout(nodes, widths, room) {
-  const places = [];
+/** The middle of the upper border of each node and bend, in a drawing `room` wide, how high that is, and the bends. */
+export function layout(nodes, nodeWidths, room) {
+  const places = [], {rows, ways} = layers(nodes), widths = [];
+  for (const layer of rows) for (const i of layer) widths[i] = nodeWidths[i] ?? BEND;
   let y = 8;
-  for (const layer of layers(nodes)) {
+  for (const layer of rows) {
     for (const row of broken(layer, widths, room)) {
       let x = (room - row.reduce((s, i) => s + widths[i] + GAP_X, -GAP_X)) / 2;
       for (const i of row) {
@@ -59,7 +75,7 @@ export function layout(nodes, widths, room) {
     }
     y += GAP_LAYER - GAP_ROW;
   }
-  return {places, height: y - GAP_LAYER + 8};
+  return {places, ways, height: y - GAP_LAYER + 8};
 }
 
 export class Dag {
@@ -103,16 +119,20 @@ export class Dag {
 
   draw(room) {
     this.room = room;
-    const {nodes, widths, lines, inner} = this, {places, height} = layout(nodes, widths, room);
+    const {nodes, widths, lines, inner} = this, {places, ways, height} = layout(nodes, widths, room);
     inner.style.width = `${room}px`;
     inner.style.height = `${height}px`;
     lines.setAttribute('width', room);
     lines.setAttribute('height', height);
     this.buttons.forEach((button, i) => Object.assign(button.style, {left: `${places[i][0] - widths[i] / 2}px`, top: `${places[i][1]}px`, width: `${widths[i]}px`}));
     this.paths = nodes.flatMap((node, i) => node.operands.map((o, k) => {
-      const [x, y] = places[o], [u, v] = places[i], s = (k - (node.operands.length - 1) / 2) * Math.min(14, (widths[i] - 16) / node.operands.length);
-      const path = document.createElementNS('http://www.w3.org/2000/svg', 'path'), bend = (v - y - HEIGHT) * 0.6;
-      path.setAttribute('d', `M ${x} ${y + HEIGHT} C ${x} ${y + HEIGHT + bend}, ${u + s} ${v - bend}, ${u + s} ${v}`);
+      const s = (k - (node.operands.length - 1) / 2) * Math.min(14, (widths[i] - 16) / node.operands.length);
+      const path = document.createElementNS('http://www.w3.org/2000/svg', 'path'), stops = [o, ...ways[i][k], i].map((stop) => places[stop]);
+      // Down through the bends: a curve from layer to layer, straight beside the nodes of a layer.
+      path.setAttribute('d', stops.slice(1).reduce((d, [u, v], at) => {
+        const [x, y] = stops[at], bend = (v - y - HEIGHT) * 0.6, end = u + (at + 2 === stops.length ? s : 0);
+        return `${d} L ${x} ${y + HEIGHT} C ${x} ${y + HEIGHT + bend}, ${end} ${v - bend}, ${end} ${v}`;
+      }, `M ${stops[0][0]} ${stops[0][1] + HEIGHT}`));
       path.dataset.ends = `${o} ${i}`;
       return path;
     }));
