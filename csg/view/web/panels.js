@@ -242,7 +242,7 @@ export function showNode(holder, model, {pick, choose, chooseRow}) {
   }
   if (node.asked) {
     parts.push(h('h3', {}, 'Rows of the tables'), roles(model), rowsTable(model, chooseRow),
-      h('p', {class: 'soft'}, 'Cells to which the operands cut each other; a row that is chosen shows its cells. Our reading of Fig. 3 of Pereira et al. (2012).'),
+      h('p', {class: 'soft'}, 'Cells to which the operands cut each other; a row that is chosen shows its cells. What bounds a kept cell is kept, and its row is not asked. Our reading of Fig. 3 of Pereira et al. (2012).'),
       terms(...Object.entries(WHERE)));
   } else if (node.removed.length) {
     parts.push(h('h3', {}, 'Removed, by row of the tables'), h('table', {}, h('tbody', {}, ...node.removed.map(([id, words, count]) =>
