@@ -4,6 +4,8 @@ import {Lists, pairsAsLists, readCells, readLists, unpack} from './data.js';
 
 export const LETTERS = ['v', 'e', 'f', 'r'];
 export const WORDS = {v: 'vertex', e: 'edge', f: 'face', r: 'region'};
+/** Cells of a model of which everything is drawn, seen or not. */
+export const SMALL = 20000;
 export const nameOf = (cell) => cell.kind + cell.i;
 export const minus = (a, b) => a.map((x, k) => x - b[k]);
 
@@ -174,13 +176,13 @@ export class Model {
     return this._classRegions.get(at) ?? new Set();
   }
 
-  /** True if a closed model hides something: a cell without thickness in a region, a cavity, or a region among others. */
+  /** True if a small closed model hides something: a cell without thickness in a region, a cavity, or a region among others. */
   get hides() {
     const {faces, edges, vertices, regions} = this.cells, within = (r) => r > 0 && this.active(r);
-    return (this._hides ??= edges.region.some(within) || vertices.region.some(within)
+    return (this._hides ??= this.size < SMALL && (edges.region.some(within) || vertices.region.some(within)
       || faces.front.some((r, f) => within(r) && r === faces.back[f])
       || regions.component.some((c, r) => !c && regions.bounded[r] && regions.shells(r).some((shell) => shell.some((side) => within(faces.front[side >> 1]) || within(faces.back[side >> 1]))))
-      || regions.component.some((c, r) => c && regions.shells(r).every((shell) => shell.every((side) => within(faces.front[side >> 1]) && within(faces.back[side >> 1])))));
+      || regions.component.some((c, r) => c && regions.shells(r).every((shell) => shell.every((side) => within(faces.front[side >> 1]) && within(faces.back[side >> 1]))))));
   }
 
   shape(cell) {

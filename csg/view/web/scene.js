@@ -8,6 +8,7 @@ import * as THREE from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import {Geometry} from './build_geometry.js';
 import {clusters, facing} from './clusters.js';
+import {SMALL} from './model.js';
 import {Pointer, targets, under} from './pick.js';
 import {cutBy} from './section.js';
 import {material, shared} from './shaders.js';
@@ -16,7 +17,6 @@ import {EDGES, faceBuffers, Faces, lineBuffers, pointBuffers, POINTS, ribbonBuff
 
 const SLOW = 45;      // milliseconds of a frame that is not fluent
 const HEAVY = 60000;  // triangles, edges and points of a picture that is made bit by bit
-const SMALL = 20000;  // cells that are all drawn, seen or not
 const color = (c) => new THREE.Color(c[0] / 255, c[1] / 255, c[2] / 255);
 
 /** True where the processor draws: there smoothing costs more than everything else. */

@@ -257,7 +257,7 @@ result: both
   equal(await page.locator('.node b').textContent(), 'cube1', 'watch: before');
   await sleep(1100);
   write(2);
-  await page.locator('.node b', {hasText: 'cube2'}).waitFor({timeout: 10000}).catch(() => {});
+  await page.locator('.node b', {hasText: 'cube2'}).waitFor().catch(() => {});
   equal(await page.locator('.node b').textContent(), 'cube2', 'watch: after');
   child.kill();
   await close(page);
