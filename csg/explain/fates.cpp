@@ -1,8 +1,8 @@
 // The steps of a Boolean are run again, as `explain` does, and each entity asks for its verdict.
 #include "csg/explain/fates.h"
 
-#include "csg/evaluate/operate.h"
 #include "csg/operators/node_value.h"
+#include "csg/operators/pair_refinement.h"
 #include "csg/operators/verdict.h"
 #include "kernel/base/error.h"
 
@@ -57,7 +57,72 @@ void ask_tables(const Complex& complex, const Node& node, const std::vector<Oper
   });
 }
 
+bool is_boolean(Operator op) {
+  return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
+}
+
+std::vector<Operand> operands_of(const Evaluation& evaluation, const Instance& instance) {
+  std::vector<Operand> out;
+  for (const InstanceId operand : instance.operands) {
+    out.push_back({evaluation.values[operand].get(), evaluation.rows[operand.index()].name, nullptr, {}});
+  }
+  return out;
+}
+
+/// Counts the cells of a step by row; the operands alone cut each other.
+class RowCounter {
+ public:
+  RowCounter(const Complex& complex, AskedRows& rows) : complex_(complex), rows_(rows), pair_(complex) {}
+
+  void count(const BooleanStep& step) {
+    const Roles step_roles = roles(step.op, step.dominance);
+    rows_.steps.push_back({step.operand, step_roles, step.rule});
+    if (step.rule == StepRule::operands) open_table(step.op, step_roles.dominant);
+    pair_.refine(step.left, step.right);
+    for_each_group_list(step.left, [&](const auto& cells) {
+      for (const auto cell : cells) count(step, cell);
+    });
+    for_each_group_list(step.right, [&](const auto& cells) {
+      for (const auto cell : cells) {
+        if (!step.left.has(cell)) count(step, cell);
+      }
+    });
+  }
+
+ private:
+  const Complex& complex_;
+  AskedRows& rows_;
+  PairRefinement pair_;
+
+  void open_table(BooleanOp op, bool dominant) {
+    for (std::size_t relation = 0; relation < kRelations; ++relation) {
+      for (const int dimension : {0, 1, 2}) {
+        rows_.cells.try_emplace(table_row(op, dominant, dimension, static_cast<Relation>(relation)));
+      }
+    }
+  }
+  template <class IdT>
+  void count(const BooleanStep& step, IdT cell) {
+    if (!pair_.is_first(cell)) return;
+    const Verdict found = verdict(complex_, step, cell);
+    if (!found.entity || found.row == nullptr) return;
+    open_table(step.op, found.row->standing != Standing::equal);
+    ++rows_.cells[static_cast<std::size_t>(found.row - table_rows().data())][found.removed ? 1 : 0];
+  }
+};
+
 }  // namespace
+
+AskedRows asked_rows(const Tree& tree, const Evaluation& evaluation, InstanceId id) {
+  AskedRows out;
+  const Instance& instance = evaluation.instances[id];
+  const Node& node = tree.nodes[instance.node];
+  if (!is_boolean(node.op)) return out;
+  RowCounter counter(*evaluation.complex, out);
+  for_each_step(*evaluation.complex, node, operands_of(evaluation, instance), {},
+                [&](const BooleanStep& step) { counter.count(step); });
+  return out;
+}
 
 Component Fate::component() const {
   if (!table) return kNoTable;
@@ -76,12 +141,8 @@ std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, I
   const Node& node = tree.nodes[instance.node];
   if (instance.operands.empty()) return std::nullopt;
   FateMarks marks(complex);
-  std::vector<Operand> operands;
-  for (const InstanceId operand : instance.operands) {
-    operands.push_back({evaluation.values[operand].get(), evaluation.rows[operand.index()].name, nullptr, {}});
-  }
-  const bool boolean =
-      node.op == Operator::unite || node.op == Operator::intersect || node.op == Operator::subtract;
+  const std::vector<Operand> operands = operands_of(evaluation, instance);
+  const bool boolean = is_boolean(node.op);
   if (boolean) ask_tables(complex, node, operands, marks);
   // What no table was asked about: what the operands have and the value does not.
   const Selection kept = selection_of(complex, *evaluation.values[id]);

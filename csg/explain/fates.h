@@ -6,9 +6,13 @@
 // fate, simplified and drawn as any other value.
 #pragma once
 
+#include <array>
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/evaluate/operate.h"
 #include "csg/operators/tables.h"
 
 namespace cnrg {
@@ -23,6 +27,21 @@ struct Fate {
   Component component() const;
   static Fate of(Component component);
 };
+
+/// The rows that a Boolean asked, and the roles of its operands.
+struct AskedRows {
+  struct Step {
+    std::size_t operand;  ///< the place of the right operand
+    Roles roles;
+    StepRule rule;
+  };
+  std::vector<Step> steps;
+  /// By row the cells (pair_refinement.h) that it kept and that it removed. A row is here if its part of a table,
+  /// dominant or equal, was asked at all.
+  std::map<std::size_t, std::array<std::size_t, 2>> cells;
+};
+/// Nothing for what is no union, intersection or difference.
+AskedRows asked_rows(const Tree& tree, const Evaluation& evaluation, InstanceId id);
 
 /// The entities of the operands of an instance, those of dimension 2 at most, each in the component of its fate.
 /// An entity that several steps of a fold ask about has the fate of the last that did not merely find it outside.

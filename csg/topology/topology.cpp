@@ -139,9 +139,15 @@ std::string betti_text(const std::vector<BettiNumbers>& numbers, const std::vect
   return table.text() + "  b0: pieces, b1: independent loops, b2: enclosed cavities\n";
 }
 
-/// Shapes of the simplified cells: how many of each form, and the names by reason.
+constexpr std::size_t kMissing = 8;  ///< after the last LocalForm: of the closure, not of the set
+
+std::string form_name(std::size_t i) { return i == kMissing ? "missing" : to_string(static_cast<LocalForm>(i)); }
+
+/// Shapes of the simplified cells: how many cells of the set have each form, and the names by reason, also of
+/// cells that the set misses.
 struct Shapes {
-  std::array<std::size_t, 8> vertices{}, edges{};
+  using Counts = std::array<std::size_t, kMissing + 1>;
+  Counts vertices{}, edges{};
   std::map<std::pair<int, std::string>, std::vector<std::string>> reasons;  // by dimension, edges first
   std::vector<Index> odd_edges, odd_vertices;                               // not manifold
 
@@ -150,22 +156,24 @@ struct Shapes {
     const Manifoldness m = manifoldness(complex, set, neighbourhoods);
     for (Index i = 0; i < simplified.edges.size(); ++i) {
       const EdgeId e = simplified.edges[i].chain.front().edge();
-      if (count(m.edges, e, edges, -1, cell_name(1, i))) odd_edges.push_back(i);
+      if (count(m.edges, e, edges, -1, cell_name(1, i), simplified.edges[i].component != 0))
+        odd_edges.push_back(i);
     }
     for (Index i = 0; i < simplified.vertices.size(); ++i) {
-      if (count(m.vertices, simplified.vertices[i].cell, vertices, 0, cell_name(0, i))) odd_vertices.push_back(i);
+      const auto& [cell, component] = simplified.vertices[i];
+      if (count(m.vertices, cell, vertices, 0, cell_name(0, i), component != 0)) odd_vertices.push_back(i);
     }
   }
 
  private:
   // True for a cell that is not manifold.
   template <class IdT>
-  bool count(const std::vector<std::pair<IdT, LocalShape>>& shapes, IdT cell, std::array<std::size_t, 8>& counts,
-             int order, const std::string& name) {
+  bool count(const std::vector<std::pair<IdT, LocalShape>>& shapes, IdT cell, Counts& counts, int order,
+             const std::string& name, bool of_the_set) {
     const auto at = std::lower_bound(shapes.begin(), shapes.end(), cell,
                                      [](const auto& entry, IdT id) { return entry.first < id; });
     if (at == shapes.end() || at->first != cell) return false;  // not in the closure of the set
-    ++counts[static_cast<std::size_t>(at->second.form)];
+    ++counts[of_the_set ? static_cast<std::size_t>(at->second.form) : kMissing];
     if (at->second.reason.empty()) return false;
     reasons[{order, at->second.reason}].push_back(name);
     return true;
@@ -187,8 +195,7 @@ std::string shapes_text(const Shapes& shapes) {
   table.add_column("edges");
   for (std::size_t i = 0; i < shapes.vertices.size(); ++i) {
     if (shapes.vertices[i] + shapes.edges[i] == 0) continue;
-    table.add_row({std::string("  ") + to_string(static_cast<LocalForm>(i)), grouped(shapes.vertices[i]),
-                   grouped(shapes.edges[i])});
+    table.add_row({"  " + form_name(i), grouped(shapes.vertices[i]), grouped(shapes.edges[i])});
   }
   std::string out = table.text();
   out += "  manifold: one half-ball of solid; surface, surface border: one sheet without solid; wire: no face\n";
@@ -327,8 +334,7 @@ Json json_of(const std::optional<Facts>& facts) {
   out["betti"] = betti;
   Json shapes = Json::object();
   for (std::size_t i = 0; i < facts->shapes.vertices.size(); ++i) {
-    shapes[to_string(static_cast<LocalForm>(i))] = {{"vertices", facts->shapes.vertices[i]},
-                                                    {"edges", facts->shapes.edges[i]}};
+    shapes[form_name(i)] = {{"vertices", facts->shapes.vertices[i]}, {"edges", facts->shapes.edges[i]}};
   }
   out["shapes"] = shapes;
   out["manifold"] = facts->shapes.reasons.empty();

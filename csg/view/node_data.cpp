@@ -419,13 +419,67 @@ void add_removed(const Tree& tree, const Evaluation& evaluation, const KeptValue
   out["told_at"] = points;
 }
 
+/// The rows of a Boolean, also those that were asked of nothing, and which operand is A in each step.
+Json rows_data(const AskedRows& asked) {
+  Json rows = Json::array();
+  for (const auto& [number, cells] : asked.cells) {
+    const TableRow& row = table_rows()[number];
+    rows.push_back({row.id, row.dimension, name(row.relation), condition_words(row), cells[0], cells[1]});
+  }
+  Json steps = Json::array();
+  for (const AskedRows::Step& step : asked.steps) {
+    const char* const rules[] = {"operands", "materials", "blend"};
+    steps.push_back(
+        {step.operand, step.roles.swapped, step.roles.dominant, rules[static_cast<std::size_t>(step.rule)]});
+  }
+  return {{"rows", rows}, {"steps", steps}};
+}
+
+/// The region of the result on either side of each face, and for the vertices, edges and faces of the result the
+/// fates of their pieces.
+void join_classes(const Complex& complex, const SimplifiedComplex& classes, const Selection& fates,
+                  const SimplifiedComplex& result, Json& out) {
+  Numbers sides[2];
+  for (const auto& face : classes.faces) {
+    for (unsigned k = 0; k < 2; ++k) {
+      const HalfFace half = k == 0 ? face.cells.front() : face.cells.front().opposite();
+      sides[k].push_back(optional(result.place(complex, {3, {}, {}, {}, complex.region(half)}).index));
+    }
+  }
+  out["faces"]["front"] = packed(sides[0]);
+  out["faces"]["back"] = packed(sides[1]);
+  const auto fate_of = [](const auto& list, auto cell, Numbers& into) {
+    const auto at = std::lower_bound(list.begin(), list.end(), cell,
+                                     [](const auto& entry, auto id) { return entry.first < id; });
+    if (at != list.end() && at->first == cell) into.push_back(at->second);
+  };
+  const auto add = [&](const char* kind, const auto& cells, auto pieces) {
+    Lists lists;
+    for (const auto& cell : cells) {
+      Numbers found;
+      pieces(cell, found);
+      sort_unique(found);
+      lists.add(found);
+    }
+    lists.into(out["of"], kind);
+  };
+  add("v", result.vertices, [&](const auto& v, Numbers& found) { fate_of(fates.vertices, v.cell, found); });
+  add("e", result.edges, [&](const auto& e, Numbers& found) {
+    for (const HalfEdge h : e.chain) fate_of(fates.edges, h.edge(), found);
+  });
+  add("f", result.faces, [&](const auto& f, Numbers& found) {
+    for (const HalfFace h : f.cells) fate_of(fates.faces, h.face(), found);
+  });
+}
+
 /// The fates of the operands' entities, drawn, and which row decided on each.
 Json classes_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept, InstanceId id,
-                  Selection selection, std::size_t& removed_left, PageTables& tables) {
-  const Result result(evaluation.complex, std::move(selection));
+                  const Selection& selection, std::size_t& removed_left, PageTables& tables) {
+  const Result result(evaluation.complex, selection);
   const ResultView view = result.data().view();
   const FlatComplex flat = flatten(view);
   Json out = Cells(flat, tables).json(false);
+  join_classes(*evaluation.complex, *view.simplified, selection, *kept.simplified, out);
   const Operator op = tree.nodes[evaluation.instances[id].node].op;
   std::map<Component, std::array<bool, 3>> met;
   const auto see = [&](const auto& cells, std::size_t dimension) {
@@ -515,8 +569,10 @@ Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& 
   if (told.topology) add_topology(evaluation, kept, flat, tables, out);
   if (told.stories) out["stories"] = stories(tree, evaluation, kept, tables);
   if (told.classes) {
+    if (const AskedRows asked = asked_rows(tree, evaluation, id); !asked.steps.empty())
+      out["asked"] = rows_data(asked);
     if (std::optional<Selection> all = fates(tree, evaluation, id)) {
-      out["classes"] = classes_data(tree, evaluation, kept, id, std::move(*all), removed_left, tables);
+      out["classes"] = classes_data(tree, evaluation, kept, id, *all, removed_left, tables);
     }
   }
   if (!told.topology) out["left_out"].push_back("topology");

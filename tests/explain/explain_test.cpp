@@ -280,6 +280,69 @@ TEST_CASE("a page draws removed cells of the rows that removed some, and no more
   CHECK(nodes_seen > 100);
 }
 
+TEST_CASE("rows that a Boolean asked have removed what its row of the table counts", "[explain]") {
+  std::size_t kept = 0, idle = 0, several = 0;
+  for (std::uint64_t seed = 2000; seed < 2250; ++seed) {
+    const std::string tree = random_tree(seed);
+    INFO("seed " << seed << "\n" << tree);
+    const Run r = run(tree);
+    for (const InstanceId id : IdRange<InstanceId>(r.evaluation.instances.size())) {
+      const AskedRows asked = asked_rows(r.tree, r.evaluation, id);
+      INFO(r.tree.nodes[r.evaluation.instances[id].node].name);
+      Removals removed;
+      for (const auto& [row, cells] : asked.cells) {
+        removed.add(row, cells[1]);
+        kept += cells[0];
+        idle += cells[0] + cells[1] == 0;
+      }
+      several += asked.steps.size() > 1;
+      const Removals& counted = r.evaluation.rows[id.index()].removals;
+      if (!asked.steps.empty()) CHECK(removed.total() == counted.total());
+      for (const auto& [row, count] : removed) CHECK(count == counted.of(row));
+    }
+  }
+  CHECK(kept > 1000);
+  CHECK(idle > 1000);
+  CHECK(several > 10);
+}
+
+// A box of 4 x 4 x 4 and one that goes 2 deep into a wall of it. By hand: of b's 6 faces 4 are cut in two, 1 is
+// inside, 1 outside; what lies in a wall of a is 4 edges with 4 corners, and the part of that wall between them.
+TEST_CASE("cells of each row, counted by hand", "[explain]") {
+  const auto counts = [](const std::string& dominance) {
+    const Run r =
+        run("  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}}\n  b: {box: {min: [2, 1, 1], max: [6, 3, 3]}}\n"
+            "  u: {union: [a, b], dominance: " +
+                dominance + "}\n",
+            "u");
+    std::map<std::string, std::array<std::size_t, 2>> out;
+    const InstanceId id = instance_of(r.evaluation, r.evaluation.kept.front());
+    for (const auto& [row, cells] : asked_rows(r.tree, r.evaluation, id).cells) out[table_rows()[row].id] = cells;
+    return out;
+  };
+  using Counts = std::map<std::string, std::array<std::size_t, 2>>;
+  CHECK(counts("left") == Counts{{"union.face.AinB.dominant", {1, 0}},
+                                 {"union.face.BinA.dominant", {0, 5}},
+                                 {"union.face.INTERS.dominant", {0, 0}},
+                                 {"union.face.AoutB.dominant", {6, 0}},
+                                 {"union.face.BoutA.dominant", {5, 0}},
+                                 {"union.edge.AinB.dominant", {0, 0}},
+                                 {"union.edge.BinA.dominant", {0, 8}},
+                                 {"union.edge.INTERS.dominant", {4, 0}},
+                                 {"union.edge.AoutB.dominant", {12, 0}},
+                                 {"union.edge.BoutA.dominant", {8, 0}},
+                                 {"union.vertex.AinB.dominant", {0, 0}},
+                                 {"union.vertex.BinA.dominant", {0, 4}},
+                                 {"union.vertex.INTERS.dominant", {4, 0}},
+                                 {"union.vertex.AoutB.dominant", {8, 0}},
+                                 {"union.vertex.BoutA.dominant", {4, 0}}});
+  const Counts equal = counts("equal");
+  CHECK(equal.size() == 15);
+  CHECK(equal.at("union.face.AinB.equal") == std::array<std::size_t, 2>{0, 1});
+  CHECK(equal.at("union.face.BinA.equal") == std::array<std::size_t, 2>{0, 5});
+  CHECK(equal.at("union.edge.INTERS.equal") == std::array<std::size_t, 2>{4, 0});
+}
+
 const char* const kBoxes = R"(  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}
   b: {box: {min: [1, 1, 0], max: [3, 3, 2]}}
   u: {union: [a, b]}

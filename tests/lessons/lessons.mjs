@@ -26,15 +26,18 @@ async function viewed(page, what) {
   if (wanted.has('cell')) check((await frame.locator('#picked').textContent()) === wanted.get('cell'), `${what}: ${wanted.get('cell')} is picked`);
 }
 
-/** What does not fit on the slide that is shown; empty if all does. */
-const overflow = (page) => page.evaluate(() => {
+const SMALLEST = 22;  // pixels of type on a slide of 1600 by 900
+
+/** What does not fit on the slide that is shown, or is too small to read; empty if all does. */
+const overflow = (page) => page.evaluate((smallest) => {
   const slide = document.querySelector('.slide.here'), inner = slide.querySelector('.fit');
   const over = [];
+  if (parseInt(inner.style.fontSize) < smallest) over.push(`letters of ${inner.style.fontSize}`);
   if (inner.scrollHeight > 900 - 140) over.push(`${inner.scrollHeight} high at ${inner.style.fontSize}`);
   if (inner.scrollWidth > 1600 - 180) over.push(`${inner.scrollWidth} wide`);
   for (const e of inner.querySelectorAll('pre')) if (e.scrollWidth > e.clientWidth + 1) over.push(`cut off: ${e.textContent.slice(0, 40)}`);
   return over.join(', ');
-});
+}, SMALLEST);
 
 for (const lesson of readdirSync(work).filter((name) => /^\d\d-/.test(name))) {
   for (const scheme of lesson.startsWith('01') ? ['light', 'dark'] : ['light']) {

@@ -21,7 +21,7 @@ using Catch::StartsWith;
 
 const fs::path kRoot = CNRG_SOURCES;
 const fs::path kLessons = kRoot / "papers" / "lessons";
-constexpr int kCount = 12;
+constexpr int kCount = 14;
 
 std::string text_of(const fs::path& path) {
   std::ifstream stream(path);
@@ -101,7 +101,9 @@ const std::map<int, std::string> kReasons{
     {9, "only in A: a face of area sqrt(107) about (0, -2, 1/3)\n"},
     {10, "only in A: all 2 together: volume 1\n"},
     {11, "in both: a region of volume 1/3000000 about (1/2, 1/2, 833333/2500000)"},
-    {12, "in both: an edge of length 1 about (1, 2, 5/2): an entity of A, in region 1 `block` of B\n"}};
+    {12, "in both: an edge of length 1 about (1, 2, 5/2): an entity of A, in region 1 `block` of B\n"},
+    {13, "only in B: 4 faces of area 6 in all about (4, 2, 1/2)\n"},
+    {14, "about (0, 17/8, 0)\n"}};
 
 TEST_CASE("a wrong answer is told why", "[lessons]") {
   const Workshop w;
@@ -126,7 +128,7 @@ TEST_CASE("a tree with a fault is not yet right, and the fault is told", "[lesso
 
 TEST_CASE("the check refuses what it cannot check", "[lessons]") {
   const Workshop w;
-  for (const char* words : {"check", "check 1", "check 1 a b", "check 0 .", "check 13 .", "check x .",
+  for (const char* words : {"check", "check 1", "check 1 a b", "check 0 .", "check 15 .", "check x .",
                             "check 1 none.yaml", "check 1 ."}) {
     const Outcome o = script(w, words);
     INFO(words << ": " << o.err);
@@ -160,7 +162,7 @@ TEST_CASE("the lessons are made, and all links in them lead somewhere", "[lesson
   const Outcome o = script(w, "make --out made");
   INFO(o.err);
   REQUIRE(o.status == 0);
-  CHECK_THAT(o.out, Contains("12 lessons; open this file in a browser: made/index.html"));
+  CHECK_THAT(o.out, Contains("14 lessons; open this file in a browser: made/index.html"));
   std::map<std::string, Made> pages;
   std::set<std::string> views;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(w.path("made"))) {
@@ -207,9 +209,26 @@ TEST_CASE("one lesson is made alone, and one that is not there is refused", "[le
   CHECK(o.status == 0);
   CHECK(fs::exists(w.path("made") / folder_of(1).filename() / "index.html"));
   CHECK(!fs::exists(w.path("made") / folder_of(2).filename()));
-  const Outcome none = script(w, "make 13 --out made");
+  const Outcome none = script(w, "make 15 --out made");
   CHECK(none.status == 2);
-  CHECK_THAT(none.err, Contains("there is no lesson 13"));
+  CHECK_THAT(none.err, Contains("there is no lesson 15"));
+}
+
+TEST_CASE("a lesson of one's own is a folder elsewhere", "[lessons]") {
+  const Workshop w;
+  const fs::path mine = w.path("mine");
+  fs::create_directory(mine);
+  std::ofstream(mine / "README.md") << "# Mine\n\n[Look](tree.yaml \"node=a\")\n\nSee [the tree](tree.yaml).\n";
+  for (const char* name : {"tree.yaml", "answer.yaml"}) fs::copy_file(folder_of(1) / "cells.yaml", mine / name);
+  const Outcome made = script(w, "make mine 2 --out made");
+  INFO(made.err);
+  CHECK(made.status == 0);
+  CHECK_THAT(text_of(w.path("made") / "mine" / "index.html"),
+             Contains("<iframe src=\"tree.html#node=a\"") && Contains("href=\"tree.yaml\""));
+  CHECK(fs::exists(w.path("made") / "mine" / "tree.html"));
+  CHECK(fs::exists(w.path("made") / folder_of(2).filename() / "index.html"));
+  CHECK_THAT(script(w, "check mine mine/tree.yaml").out, Contains("right: the exercise of mine is solved\n"));
+  CHECK(script(w, "check mine '" + (folder_of(2) / "answer.yaml").string() + "'").status == 1);
 }
 
 TEST_CASE("lessons can be read while the program is being built", "[lessons]") {

@@ -145,6 +145,35 @@ TEST_CASE("topology of a curved patch, an open set, an unbounded one, and none",
         "the point set is empty\n");
 }
 
+// The half-open boxes of the lesson on open sets: of 12 corners and 20 edges 4 and 4 bound the wall that is cut
+// out.
+TEST_CASE("local shapes count cells of the set; what it misses is a row of its own", "[topology]") {
+  Soup soup;
+  test::add_box(soup, {0, 0, 0}, {1, 2, 2});
+  test::add_box(soup, {1, 0, 0}, {2, 2, 2});
+  Case c(soup);
+  Selection cut;
+  const Complex& complex = *c.complex;
+  const auto wall = [&](VertexId v) { return complex.points.rational(v)[0] == 1; };
+  for (const VertexId v : IdRange<VertexId>(complex.points.size())) {
+    if (!wall(v)) cut.vertices.emplace_back(v, 1u);
+  }
+  for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+    const HalfEdge h(e, 0);
+    if (!wall(complex.origin(h)) || !wall(complex.target(h))) cut.edges.emplace_back(e, 1u);
+  }
+  for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+    const auto sides = complex.face_regions[f];
+    if (sides[0] == RegionId(0) || sides[1] == RegionId(0)) cut.faces.emplace_back(f, 1u);
+  }
+  for (const RegionId r : IdRange<RegionId>(complex.region_count)) {
+    if (r != RegionId(0)) cut.regions.emplace_back(r, 1u);
+  }
+  const auto simplified = simplify(complex, cut, {});
+  CHECK(says(topology_text(complex, cut, simplified, {}),
+             "local shape  vertices  edges\n  manifold          8     16\n  missing           4      4\n"));
+}
+
 TEST_CASE("adjacency of regions as a graph", "[topology]") {
   Soup soup;
   test::add_box(soup, {0, 0, 0}, {2, 2, 2});

@@ -1,7 +1,9 @@
 // The data of a page against what the library and the exact .json say.
 #include "csg/view/page.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "csg/certify/certificate.h"
@@ -263,6 +265,48 @@ TEST_CASE("what became of the operands' entities is told with relation and row",
   REQUIRE(fates.size() == 1);
   CHECK(fates.begin().value() == Json({{"removed", true}}));
   CHECK(!scene.node("a").contains("classes"));
+}
+
+TEST_CASE("a page has all rows that a node asked, and of each cell of the result the fates of its pieces",
+          "[view]") {
+  const Scene scene(kMixed);
+  const Json& model = scene.node("model");
+  const KeptValue& kept = *std::find_if(scene.evaluation.kept.begin(), scene.evaluation.kept.end(),
+                                        [](const KeptValue& k) { return k.name == "model"; });
+  const AskedRows asked = asked_rows(scene.tree, scene.evaluation, instance_of(scene.evaluation, kept));
+  REQUIRE(model["asked"]["rows"].size() == 15);
+  for (const Json& row : model["asked"]["rows"]) {
+    const auto at = std::find_if(asked.cells.begin(), asked.cells.end(),
+                                 [&](const auto& entry) { return table_rows()[entry.first].id == row[0]; });
+    REQUIRE(at != asked.cells.end());
+    CHECK(row[1] == table_rows()[at->first].dimension);
+    CHECK(row[4] == at->second[0]);
+    CHECK(row[5] == at->second[1]);
+  }
+  CHECK(model["asked"]["steps"] == Json({{1, false, true, "operands"}}));
+  CHECK(scene.node("split")["asked"]["steps"].size() == 3);
+  CHECK(!scene.node("inner").contains("asked"));
+  // What is of the result was kept by some row, and nothing that was removed is among its pieces.
+  const FlatComplex flat = flatten(scene.evaluation.result(kept.node).data().view());
+  const Json& of = model["classes"]["of"];
+  const auto check = [&](const char* kind, const auto& cells) {
+    const auto fates = lists(of, kind);
+    REQUIRE(fates.size() == cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      CHECK(fates[i].empty() == !cells[i].entity);
+      for (const std::uint32_t fate : fates[i]) CHECK(!Fate::of(fate).removed);
+    }
+  };
+  check("v", flat.vertices), check("e", flat.edges), check("f", flat.faces);
+  // A face that was kept has on its sides the regions that the face of the result has.
+  const std::vector<std::uint32_t> front = numbers(model["classes"]["faces"]["front"]),
+                                   back = numbers(model["classes"]["faces"]["back"]);
+  std::set<std::set<std::uint32_t>> expected, found;
+  for (const auto& f : flat.faces) expected.insert({f.regions[0] + 1, f.regions[1] + 1});
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    if (!Fate::of(numbers(model["classes"]["faces"]["component"])[i]).removed) found.insert({front[i], back[i]});
+  }
+  CHECK(found == expected);
 }
 
 TEST_CASE("what went is told as explain tells a point of it", "[view]") {

@@ -7,14 +7,14 @@
 //
 // What lies between regions all around cannot be seen while these are closed, together and whole: in a large model
 // it is left out until regions are pulled apart, cut or seen through. That is most of a model of many regions.
-import {mix} from './colours.js';
+import {mix} from './colors.js';
 import {EDGES, Faces, POINTS, put3, put4, Table} from './tables.js';
 
 export const HATCHED = 1, SHEETS = 2;
 const NOTHING = [0, 0, 0, 0], STILL = [0, 0, 0];
 const MANY = 20000;  // plain edges that are drawn as ribbons; more are lines of one pixel
 
-/** Numbers of cells as colours of a picture: 0 is no cell. */
+/** Numbers of cells as colors of a picture: 0 is no cell. */
 export class Numbering {
   constructor(counts) {
     this.ranges = [];
@@ -36,7 +36,7 @@ export class Numbering {
 }
 
 export class Geometry {
-  /** `look`: {colour, ink, dark, apart, inner, show: [v, e, f, r], ghosts}; `place`: from the model's space to the scene's. */
+  /** `look`: {color, ink, dark, apart, inner, show: [v, e, f, r], ghosts, hidden: keys of the legend}; `place`: from the model's space to the scene's. */
   constructor(model, look, place) {
     this.model = model;
     this.look = look;
@@ -45,9 +45,10 @@ export class Geometry {
     this.numbering = new Numbering([['v', counts.v], ['e', counts.e], ['f', counts.f], ['r', counts.r],
       ['V', classes?.vertices.point.length ?? 0], ['E', classes?.edges.flags.length ?? 0], ['F', classes?.faces.flags.length ?? 0]]);
     this.legend = new Map();
-    this.classes = look.colour === 'class' && model.classes;
-    const {colours} = model.page;
-    [this.none, this.sheet, this.wire, this.point] = [colours.none, colours.sheet, colours.wire, colours.point];
+    this.gone = new Set();  // regions that are hidden
+    this.classes = look.color === 'class' && model.classes;
+    const {colors} = model.page;
+    [this.none, this.sheet, this.wire, this.point] = [colors.none, colors.sheet, colors.wire, colors.point];
     this.centres = this.regionCentres();
     this.skins = new Faces();
     this.sheets = new Faces();
@@ -73,14 +74,24 @@ export class Geometry {
   get plainAsLines() { return this.plain.length > MANY; }
   get triangles() { return this.skins.triangles.length + this.sheets.triangles.length; }
 
-  // --- colours
+  // --- colors
 
-  /** The colour of a cell; what it means is in the legend from then on. */
+  /** The color of a cell; what it means is in the legend from then on. */
   tintOf(cell) {
-    const {model, look} = this, by = look.colour === 'class' ? 'region' : look.colour, c = model.component(cell);
-    const tint = model.colour(by, cell), label = this.meaning(by, cell, c);
+    const {model, look} = this, by = look.color === 'class' ? 'region' : look.color, c = model.component(cell);
+    const tint = model.color(by, cell), label = this.meaning(by, cell, c);
     if (label) this.legend.set(label, {label, tint, sign: 'face'});
     return tint;
+  }
+  /** A sign in the legend; true if what it stands for is hidden. */
+  sign(key, label, tint, sign = key) {
+    this.legend.set(key, {label, tint, sign});
+    return this.look.hidden.has(key);
+  }
+  /** True for a cell whose entry of the legend is hidden. */
+  hides(cell) {
+    const {look: {color, hidden}, model} = this;
+    return hidden.size > 0 && hidden.has(this.meaning(color === 'class' ? 'region' : color, cell, model.component(cell)));
   }
   meaning(by, cell, c) {
     const {model} = this, {name, material} = model.node.components[c - 1] ?? {};
@@ -94,8 +105,8 @@ export class Geometry {
     return model.node.components.some((x) => x.material) ? 'no material' : model.componentName(c);
   }
 
-  /** True where a sheet, a wire or a point is shown in the colour of its own material, not in that of its kind. */
-  ownMaterial(cell) { return this.look.colour === 'material' && Boolean(this.model.said(cell)?.material); }
+  /** True where a sheet, a wire or a point is shown in the color of its own material, not in that of its kind. */
+  ownMaterial(cell) { return this.look.color === 'material' && Boolean(this.model.said(cell)?.material); }
 
   // --- geometry
 
@@ -181,14 +192,18 @@ export class Geometry {
       for (let r = 0; r < model.counts.r; ++r) {
         if (!regions.component[r]) continue;
         const begin = this.skins.triangles.length, tint = this.tintOf({kind: 'r', i: r}), owner = numbering.bytes('r', r);
+        if (this.hides({kind: 'r', i: r})) {
+          this.gone.add(r);
+          continue;
+        }
         for (const shell of regions.shells(r)) {
           for (const code of shell) {
             const f = code >> 1, front = (code & 1) === 0;
             if (faces.front[f] === faces.back[f]) continue;  // hangs in it
             if (!look.inner && model.active(faces.front[f]) && model.active(faces.back[f])) continue;
             const own = faces.component[f];
-            const painted = own && (['component', 'source'].includes(look.colour) || this.ownMaterial({kind: 'f', i: f})) ? this.tintOf({kind: 'f', i: f}) : tint;
-            if (!own) this.legend.set('open', {label: 'missing face', sign: 'hatch', tint});
+            const painted = own && (['component', 'source'].includes(look.color) || this.ownMaterial({kind: 'f', i: f})) ? this.tintOf({kind: 'f', i: f}) : tint;
+            if (!own && this.sign('open', 'missing face', tint, 'hatch')) continue;
             this.pushFace(this.skins, model.cells, f, front, painted, numbering.bytes('f', f), owner, this.shift(r + 1), own ? 0 : HATCHED);
           }
         }
@@ -201,7 +216,8 @@ export class Geometry {
       const own = faces.component[f];
       if (!own && !model.active(faces.front[f])) continue;  // bounds nothing that is there
       const tint = own ? this.tintOf({kind: 'f', i: f}) : this.none;
-      if (own && !this.ownMaterial({kind: 'f', i: f})) this.legend.set('sheet', {label: 'sheet', sign: 'sheet', tint: this.sheet});
+      const named = own && this.ownMaterial({kind: 'f', i: f});
+      if (own && (named ? this.hides({kind: 'f', i: f}) : this.sign('sheet', 'sheet', this.sheet))) continue;
       const owner = model.active(faces.front[f]) ? numbering.bytes('r', faces.front[f] - 1) : NOTHING;
       this.pushFace(this.sheets, model.cells, f, false, tint, numbering.bytes('f', f), owner, this.shift(faces.front[f]), own ? SHEETS : HATCHED);
     }
@@ -233,6 +249,13 @@ export class Geometry {
     into.look[2 * row + 1] = hollow;
   }
 
+  /** True if a cell lies at hidden regions only, and at no sheet. */
+  goesWith(cell, faces) {
+    if (!this.gone.size) return false;
+    const around = this.model.regionsAt(cell).filter((r) => this.model.active(r + 1));
+    return around.length > 0 && around.every((r) => this.gone.has(r)) && !faces.some((f) => this.model.sheet(f));
+  }
+
   /** Shifts at which a cell of lower dimension is drawn: at each region that it bounds, when they are apart. */
   shiftsOf(cell) {
     if (!this.look.apart) return [STILL];
@@ -249,7 +272,7 @@ export class Geometry {
 
   addEdges() {
     const {model, look, numbering} = this, {edges} = model.cells;
-    const painted = ['component', 'source', 'material'].includes(look.colour);
+    const painted = ['component', 'source', 'material'].includes(look.color);
     const faceless = new Uint8Array(model.counts.e), border = new Uint8Array(model.counts.e);
     for (let e = 0; e < model.counts.e; ++e) {
       faceless[e] = edges.flags[e] & 8 ? 1 : 0;
@@ -259,11 +282,11 @@ export class Geometry {
       const cell = {kind: 'e', i: e}, own = edges.component[e], wire = faceless[e] && own;
       if (!look.inner && !wire && this.enclosed(e)) continue;
       if (!own && !model.radial.uses.of(e).some((f) => model.cells.faces.component[f] || model.active(model.cells.faces.front[f]) || model.active(model.cells.faces.back[f]))) continue;
-      if (wire && !this.ownMaterial(cell)) this.legend.set('wire', {label: 'wire', sign: 'wire', tint: this.wire});
-      if (!own) this.legend.set('dashed', {label: 'missing edge', sign: 'dash', tint: look.ink});
-      const plain = look.colour === 'region' || (look.colour === 'material' && !model.node.components[own - 1]?.material && !this.ownMaterial(cell));
+      if (wire ? (this.ownMaterial(cell) ? this.hides(cell) : this.sign('wire', 'wire', this.wire)) : this.goesWith(cell, model.radial.uses.of(e))) continue;
+      if (!own && this.sign('dashed', 'missing edge', look.ink, 'dash')) continue;
+      const plain = look.color === 'region' || (look.color === 'material' && !model.node.components[own - 1]?.material && !this.ownMaterial(cell));
       const tint = wire && plain ? (look.dark ? mix(this.wire, [255, 255, 255], 0.35) : this.wire)
-        : painted && own && (wire || look.colour !== 'material') ? mix(this.tintOf(cell), look.ink, 0.4) : look.ink;
+        : painted && own && (wire || look.color !== 'material') ? mix(this.tintOf(cell), look.ink, 0.4) : look.ink;
       const width = wire ? 3.2 : border[e] ? 2.0 : 1;
       for (const shift of this.shiftsOf(cell)) {
         this.pushChain(width === 1 && own ? this.plain : this.edges, model.cells, edges.points.of(e), edges.flags[e] & 1, tint, numbering.bytes('e', e), shift, width, own ? 0 : 1);
@@ -282,13 +305,22 @@ export class Geometry {
     for (let v = 0; v < model.counts.v; ++v) {
       const cell = {kind: 'v', i: v}, p = vertices.point[v], own = vertices.component[v], alone = !ends[p] && own;
       if (ends[p] === 1) continue;
-      if (alone && !this.ownMaterial(cell)) this.legend.set('point', {label: 'isolated point', sign: 'point', tint: this.point});
-      if (!own) this.legend.set('hollow', {label: 'missing vertex', sign: 'hollow', tint: look.ink});
+      if (alone ? (this.ownMaterial(cell) ? this.hides(cell) : this.sign('point', 'isolated point', this.point))
+        : this.gone.size && this.goesWith(cell, model.incidence.vertexFaces.of(v)) && !model.incidence.vertexEdges.of(v).some((e) => edges.flags[e] & 8)) continue;
+      if (!own && this.sign('hollow', 'missing vertex', look.ink)) continue;
       const tint = alone && this.ownMaterial(cell) ? this.tintOf(cell) : alone ? (look.dark ? mix(this.point, [255, 255, 255], 0.35) : this.point) : look.ink;
       for (const shift of this.shiftsOf(cell)) {
         this.pushPoint(this.points, model.cells, p, tint, numbering.bytes('v', v), shift, alone ? 2 : 1, alone ? 2 : own ? 0 : 1);
       }
     }
+  }
+
+  /** Where an entity of the operands is drawn: with the regions of the result that it touches. */
+  classShifts(kind, i) {
+    const {model} = this;
+    if (!this.look.apart) return [STILL];
+    const regions = [...model.classRegions(kind, i)].filter((r) => model.active(r));
+    return regions.length ? regions.map((r) => this.shift(r)) : [STILL];
   }
 
   /** What became of the operands' entities: those that were kept, or those that were removed, as ghosts. */
@@ -298,29 +330,23 @@ export class Geometry {
       const found = fates[component];
       return found && found.removed === removed ? found : null;
     };
-    const tint = (f) => {
-      const t = model.page.colours.relations[f.relation] ?? this.none;
-      if (this.classes) this.legend.set(f.relation ?? '', {label: f.relation ?? 'no table', tint: t, sign: 'face'});
-      return this.classes || look.colour === 'class' ? t : this.none;
+    const tint = (f) => model.page.colors.relations[f.relation] ?? this.none;
+    const shown = this.classes || look.color === 'class' ? tint : () => this.none;
+    const hidden = (f) => (removed && this.sign('ghost', 'removed', this.none)) || (this.classes && this.sign(f.relation ?? '', f.relation ?? 'no table', tint(f), 'face'));
+    const of = (column, kind, push) => {
+      for (let i = 0; i < column.length; ++i) {
+        const f = fate(column[i]);
+        if (f && !hidden(f)) for (const shift of this.classShifts(kind, i)) push(i, f, shift);
+      }
     };
-    if (removed) this.legend.set('ghost', {label: 'removed', sign: 'ghost', tint: this.none});
-    for (let i = 0; i < cells.faces.flags.length; ++i) {
-      const f = fate(cells.faces.component[i]);
-      if (!f || !(look.show[2] || look.show[3])) continue;
-      this.pushFace(removed ? this.ghosts : this.sheets, cells, i, false, tint(f), numbering.bytes('F', i), NOTHING, STILL, 0);
+    if (look.show[2] || look.show[3]) {
+      of(cells.faces.component, 'F', (i, f, shift) => this.pushFace(removed ? this.ghosts : this.sheets, cells, i, false, shown(f), numbering.bytes('F', i), NOTHING, shift, 0));
     }
     if (look.show[1]) {
-      for (let i = 0; i < cells.edges.flags.length; ++i) {
-        const f = fate(cells.edges.component[i]);
-        if (f) this.pushChain(removed ? this.ghostEdges : this.edges, cells, cells.edges.points.of(i), cells.edges.flags[i] & 1,
-          this.classes ? mix(tint(f), look.ink, 0.35) : mix(look.ink, this.none, 0.6), numbering.bytes('E', i), STILL, removed ? 1 : 1.4, removed ? 1 : 0);
-      }
+      of(cells.edges.component, 'E', (i, f, shift) => this.pushChain(removed ? this.ghostEdges : this.edges, cells, cells.edges.points.of(i), cells.edges.flags[i] & 1,
+        this.classes ? mix(tint(f), look.ink, 0.35) : mix(look.ink, this.none, 0.6), numbering.bytes('E', i), shift, removed ? 1 : 1.4, removed ? 1 : 0));
     }
     if (!look.show[0] || removed) return;
-    for (let i = 0; i < cells.vertices.point.length; ++i) {
-      const f = fate(cells.vertices.component[i]);
-      if (!f) continue;
-      this.pushPoint(this.points, cells, cells.vertices.point[i], mix(tint(f), look.ink, 0.35), numbering.bytes('V', i), STILL, 1, 0);
-    }
+    of(cells.vertices.component, 'V', (i, f, shift) => this.pushPoint(this.points, cells, cells.vertices.point[i], mix(shown(f), look.ink, 0.35), numbering.bytes('V', i), shift, 1, 0));
   }
 }

@@ -1,5 +1,5 @@
 // The data of the page as arrays. csg/view/packed.h says how lists of numbers are written.
-import {Colours} from './colours.js';
+import {Colors} from './colors.js';
 
 const KINDS = {1: Uint8Array, 2: Uint16Array, 4: Uint32Array, f: Float32Array, d: Float64Array};
 
@@ -36,7 +36,7 @@ export function pairsAsLists(count, keys, values) {
   return new Lists(counts, all);
 }
 
-const lists = (json, name) => new Lists(unpack(json[`${name}_counts`]), unpack(json[name]));
+export const readLists = (json, name) => new Lists(unpack(json[`${name}_counts`]), unpack(json[name]));
 
 /** Columns of `names`, each unpacked. */
 function columns(json, names) {
@@ -54,9 +54,9 @@ export function readCells(json) {
     faces: columns(json.faces, ['flags', 'component', 'origin', 'said', 'front', 'back', 'patch']),
     regions: {component: [], shells: null},
   };
-  cells.edges.points = lists(json.edges, 'points');
+  cells.edges.points = readLists(json.edges, 'points');
   const {faces} = cells;
-  const lengths = lists(json.faces, 'loops');
+  const lengths = readLists(json.faces, 'loops');
   const walks = new Lists(lengths.all, unpack(json.faces.walks));
   faces.loops = (f) => {
     const out = [];
@@ -65,12 +65,12 @@ export function readCells(json) {
   };
   /** The corners of all loops. */
   faces.corners = (f) => walks.all.subarray(walks.starts[lengths.starts[f]], walks.starts[lengths.starts[f + 1]]);
-  faces.isolated = lists(json.faces, 'isolated');
-  faces.triangles = lists(json.faces, 'triangles');
+  faces.isolated = readLists(json.faces, 'isolated');
+  faces.triangles = readLists(json.faces, 'triangles');
   if (json.regions) {
     cells.regions = columns(json.regions, ['bounded', 'component', 'origin']);
     cells.regions.volume = json.regions.volume;
-    const shells = lists(json.regions, 'shells');
+    const shells = readLists(json.regions, 'shells');
     const sides = new Lists(shells.all, unpack(json.regions.sides));
     cells.regions.shells = (r) => {
       const out = [];
@@ -85,10 +85,10 @@ export function readCells(json) {
 export class Page {
   constructor(json) {
     Object.assign(this, {
-      tree: json.tree, result: json.result, several: json.several, colour_by: json.color_by, leaves: json.leaves, nodes: json.nodes, doubts: json.doubts,
+      tree: json.tree, result: json.result, several: json.several, color_by: json.color_by, leaves: json.leaves, nodes: json.nodes, doubts: json.doubts,
       origins: json.origins, words: json.words, lines: json.lines,
     });
-    this.colours = new Colours(json, unpack);
+    this.colors = new Colors(json, unpack);
     this.points = unpack(json.points);
     this.exact = new Map(json.exact.map(([i, ...xyz]) => [i, xyz]));
     this.models = new Map();

@@ -1,6 +1,7 @@
 // Two drawings of what is around a cell: the faces about an edge as a fan, in their radial order, and the
 // neighbourhood of a vertex as a graph on a small sphere about it.
-import {hex} from './colours.js';
+import {hex} from './colors.js';
+import {minus} from './model.js';
 
 const svg = (tag, attributes = {}, ...children) => {
   const out = document.createElementNS('http://www.w3.org/2000/svg', tag);
@@ -37,14 +38,14 @@ export function fan(model, e, tintOf) {
     }
   });
   out.append(svg('circle', {r: 5.5, class: 'hub'}), svg('circle', {r: 1.6, class: 'hubdot'}));
-  return {picture: out, words};
+  const wedges = steps.map((s, k) => ({from: s.f, to: steps[(k + 1) % n].f, angle: (k + 1 < n ? steps[k + 1].angle : steps[0].angle + 2 * Math.PI) - s.angle}));
+  return {picture: out, words, wedges};
 }
 
 const unit = (v) => {
   const size = Math.hypot(...v) || 1;
   return v.map((x) => x / size);
 };
-const minus = (a, b) => a.map((x, k) => x - b[k]);
 
 /** What the cells around vertex `v` leave on a small sphere: a node per end of an edge, an arc per corner of a face. */
 export function sphere(model, v, tintOf) {

@@ -1,5 +1,5 @@
 // The page: its state, what shows it, and what changes it. The state is in the address, so that a link restores it.
-import {rgb} from './colours.js';
+import {rgb} from './colors.js';
 import {Dag} from './dag.js';
 import {Page, source} from './data.js';
 import {Model, nameOf, WORDS} from './model.js';
@@ -11,8 +11,12 @@ const $ = (id) => document.getElementById(id);
 let page = new Page(source.json);
 source.json = null;
 
-const state = {node: page.result, cell: null, colour: null, show: [true, true, true, true], labels: false, ghosts: false, through: false, doubts: true,
-  explode: 0, axis: '', cut: 0.5, flip: false, pick: 'any', theme: null, view: null};
+/** `through`: null until somebody decides; `normal` is the section's, of length 1; `hidden`: keys of the legend. */
+const state = {node: page.result, cell: null, row: null, color: null, show: [true, true, true, true], labels: false, ghosts: false, through: null, doubts: true,
+  explode: 0, axis: '', normal: null, cut: 0.5, flip: false, hidden: new Set(), pick: 'any', theme: null, view: null};
+const AXES = {x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1]};
+/** A closed model opens see-through if something is inside of it. */
+const through = () => state.through ?? (model.hides && !state.axis);
 
 // --- light and dark
 
@@ -49,16 +53,20 @@ function extent() {
   return [low, high];
 }
 
-const look = () => ({colour: state.colour, ink: css('--ink'), paper: css('--stage'), dark: dark(), apart: state.explode > 0, show: state.show, ghosts: state.ghosts, through: state.through});
+const look = () => ({color: state.color, ink: css('--ink'), paper: css('--stage'), dark: dark(), apart: state.explode > 0, show: state.show, ghosts: state.ghosts, through: through(), hidden: state.hidden});
 
 function draw() {
   if (scene) {
     scene.show(model, look());
-    scene.pick(state.cell, css('--accent'));
+    mark();
   }
+  $('through').checked = through();
   showLegend();
   refreshLabels();
 }
+
+/** The picked cell and the cells of the chosen row. */
+const mark = () => scene?.pick([...(state.row ? model.ofRow(state.row) : []), ...(state.cell ? [state.cell] : [])], css('--accent'));
 
 let labelTimer = 0;
 function refreshLabels() {
@@ -162,13 +170,15 @@ function chooseNode(index, keep = null) {
   model = Model.of(page, index);
   if (!keep || !model.has(keep)) keep = null;
   state.cell = keep;
+  if (!model.node.asked?.rows.some(([id]) => id === state.row)) state.row = null;
   dag.mark(index, model.node.operands);
   const [v, e, f, r] = model.node.counts;
   $('caption').replaceChildren(h('strong', {}, model.node.name), ` ${model.node.operator} · ${v} v, ${e} e, ${f} f, ${r} r`);
   $('step').textContent = `${index + 1} of ${page.nodes.length}: ${model.node.name}`;
   $('back').disabled = index === 0;
   $('forth').disabled = index + 1 === page.nodes.length;
-  showNode($('node'), model, {pick, choose: (i) => chooseNode(i)});
+  showNode($('node'), model, {pick, choose: (i) => chooseNode(i), chooseRow});
+  showRow();
   draw();
   showPicked();
   later();
@@ -179,13 +189,34 @@ function tintOf(cell) {
 }
 
 function showPicked() {
-  redrawSphere = showCell($('cell'), model, state.cell, {pick, tintOf, copied, axes: () => scene?.axes() ?? [[1, 0, 0], [0, 0, 1], [0, -1, 0]]});
+  redrawSphere = showCell($('cell'), model, state.cell, {pick, tintOf, copied, chooseRow, axes: () => scene?.axes() ?? [[1, 0, 0], [0, 0, 1], [0, -1, 0]]});
   $('p-cell').scrollTop = 0;
+  showRow();
+  for (const b of document.querySelectorAll('#axis option[value=face]')) b.disabled = state.cell?.kind !== 'f' && state.axis !== 'face';
+}
+
+/** The rows that decided on the picked cell, and the one that is chosen, in the panels. */
+function showRow() {
+  const decided = state.cell ? model.rowsOf(state.cell) : [];
+  for (const button of document.querySelectorAll('[data-row]')) {
+    const chosen = button.dataset.row === state.row;
+    button.setAttribute('aria-pressed', String(chosen));
+    button.closest('tr')?.classList.toggle('decided', decided.includes(button.dataset.row));
+  }
+}
+
+/** The cells of a row, kept and removed, in the picture; once more: no longer. */
+function chooseRow(id) {
+  state.row = state.row === id ? null : id;
+  mark();
+  showRow();
+  if (state.row) tell(`${id}: ${model.ofRow(id).length || 'no'} cells in the picture`);
+  later();
 }
 
 function pick(cell) {
   state.cell = cell;
-  scene?.pick(cell, css('--accent'));
+  mark();
   showPicked();
   if (cell) panel('cell');
   later();
@@ -218,18 +249,27 @@ async function copied(text) {
   }
 }
 
+/** What signs and colors stand for; a click hides it. */
 function showLegend() {
-  const rows = [...(scene?.geometry?.legend.values() ?? [])], most = 14;
-  const list = h('ul', {}, ...rows.slice(0, most).map((row) => h('li', {}, swatch(row.tint, row.sign), row.label)));
+  const rows = [...(scene?.geometry?.legend ?? [])], most = 14;
+  const entry = ([key, row]) => h('li', {}, h('button', {'aria-pressed': String(!state.hidden.has(key)), title: state.hidden.has(key) ? 'Show' : 'Hide', onclick: () => hide(key)}, swatch(row.tint, row.sign), row.label));
+  const list = h('ul', {}, ...rows.slice(0, most).map(entry));
   if (rows.length > most) list.append(h('li', {class: 'soft'}, `and ${rows.length - most} more`));
   const open = doubts();
   if (open.length) list.append(h('li', {}, swatch(rgb(DOUBT), 'doubt'), 'uncertain: surfaces may meet otherwise'));
   const says = [];
-  if (state.colour === 'class' && !model.classes) {
+  if (state.color === 'class' && !model.classes) {
     says.push(h('p', {}, model.node.left_out?.includes('classes') ? 'Too many entities to ask the table about each.' : model.node.operands.length ? 'Nothing to tell apart here.' : 'A leaf has no operands.'));
   }
   $('legend').replaceChildren(...says, list);
   $('legend').hidden = rows.length === 0 && says.length === 0 && open.length === 0;
+}
+
+function hide(key) {
+  if (!state.hidden.delete(key)) state.hidden.add(key);
+  draw();
+  [...$('legend').querySelectorAll('button')][[...scene.geometry.legend.keys()].indexOf(key)]?.focus();
+  later();
 }
 
 // --- the address
@@ -238,13 +278,17 @@ function hash() {
   const out = new URLSearchParams();
   out.set('node', page.nodes[state.node].name);
   if (state.cell && state.cell.kind === state.cell.kind.toLowerCase()) out.set('cell', nameOf(state.cell));
-  out.set('colour', state.colour);
+  if (state.row) out.set('row', state.row);
+  out.set('color', state.color);
   const hidden = state.show.map((s, k) => (s ? '' : k)).join('');
   if (hidden) out.set('hide', hidden);
-  for (const key of ['labels', 'ghosts', 'through', 'flip']) if (state[key]) out.set(key, '1');
+  for (const key of ['labels', 'ghosts', 'flip']) if (state[key]) out.set(key, '1');
+  if (state.through !== null) out.set('through', state.through ? '1' : '0');
+  for (const key of state.hidden) out.append('off', key);
   if (!state.doubts) out.set('doubts', '0');
   if (state.explode) out.set('apart', state.explode);
   if (state.axis) (out.set('axis', state.axis), out.set('cut', state.cut));
+  if (state.normal) out.set('normal', state.normal.map((x) => +x.toFixed(5)).join());
   if (state.theme) out.set('theme', state.theme);
   if (scene) out.set('view', scene.view.join(','));
   return '#' + out.toString();
@@ -270,15 +314,22 @@ function restore() {
   const from = new URLSearchParams(location.hash.slice(1));
   const index = page.nodes.findIndex((n) => n.name === from.get('node'));
   if (index >= 0) state.node = index;
-  const colours = [...$('colour').options].map((o) => o.value);
-  if (colours.includes(from.get('colour'))) state.colour = from.get('colour');
+  const colors = [...$('color').options].map((o) => o.value);
+  if (colors.includes(from.get('color'))) state.color = from.get('color');
   const hidden = from.get('hide') ?? '';
   state.show = [0, 1, 2, 3].map((k) => !hidden.includes(String(k)));
-  for (const key of ['labels', 'ghosts', 'through', 'flip']) state[key] = from.get(key) === '1';
+  for (const key of ['labels', 'ghosts', 'flip']) state[key] = from.get(key) === '1';
+  state.through = from.has('through') ? from.get('through') === '1' : null;
+  state.row = from.get('row');
+  state.hidden = new Set(from.getAll('off'));
   state.doubts = from.get('doubts') !== '0';
   const within = (key, most, or) => (from.has(key) && Number.isFinite(+from.get(key)) ? Math.min(Math.max(+from.get(key), 0), most) : or);
   state.explode = within('apart', 1.5, 0);
-  state.axis = ['x', 'y', 'z'].includes(from.get('axis')) ? from.get('axis') : '';
+  const normal = (from.get('normal') ?? '').split(',').map(Number), size = Math.hypot(...normal);
+  state.normal = normal.length === 3 && size > 0 && Number.isFinite(size) ? normal.map((x) => x / size) : null;
+  const axis = from.get('axis');
+  state.axis = axis in AXES || (['view', 'face'].includes(axis) && state.normal) ? axis : '';
+  if (!['view', 'face'].includes(state.axis)) state.normal = null;
   state.cut = within('cut', 1, 0.5);
   if (['light', 'dark'].includes(from.get('theme'))) state.theme = from.get('theme');
   const view = (from.get('view') ?? '').split(',').map(Number);
@@ -288,19 +339,49 @@ function restore() {
 
 function showControls() {
   [0, 1, 2, 3].forEach((k) => ($(`show${k}`).checked = state.show[k]));
-  for (const key of ['labels', 'ghosts', 'through', 'doubts']) $(key).checked = state[key];
+  for (const key of ['labels', 'ghosts', 'doubts']) $(key).checked = state[key];
   $('doubtful').hidden = page.doubts.length === 0;
-  $('colour').value = state.colour;
+  $('color').value = state.color;
   $('explode').value = state.explode;
   $('axis').value = state.axis;
   $('cut').value = state.cut;
-  $('cut').disabled = $('flip').disabled = !state.axis;
+  $('cut').disabled = $('place').disabled = $('flip').disabled = !state.axis;
+  showPlace();
   $('flip').setAttribute('aria-pressed', state.flip);
 }
 
+const normal = () => state.normal ?? AXES[state.axis];
+/** Where the section is along its normal: along an axis a coordinate. */
+function showPlace() {
+  const [near, far] = state.axis && scene ? scene.reachAlong(normal()) : [0, 0];
+  $('place').value = state.axis ? +(near + (far - near) * state.cut).toPrecision(6) : '';
+}
+
 function section() {
-  scene?.setSection(state.axis ? {axis: 'xyz'.indexOf(state.axis), at: state.cut, flip: state.flip} : null);
-  if (state.cell) scene?.pick(state.cell, css('--accent'));
+  const flip = state.flip !== ['x', 'z'].includes(state.axis);  // unflipped, a cut faces the first view
+  scene?.setSection(state.axis ? {normal: normal(), at: state.cut, flip} : null);
+  showPlace();
+  mark();
+}
+
+/** Another direction of the section: an axis, across the view, or along the picked face. */
+function turnSection(axis) {
+  const was = through();
+  state.axis = axis;
+  state.normal = null;
+  if (axis === 'view') state.normal = scene.axes()[2].map((x) => -x);
+  if (axis === 'face') {
+    const [a, b, c] = Array.from(model.cells.faces.triangles.of(state.cell.i).subarray(0, 3), (p) => model.at(p)), u = b.map((x, k) => x - a[k]), v = c.map((x, k) => x - a[k]);
+    const n = [0, 1, 2].map((k) => u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]), size = Math.hypot(...n);
+    state.normal = n.map((x) => x / size);
+    const [near, far] = scene.reachAlong(state.normal);
+    state.cut = (a.reduce((sum, x, k) => sum + x * state.normal[k], 0) - near) / (far - near || 1);
+  }
+  showControls();
+  if (was !== through()) draw();
+  section();
+  refreshLabels();
+  later();
 }
 
 // --- search
@@ -374,7 +455,7 @@ function wire() {
   $('forth').onclick = () => state.node + 1 < page.nodes.length && chooseNode(state.node + 1);
   [0, 1, 2, 3].forEach((k) => ($(`show${k}`).onchange = (e) => ((state.show[k] = e.target.checked), draw(), later())));
   for (const key of ['labels', 'ghosts', 'through', 'doubts']) $(key).onchange = (e) => ((state[key] = e.target.checked), draw(), later());
-  $('colour').onchange = (e) => ((state.colour = e.target.value), draw(), state.cell && showPicked(), later());
+  $('color').onchange = (e) => ((state.color = e.target.value), draw(), state.cell && showPicked(), later());
   $('explode').oninput = (e) => {
     const apart = state.explode > 0;
     state.explode = +e.target.value;
@@ -383,7 +464,15 @@ function wire() {
     refreshLabels();
     later();
   };
-  $('axis').onchange = (e) => ((state.axis = e.target.value), showControls(), section(), refreshLabels(), later());
+  $('axis').onchange = (e) => turnSection(e.target.value);
+  $('place').onchange = (e) => {
+    const [near, far] = scene.reachAlong(normal());
+    state.cut = Math.min(Math.max((e.target.value - near) / (far - near || 1), 0), 1);
+    $('cut').value = state.cut;
+    section();
+    refreshLabels();
+    later();
+  };
   $('cut').oninput = (e) => ((state.cut = +e.target.value), section(), refreshLabels(), later());
   $('flip').onclick = () => ((state.flip = !state.flip), showControls(), section(), refreshLabels(), later());
   document.querySelectorAll('[name=pick]').forEach((r) => (r.onchange = () => (state.pick = r.value)));
@@ -447,7 +536,7 @@ function wire() {
       '[': () => on('back'), ']': () => on('forth'), '/': () => ($('search').focus(), true), '?': () => on('help'), l: () => on('labels'), g: () => on('ghosts'), t: () => on('through'),
       1: () => on('show0'), 2: () => on('show1'), 3: () => on('show2'), 4: () => on('show3'), d: () => on('theme'), 0: () => on('fit'), Escape: () => (pick(null), true),
       c: () => {
-        const all = $('colour');
+        const all = $('color');
         all.selectedIndex = (all.selectedIndex + 1) % all.options.length;
         all.dispatchEvent(new Event('change'));
         return true;
@@ -484,12 +573,12 @@ function wire() {
 }
 
 function signs() {
-  const keys = [['[  ]', 'step through the nodes'], ['/', 'find'], ['c', 'colour by the next'], ['l  g  t', 'labels, removed cells, see through'], ['1 2 3 4', 'vertices, edges, sheets, regions'],
+  const keys = [['[  ]', 'step through the nodes'], ['/', 'find'], ['c', 'color by the next'], ['l  g  t', 'labels, removed cells, see through'], ['1 2 3 4', 'vertices, edges, sheets, regions'], ['click in the legend', 'hide or show'],
     ['arrows  + −  0', 'turn, zoom, fit'], ['Shift + click', 'pick the region'], ['Esc', 'pick nothing'], ['d', 'light or dark']];
   $('keylist').replaceChildren(...keys.flatMap(([k, words]) => [h('dt', {}, h('kbd', {}, k)), h('dd', {}, words)]));
   const ink = css('--ink');
-  const list = [['face', 'skin of a region', [120, 180, 220]], ['hatch', 'missing face: the region is open there', [120, 180, 220]], ['sheet', 'sheet: a face without a region of its own', page.colours.sheet], ['line', 'edge; thicker where a sheet ends', ink],
-    ['dash', 'missing edge', ink], ['wire', 'wire', page.colours.wire], ['dot', 'vertex', ink], ['hollow', 'missing vertex', ink], ['point', 'isolated point', page.colours.wire], ['ghost', 'removed by the node', [150, 150, 150]]];
+  const list = [['face', 'skin of a region', [120, 180, 220]], ['hatch', 'missing face: the region is open there', [120, 180, 220]], ['sheet', 'sheet: a face without a region of its own', page.colors.sheet], ['line', 'edge; thicker where a sheet ends', ink],
+    ['dash', 'missing edge', ink], ['wire', 'wire', page.colors.wire], ['dot', 'vertex', ink], ['hollow', 'missing vertex', ink], ['point', 'isolated point', page.colors.wire], ['ghost', 'removed by the node', [150, 150, 150]]];
   $('signs').replaceChildren(...list.flatMap(([sign, words, tint]) => [h('dt', {}, swatch(tint, sign)), h('dd', {}, words)]));
 }
 
@@ -499,7 +588,7 @@ function load(json, fresh) {
   page = new Page(json);
   const same = node === before.result ? -1 : page.nodes.findIndex((n) => n.name === before.nodes[node].name);
   state.node = same < 0 ? page.result : same;
-  if (state.colour === before.colour_by) state.colour = page.colour_by;
+  if (state.color === before.color_by) state.color = page.color_by;
   scene?.setExtent(...extent());
   showTree();
   showControls();
@@ -511,7 +600,7 @@ function load(json, fresh) {
 
 function begin() {
   const cell = restore();
-  state.colour ??= page.colour_by;
+  state.color ??= page.color_by;
   applyTheme();
   showControls();
   if (scene) scene.setExplode(state.explode);

@@ -1,10 +1,13 @@
 // One node of the page: its cells, who bounds whom, and what is told of each. Cells are called as files call them;
 // here a cell is a letter and a number, `{kind: 'f', i: 12}`.
-import {Lists, pairsAsLists, readCells, unpack} from './data.js';
+import {Lists, pairsAsLists, readCells, readLists, unpack} from './data.js';
 
 export const LETTERS = ['v', 'e', 'f', 'r'];
 export const WORDS = {v: 'vertex', e: 'edge', f: 'face', r: 'region'};
+/** Cells of a model of which everything is drawn, seen or not. */
+export const SMALL = 20000;
 export const nameOf = (cell) => cell.kind + cell.i;
+export const minus = (a, b) => a.map((x, k) => x - b[k]);
 
 /** A double as the fraction that it is exactly, as exact files write it. */
 export function fraction(x) {
@@ -29,9 +32,10 @@ export class Model {
       regions: unpack(radial.regions), angles: unpack(radial.angles)};
     this.stories = stories && new Lists(unpack(stories.lines_counts), unpack(stories.lines));
     this.shapes = shapes && {v: unpack(shapes.vertices), e: unpack(shapes.edges)};
-    this.colours = {material: {}, component: unpack(colors.component), region: unpack(colors.region)};
-    for (const kind of LETTERS) this.colours.material[kind] = unpack(colors.material[kind]);
+    this.colors = {material: {}, component: unpack(colors.component), region: unpack(colors.region)};
+    for (const kind of LETTERS) this.colors.material[kind] = unpack(colors.material[kind]);
     this.classes = classes && {cells: readCells(classes), fates: classes.fates, told_at: classes.told_at,
+      of: {v: readLists(classes.of, 'v'), e: readLists(classes.of, 'e'), f: readLists(classes.of, 'f')},
       stories: classes.told_at && new Lists(unpack(classes.lines_counts), unpack(classes.lines))};
   }
 
@@ -56,16 +60,16 @@ export class Model {
     if (own || (this.node.group && cell.kind !== 'r')) return own;
     return this.node.components[this.component(cell) - 1] ?? null;
   }
-  /** The colour of a cell by `region`, `material`, `component` or `source`. */
-  colour(by, cell) {
-    const {page: {colours}, colours: mine} = this;
-    if (by === 'region' && cell.kind !== 'r') return {v: colours.point, e: colours.wire, f: colours.sheet}[cell.kind];
+  /** The color of a cell by `region`, `material`, `component` or `source`. */
+  color(by, cell) {
+    const {page: {colors}, colors: mine} = this;
+    if (by === 'region' && cell.kind !== 'r') return {v: colors.point, e: colors.wire, f: colors.sheet}[cell.kind];
     const own = by === 'material' ? this.said(cell)?.color : undefined;
     const number = own !== undefined ? own : by === 'region' ? mine.region[cell.i]
       : by === 'material' ? mine.material[cell.kind][this.component(cell)]
-      : by === 'source' ? colours.sources[this.column(cell.kind).origin[cell.i]]
+      : by === 'source' ? colors.sources[this.column(cell.kind).origin[cell.i]]
       : mine.component[this.component(cell)];
-    return colours.all[number];
+    return colors.all[number];
   }
   active(region) { return region > 0 && this.cells.regions.component[region - 1] !== 0; }
 
@@ -92,6 +96,21 @@ export class Model {
     return [this.page.points[g], this.page.points[g + 1], this.page.points[g + 2]];
   }
 
+  /** Of an edge, and of a face, from rounded places; of curved ones along their facets. */
+  length(e) {
+    const chain = this.cells.edges.points.of(e), closed = this.cells.edges.flags[e] & 1;
+    return Array.from(chain, (p, k) => (k + 1 < chain.length || closed ? Math.hypot(...minus(this.at(chain[(k + 1) % chain.length]), this.at(p))) : 0)).reduce((a, b) => a + b, 0);
+  }
+  area(f) {
+    const t = this.cells.faces.triangles.of(f);
+    let sum = 0;
+    for (let k = 0; k < t.length; k += 3) {
+      const a = this.at(t[k]), u = minus(this.at(t[k + 1]), a), v = minus(this.at(t[k + 2]), a);
+      sum += Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
+    }
+    return sum;
+  }
+
   story(cell) {
     if (!this.stories) return null;
     const before = {v: 0, e: this.counts.v, f: this.counts.v + this.counts.e, r: this.counts.v + this.counts.e + this.counts.f};
@@ -113,6 +132,59 @@ export class Model {
     const i = {V: 0, E: v, F: v + e}[cell.kind] + cell.i;
     return stories && told_at[i] ? {point: told_at[i], lines: Array.from(stories.of(i), (line) => this.page.lines[line])} : null;
   }
+  /** Fates of the operands' entities of which a cell of the result is made, or of one of those entities. */
+  fates(cell) {
+    if (!this.classes || cell.kind === 'r') return [];
+    const {cells, fates, of} = this.classes, of_class = {V: cells.vertices, E: cells.edges, F: cells.faces}[cell.kind];
+    return Array.from(of_class ? [of_class.component[cell.i]] : of[cell.kind].of(cell.i), (c) => fates[c]).filter(Boolean);
+  }
+  /** The rows of the tables that decided on a cell. */
+  rowsOf(cell) {
+    const dimension = 'vef'.indexOf(cell.kind.toLowerCase());
+    return this.fates(cell).map((f) => f.rows?.[dimension]?.[0]).filter(Boolean);
+  }
+  /** The entities of the operands about which a row was asked: `[{kind: 'F', i}]`. */
+  ofRow(id) {
+    if (!this.classes) return [];
+    const {cells, fates} = this.classes, out = [];
+    [['V', cells.vertices], ['E', cells.edges], ['F', cells.faces]].forEach(([kind, {component}], dimension) => {
+      const asked = new Set(Object.entries(fates).filter(([, f]) => f.rows?.[dimension]?.[0] === id).map(([c]) => Number(c)));
+      if (asked.size) component.forEach((c, i) => asked.has(c) && out.push({kind, i}));
+    });
+    return out;
+  }
+
+  /** Regions of the result (from 1) that an entity of the operands touches: a face by its sides, an edge or a vertex by
+   *  the faces at its points, a wire by the wire of the result. */
+  classRegions(kind, i) {
+    const {cells} = this.classes, {faces} = cells;
+    if (kind === 'F') return new Set([faces.front[i], faces.back[i]].filter((r) => r));
+    const key = (from, p, q) => (q === undefined ? String(from.points[p]) : [from.points[p], from.points[q]].sort((a, b) => a - b).join());
+    if (!this._classRegions) {
+      const found = (this._classRegions = new Map());
+      const add = (k, regions) => regions.forEach((r) => r && (found.get(k) ?? found.set(k, new Set()).get(k)).add(r));
+      const walk = (from, points, closed, regions) => points.forEach((p, k) => {
+        add(key(from, p), regions);
+        if (closed || k + 1 < points.length) add(key(from, p, points[(k + 1) % points.length]), regions);
+      });
+      for (let f = 0; f < faces.flags.length; ++f) for (const loop of faces.loops(f)) walk(cells, loop, true, [faces.front[f], faces.back[f]]);
+      const {edges, vertices} = this.cells;
+      for (let e = 0; e < this.counts.e; ++e) walk(this.cells, edges.points.of(e), edges.flags[e] & 1, [edges.region[e]]);
+      vertices.region.forEach((r, v) => add(key(this.cells, vertices.point[v]), [r]));
+    }
+    const at = kind === 'V' ? key(cells, cells.vertices.point[i]) : key(cells, ...cells.edges.points.of(i).subarray(0, 2));
+    return this._classRegions.get(at) ?? new Set();
+  }
+
+  /** True if a small closed model hides something: a cell without thickness in a region, a cavity, or a region among others. */
+  get hides() {
+    const {faces, edges, vertices, regions} = this.cells, within = (r) => r > 0 && this.active(r);
+    return (this._hides ??= this.size < SMALL && (edges.region.some(within) || vertices.region.some(within)
+      || faces.front.some((r, f) => within(r) && r === faces.back[f])
+      || regions.component.some((c, r) => !c && regions.bounded[r] && regions.shells(r).some((shell) => shell.some((side) => within(faces.front[side >> 1]) || within(faces.back[side >> 1]))))
+      || regions.component.some((c, r) => c && regions.shells(r).every((shell) => shell.every((side) => within(faces.front[side >> 1]) && within(faces.back[side >> 1]))))));
+  }
+
   shape(cell) {
     const word = this.shapes?.[cell.kind]?.[cell.i];
     return word ? this.page.words[word - 1] : null;

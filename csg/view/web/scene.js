@@ -8,6 +8,7 @@ import * as THREE from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import {Geometry} from './build_geometry.js';
 import {clusters, facing} from './clusters.js';
+import {SMALL} from './model.js';
 import {Pointer, targets, under} from './pick.js';
 import {cutBy} from './section.js';
 import {material, shared} from './shaders.js';
@@ -16,7 +17,6 @@ import {EDGES, faceBuffers, Faces, lineBuffers, pointBuffers, POINTS, ribbonBuff
 
 const SLOW = 45;      // milliseconds of a frame that is not fluent
 const HEAVY = 60000;  // triangles, edges and points of a picture that is made bit by bit
-const SMALL = 20000;  // cells that are all drawn, seen or not
 const color = (c) => new THREE.Color(c[0] / 255, c[1] / 255, c[2] / 255);
 
 /** True where the processor draws: there smoothing costs more than everything else. */
@@ -57,9 +57,11 @@ export class Scene {
       line: material('LINE', {}, {lift: {value: 1.5e-3}}),
       ghostEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true}, {opacity: {value: 0.8}, lift: {value: 1e-3}}),
       point: material('POINT', {}, {lift: {value: 6e-3}}),
-      overFace: material('FACE', {side: THREE.DoubleSide, transparent: true, depthTest: false, depthWrite: false}, {opacity: {value: 0.45}, solid: {value: 1}}),
-      overEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true, depthTest: false}),
-      overPoint: material('POINT', {transparent: true, depthTest: false}),
+      ...Object.fromEntries([['FACE', 0.14, 0.45, 0], ['EDGE', 0.75, 1, 3e-3], ['POINT', 0.5, 1, 8e-3]].flatMap(([kind, faint, full, lift]) => {
+        const name = kind[0] + kind.slice(1).toLowerCase(), options = {side: THREE.DoubleSide, transparent: true, depthWrite: false};
+        const of = (opacity, hidden) => ({opacity: {value: opacity}, solid: {value: 1}, hidden: {value: hidden}, lift: {value: lift}});
+        return [[`hidden${name}`, material(kind, {...options, depthFunc: THREE.GreaterDepth}, of(faint, 1))], [`over${name}`, material(kind, options, of(full, 0))]];
+      })),
     };
     this.still = new Still(this);
     this.budget = this.software ? 60000 : Infinity;  // triangles of skins while the camera moves
@@ -93,7 +95,7 @@ export class Scene {
 
   /** Whether what lies between regions can be seen; small models always have it, and so need no second drawing. */
   needsInner(model, look) {
-    return model.size < SMALL || look.apart || look.through || !look.show[3] || model.open;
+    return model.size < SMALL || look.apart || look.through || look.hidden.size > 0 || !look.show[3] || model.open;
   }
 
   /** Draws the cells of a model. `look` is what Geometry asks for, and {through, paper}. */
@@ -133,7 +135,7 @@ export class Scene {
     shared.paper.value.copy(color(look.paper));
     this.renderer.setClearColor(color(look.paper), 1);
     this.setSection(this.section);
-    this.pick(null);
+    this.pick([]);
   }
 
   add(geometry, kind, order = 0, Kind = THREE.Mesh) {
@@ -145,16 +147,20 @@ export class Scene {
     return object;
   }
 
-  /** `{axis: 0..2, at: 0..1, flip}` or null. */
+  /** How far the box of the result reaches along a normal, in coordinates of the model. */
+  reachAlong(normal) {
+    const end = (s) => normal.reduce((sum, n, k) => sum + n * (n * s > 0 ? this.high[k] : this.low[k]), 0);
+    return [end(-1), end(1)];
+  }
+
+  /** `{normal, at: 0..1 along it, flip}` or null. What is kept is where the normal points. */
   setSection(section) {
     this.section = section;
     const plane = shared.plane.value;
     if (section) {
-      const n = [0, 0, 0], sign = (section.axis === 1) === section.flip ? -1 : 1;  // unflipped, the cut faces the first view
-      n[section.axis] = sign;
-      const near = this.place(this.low)[section.axis], far = this.place(this.high)[section.axis];
-      const at = near + (far - near) * section.at;
-      plane.set(...n, -sign * at);
+      const {normal, at, flip} = section, sign = flip ? -1 : 1, [near, far] = this.reachAlong(normal);
+      const middle = normal.reduce((sum, n, k) => sum + n * this.centre[k], 0);
+      plane.set(...normal.map((n) => sign * n), (-sign * (near + (far - near) * at - middle)) / this.radius);
     } else {
       plane.set(0, 0, 0, 1);
     }
@@ -171,7 +177,7 @@ export class Scene {
     this.cut = null;
     if (!this.section || !this.geometry) return;
     const {x, y, z, w} = shared.plane.value;
-    this.cut = cutBy(this.geometry, this.section.axis, [x, y, z], w, shared.explode.value, this.look.ink);
+    this.cut = cutBy(this.geometry, [x, y, z], w, shared.explode.value, this.look.ink);
     const {filled, lines} = this.cut;
     this.cut.objects = [this.add(faceBuffers(filled), this.materials.cut), this.add(ribbonBuffers(lines), this.materials.edge, 51)];
   }
@@ -182,39 +188,36 @@ export class Scene {
     this.draw();
   }
 
-  /** Marks a cell, over everything; null: none. */
-  pick(cell, accent = [0, 0, 0]) {
+  /** Marks cells; what of them other cells hide is drawn faintly, edges dashed. */
+  pick(picked, accent = [0, 0, 0]) {
     this.dispose(this.over);
-    if (cell && this.model) {
-      const g = this.geometry, faces = new Faces(), edges = new Table(EDGES), points = new Table(POINTS), none = [0, 0, 0, 0], still = [0, 0, 0];
-      const {model} = this, {cells} = model;
-      const face = (f, shift) => {
-        g.pushFace(faces, cells, f, false, accent, none, none, shift, 0);
-        for (const loop of cells.faces.loops(f)) g.pushChain(edges, cells, loop, true, accent, none, shift, 2, 0);
+    if (picked.length && this.model) {
+      const g = this.geometry, faces = new Faces(), edges = new Table(EDGES), points = new Table(POINTS), none = [0, 0, 0, 0];
+      const {model} = this, {cells} = model, lone = picked.length === 1;
+      const face = (from, f, shift) => {
+        g.pushFace(faces, from, f, false, accent, none, none, shift, 0);
+        for (const loop of from.faces.loops(f)) g.pushChain(edges, from, loop, true, accent, none, shift, 2, 0);
       };
-      const edge = (from, i, shift, width) => g.pushChain(edges, from, from.edges.points.of(i), from.edges.flags[i] & 1, accent, none, shift, width, 0);
-      if (cell.kind === cell.kind.toUpperCase()) {
-        const from = model.classes.cells;
-        if (cell.kind === 'F') g.pushFace(faces, from, cell.i, false, accent, none, none, still, 0);
-        if (cell.kind === 'E') edge(from, cell.i, still, 4);
-        if (cell.kind === 'V') g.pushPoint(points, from, from.vertices.point[cell.i], accent, none, still, 2.4, 1);
-      } else if (cell.kind === 'r') {
-        for (const shell of cells.regions.shells(cell.i)) for (const side of shell) face(side >> 1, g.shift(cell.i + 1));
-      } else {
-        for (const shift of g.shiftsOf(cell)) {
-          if (cell.kind === 'f') face(cell.i, shift);
-          if (cell.kind === 'e') edge(cells, cell.i, shift, 3.6);
-          if (cell.kind === 'v') g.pushPoint(points, cells, cells.vertices.point[cell.i], accent, none, shift, 2.4, 1);
+      const edge = (from, i, shift) => g.pushChain(edges, from, from.edges.points.of(i), from.edges.flags[i] & 1, accent, none, shift, lone ? 3.6 : 2.4, 0);
+      const point = (from, i, shift) => g.pushPoint(points, from, from.vertices.point[i], accent, none, shift, lone ? 2.4 : 1.5, lone ? 1 : 0);
+      for (const cell of picked) {
+        const entity = cell.kind === cell.kind.toUpperCase(), from = entity ? model.classes.cells : cells;
+        if (cell.kind === 'r') {
+          for (const shell of cells.regions.shells(cell.i)) for (const side of shell) face(cells, side >> 1, g.shift(cell.i + 1));
+        } else {
+          for (const shift of entity ? g.classShifts(cell.kind, cell.i) : g.shiftsOf(cell)) ({f: face, e: edge, v: point})[cell.kind.toLowerCase()](from, cell.i, shift);
         }
       }
-      const add = (object, order) => {
+      const {materials} = this;
+      const add = (kind, buffers, hidden, seen, order) => [hidden, seen].forEach((m) => {
+        const object = new kind(buffers, materials[m]);
         object.frustumCulled = false;
         object.renderOrder = order;
         this.over.add(object);
-      };
-      if (faces.triangles.length) add(new THREE.Mesh(faceBuffers(faces), this.materials.overFace), 90);
-      if (edges.length) add(new THREE.Mesh(ribbonBuffers(edges), this.materials.overEdge), 91);
-      if (points.length) add(new THREE.Points(pointBuffers(points), this.materials.overPoint), 92);
+      });
+      if (faces.triangles.length) add(THREE.Mesh, faceBuffers(faces), 'hiddenFace', 'overFace', 90);
+      if (edges.length) add(THREE.Mesh, ribbonBuffers(edges), 'hiddenEdge', 'overEdge', 91);
+      if (points.length) add(THREE.Points, pointBuffers(points), 'hiddenPoint', 'overPoint', 92);
     }
     this.draw(false);
   }

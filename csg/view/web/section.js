@@ -38,33 +38,42 @@ function pieces(cells, r, at, n, off, shift) {
   return out;
 }
 
-/** What is inside of closed lines, as strips from height to height, each `[left, right]` below and above; in u and v. */
-function strips(lines, u, v) {
-  const rising = lines.map(([a, b]) => (a[v] <= b[v] ? [a, b] : [b, a])).filter(([a, b]) => a[v] < b[v]).sort((x, y) => x[0][v] - y[0][v]);
-  const heights = [...new Set(rising.flatMap(([a, b]) => [a[v], b[v]]))].sort((a, b) => a - b), out = [];
-  const across = ([a, b], y) => a[u] + (b[u] - a[u]) * Math.min(Math.max((y - a[v]) / (b[v] - a[v]), 0), 1);
+/** Two directions across a unit normal; of an axis the two that come after it. */
+function across(n) {
+  const k = n.findIndex((x) => Math.abs(x) === Math.max(...n.map(Math.abs))), axis = (j) => [0, 1, 2].map((i) => (i === j % 3 ? 1 : 0));
+  const cross = (a, b) => [0, 1, 2].map((i) => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+  const first = axis(k + 1), along = n[(k + 1) % 3], flat = first.map((x, i) => x - along * n[i]), size = Math.hypot(...flat), u = flat.map((x) => x / size);
+  return [u, cross(n, u)];
+}
+
+/** What is inside of closed lines, as strips from height to height, each `[left, right]` below and above. */
+function strips(lines) {
+  const rising = lines.map(([a, b]) => (a[1] <= b[1] ? [a, b] : [b, a])).filter(([a, b]) => a[1] < b[1]).sort((x, y) => x[0][1] - y[0][1]);
+  const heights = [...new Set(rising.flatMap(([a, b]) => [a[1], b[1]]))].sort((a, b) => a - b), out = [];
+  const at = ([a, b], y) => a[0] + (b[0] - a[0]) * Math.min(Math.max((y - a[1]) / (b[1] - a[1]), 0), 1);
   let active = [], next = 0;
   for (let k = 0; k + 1 < heights.length; ++k) {
     const low = heights[k], high = heights[k + 1], middle = (low + high) / 2;
-    while (next < rising.length && rising[next][0][v] <= low) active.push(rising[next++]);
-    active = active.filter(([, b]) => b[v] >= high);
+    while (next < rising.length && rising[next][0][1] <= low) active.push(rising[next++]);
+    active = active.filter(([, b]) => b[1] >= high);
     if (high - low < HAIR / 100) continue;
-    const sorted = active.map((line) => [across(line, middle), line]).sort((a, b) => a[0] - b[0]);
+    const sorted = active.map((line) => [at(line, middle), line]).sort((a, b) => a[0] - b[0]);
     for (let i = 0; i + 1 < sorted.length; i += 2) {
       const [left, right] = [sorted[i][1], sorted[i + 1][1]];
-      out.push([[across(left, low), low - HAIR], [across(right, low), low - HAIR], [across(right, high), high + HAIR], [across(left, high), high + HAIR]]);
+      out.push([[at(left, low), low - HAIR], [at(right, low), low - HAIR], [at(right, high), high + HAIR], [at(left, high), high + HAIR]]);
     }
   }
   return out;
 }
 
 /**
- * What the plane n·p + d = 0 across an axis cuts of a drawing whose regions are moved by `explode`: faces and edges.
- * What is kept is where n points.
+ * What the plane n·p + d = 0 cuts of a drawing whose regions are moved by `explode`: faces and edges. What is kept is
+ * where n, of length 1, points.
  */
-export function cutBy(geometry, axis, n, d, explode, ink) {
+export function cutBy(geometry, n, d, explode, ink) {
   const {model, numbering, low, high, centres} = geometry, {cells} = model, at = geometry.placed(cells);
-  const filled = new Faces(), lines = new Table(EDGES), sign = n[axis], u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const filled = new Faces(), lines = new Table(EDGES), [u, v] = across(n);
+  const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const line = (a, b) => {
     const row = lines.add();
     for (let k = 0; k < 3; ++k) {
@@ -76,13 +85,10 @@ export function cutBy(geometry, axis, n, d, explode, ink) {
     put4(lines.ident, row, NOTHING);
     put3(lines.look, row, [1, 0, 0]);
   };
-  const height = -d / sign;
   const fill = (strip, tint, ident) => {
     const {corners, triangles} = filled, first = corners.add(4);
     strip.forEach(([x, y], k) => {
-      corners.position[3 * (first + k) + axis] = height;
-      corners.position[3 * (first + k) + u] = x;
-      corners.position[3 * (first + k) + v] = y;
+      put3(corners.position, first + k, n.map((c, j) => -d * c + x * u[j] + y * v[j]));
       put3(corners.normal, first + k, n.map((c) => -c));
       put4(corners.tint, first + k, tint, CUT);
       put4(corners.ident, first + k, ident);
@@ -93,17 +99,17 @@ export function cutBy(geometry, axis, n, d, explode, ink) {
     put3(triangles.corner, row + 1, [first, first + 2, first + 3]);
   };
   for (const {r, tint} of geometry.ranges) {
-    const shift = [0, 1, 2].map((k) => centres[3 * r + k] * explode), off = d + sign * shift[axis];
-    const ends = [sign * low[3 * r + axis] + off, sign * high[3 * r + axis] + off];
-    if (Math.max(...ends) <= 0 || Math.min(...ends) > 0) continue;
+    const shift = [0, 1, 2].map((k) => centres[3 * r + k] * explode), off = d + dot(n, shift);
+    const end = (s) => n.reduce((sum, c, k) => sum + c * (c * s > 0 ? high : low)[3 * r + k], off);
+    if (end(1) <= 0 || end(-1) > 0) continue;
     const outline = pieces(cells, r, at, n, off, shift);
     for (const ends of outline) line(...ends);
-    for (const strip of strips(outline, u, v)) fill(strip, tint.map((x) => x * 0.94), numbering.bytes('r', r));
+    for (const strip of strips(outline.map((ends) => ends.map((p) => [dot(p, u), dot(p, v)])))) fill(strip, tint.map((x) => x * 0.94), numbering.bytes('r', r));
   }
   // Sheets are cut to lines.
-  const {corners, triangles: {corner, length}} = geometry.sheets, where = (c, k) => corners.position[3 * c + k] + corners.shift[3 * c + k] * explode;
+  const {corners, triangles: {corner, length}} = geometry.sheets, where = (c, k) => corners.position[3 * c + k] + corners.shift[3 * c + k] * explode, far = (c) => dot(n, [where(c, 0), where(c, 1), where(c, 2)]) + d;
   for (let t = 0; t < length; ++t) {
-    const three = [corner[3 * t], corner[3 * t + 1], corner[3 * t + 2]], fars = three.map((c) => sign * where(c, axis) + d), ends = [];
+    const three = [corner[3 * t], corner[3 * t + 1], corner[3 * t + 2]], fars = three.map(far), ends = [];
     for (let k = 0; k < 3; ++k) {
       const j = (k + 1) % 3;
       if (fars[k] > 0 === fars[j] > 0) continue;

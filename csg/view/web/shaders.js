@@ -1,5 +1,5 @@
 // What is drawn with: faces, edges as ribbons of pixels (lines of WebGL have one width), points as disks and rings,
-// or lines where there are many. Each can draw the number of its cell instead of its colour: where labels may stand
+// or lines where there are many. Each can draw the number of its cell instead of its color: where labels may stand
 // is read off such a picture.
 import * as THREE from 'three';
 
@@ -32,16 +32,16 @@ const SIDE = 'float side(vec3 p) { return dot(p, plane.xyz) + plane.w; }';
 const FACE = {
   vertexShader: `${COMMON}
     attribute vec4 tint; attribute vec4 ident; attribute vec4 owner; attribute vec3 shift;
-    varying vec3 colour; varying vec4 number; varying vec3 outward; varying vec3 world; varying float style;
+    varying vec3 hue; varying vec4 number; varying vec3 outward; varying vec3 world; varying float style;
     void main() {
       world = position + shift * explode;
-      colour = tint.rgb; style = floor(tint.a * 255.0 + 0.5);
+      hue = tint.rgb; style = floor(tint.a * 255.0 + 0.5);
       number = ids > 1.5 ? owner : ident;
       outward = normalMatrix * normal;
       gl_Position = projectionMatrix * modelViewMatrix * vec4(world, 1.0);
     }`,
   fragmentShader: `${COMMON} uniform float opacity; uniform float solid;
-    varying vec3 colour; varying vec4 number; varying vec3 outward; varying vec3 world; varying float style;
+    varying vec3 hue; varying vec4 number; varying vec3 outward; varying vec3 world; varying float style;
     ${SIDE}
     void main() {
       if (style < 2.5) { ${CLIP} }
@@ -50,19 +50,25 @@ const FACE = {
         if (mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * ratio) > 2.0 * ratio) discard;
       }
       if (ids > 0.5) { gl_FragColor = number; return; }
-      if (style > 2.5) { gl_FragColor = vec4(colour, 1.0); return; }
+      // Cut faces are hatched, this way or that by the region.
+      if (style > 2.5) {
+        float way = mod(floor(number.r * 255.0 + 0.5), 2.0) * 2.0 - 1.0;
+        float line = mod(gl_FragCoord.x + way * gl_FragCoord.y, 10.0 * ratio) < 1.2 * ratio ? 0.72 : 1.0;
+        gl_FragColor = vec4(hue * line, 1.0);
+        return;
+      }
       vec3 n = normalize(outward) * (gl_FrontFacing ? 1.0 : -1.0);
       float light = 0.62 + 0.30 * max(0.0, n.z) + 0.12 * n.y - 0.05 * n.x;
       // A sheet has a fine weave, so that nobody takes it for the skin of a solid.
       if (style > 1.5 && style < 2.5 && mod(gl_FragCoord.x - gl_FragCoord.y, 6.0 * ratio) < 1.2 * ratio) light *= 0.86;
-      gl_FragColor = vec4(min(colour * light * 1.06, 1.0), opacity);
+      gl_FragColor = vec4(min(hue * light * 1.06, 1.0), opacity);
     }`,
 };
 
 const EDGE = {
   vertexShader: `${COMMON}
     attribute vec3 a; attribute vec3 b; attribute vec3 shift; attribute vec4 tint; attribute vec4 ident; attribute vec3 look;
-    varying vec3 colour; varying vec4 number; varying vec3 world; varying float along; varying float dashed;
+    varying vec3 hue; varying vec4 number; varying vec3 world; varying float along; varying float dashed;
     ${LIFTED}
     void main() {
       vec3 p = a + shift * explode, q = b + shift * explode;
@@ -79,35 +85,35 @@ const EDGE = {
       at.xy += out_ * width / size * at.w;
       world = position.x < 0.5 ? p : q;
       along = look.z + position.x * length(q - p);
-      dashed = look.y; colour = tint.rgb; number = ident;
+      dashed = look.y; hue = tint.rgb; number = ident;
       gl_Position = at;
     }`,
   fragmentShader: `${COMMON}
-    uniform float opacity;
-    varying vec3 colour; varying vec4 number; varying vec3 world; varying float along; varying float dashed;
+    uniform float opacity, hidden;
+    varying vec3 hue; varying vec4 number; varying vec3 world; varying float along; varying float dashed;
     ${SIDE}
     void main() {
       ${CLIP}
       if (ids > 0.5) { gl_FragColor = number; return; }
-      if (dashed > 0.5 && fract(along / dash) > 0.55) discard;
-      gl_FragColor = vec4(colour, opacity);
+      if (dashed + hidden > 0.5 && fract(along / dash) > 0.55) discard;
+      gl_FragColor = vec4(hue, opacity);
     }`,
 };
 
 const POINT = {
   vertexShader: `${COMMON}
     attribute vec3 shift; attribute vec4 tint; attribute vec4 ident; attribute vec2 look;
-    varying vec3 colour; varying vec4 number; varying vec3 world; varying float hollow;
+    varying vec3 hue; varying vec4 number; varying vec3 world; varying float hollow;
     ${LIFTED}
     void main() {
       world = position + shift * explode;
       gl_Position = lifted(world);
       gl_PointSize = (ids > 0.5 ? max(look.x * points, 9.0) : look.x * points) * ratio;
-      hollow = look.y; colour = tint.rgb; number = ident;
+      hollow = look.y; hue = tint.rgb; number = ident;
     }`,
   fragmentShader: `${COMMON}
     uniform float opacity;
-    varying vec3 colour; varying vec4 number; varying vec3 world; varying float hollow;
+    varying vec3 hue; varying vec4 number; varying vec3 world; varying float hollow;
     ${SIDE}
     void main() {
       ${CLIP}
@@ -115,26 +121,26 @@ const POINT = {
       if (r > 1.0) discard;
       if (ids > 0.5) { gl_FragColor = number; return; }
       bool inner = hollow > 1.5 ? (r > 0.5 && r < 0.74) : (hollow > 0.5 && r < 0.6);
-      gl_FragColor = vec4(inner ? paper : colour, opacity);
+      gl_FragColor = vec4(inner ? paper : hue, opacity);
     }`,
 };
 
 const LINE = {
   vertexShader: `${COMMON}
     attribute vec3 shift; attribute vec4 tint; attribute vec4 ident;
-    varying vec3 colour; varying vec4 number; varying vec3 world;
+    varying vec3 hue; varying vec4 number; varying vec3 world;
     ${LIFTED}
     void main() {
       world = position + shift * explode;
       gl_Position = lifted(world);
-      colour = tint.rgb; number = ident;
+      hue = tint.rgb; number = ident;
     }`,
   fragmentShader: `${COMMON}
-    varying vec3 colour; varying vec4 number; varying vec3 world;
+    varying vec3 hue; varying vec4 number; varying vec3 world;
     ${SIDE}
     void main() {
       ${CLIP}
-      gl_FragColor = ids > 0.5 ? number : vec4(colour, 1.0);
+      gl_FragColor = ids > 0.5 ? number : vec4(hue, 1.0);
     }`,
 };
 
@@ -151,7 +157,7 @@ export function material(kind, options = {}, uniforms = {}) {
     fragmentShader: source.fragmentShader,
     uniforms: {
       explode: shared.explode, plane: shared.plane, size: shared.size, ratio: shared.ratio, dash: shared.dash, ids: shared.ids,
-      paper: shared.paper, edge: shared.edge, points: shared.points, opacity: {value: 1}, solid: {value: 0}, lift: {value: 0}, ...uniforms,
+      paper: shared.paper, edge: shared.edge, points: shared.points, opacity: {value: 1}, solid: {value: 0}, hidden: {value: 0}, lift: {value: 0}, ...uniforms,
     },
     ...options,
   });

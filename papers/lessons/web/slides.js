@@ -1,7 +1,9 @@
 // Slides: which one is shown is in the address (#3), so that a reload and a link stay where they are.
 // Arrows, Page Up and Down, space, Home and End turn; `a` opens and folds all answers; a tap on the right or left
-// edge turns, too. What does not fit at the full size of type is set smaller, in steps, until it does.
+// edge turns, too. What does not fit at the full size of type is set smaller, in steps, until it does; below FOLD pixels
+// long blocks of code stand in two columns, if they are read better then.
 'use strict';
+const FOLD = 28;
 const slides = [...document.querySelectorAll('.slide')];
 const place = document.getElementById('place');
 
@@ -9,11 +11,17 @@ function fit(slide) {
   const inner = slide.querySelector('.fit'), room = 900 - 140, width = 1600 - 180;
   const shown = slide.classList.contains('here');
   slide.classList.add('here');
-  for (let size = 40; size >= 13; --size) {
-    inner.style.fontSize = size + 'px';
-    const wide = [...inner.querySelectorAll('pre, table')].some((e) => e.scrollWidth > e.clientWidth + 1);
-    if (inner.scrollHeight <= room && inner.scrollWidth <= width && !wide) break;
-  }
+  const largest = (folded) => {
+    inner.classList.toggle('folded', folded);
+    for (let size = 40; size >= 13; --size) {
+      inner.style.fontSize = size + 'px';
+      const wide = [...inner.querySelectorAll('pre, table')].some((e) => e.scrollWidth > e.clientWidth + 1);
+      if (inner.scrollHeight <= room && inner.scrollWidth <= width && !wide) return size;
+    }
+    return 0;
+  };
+  const plain = largest(false);
+  if (plain < FOLD && largest(true) <= plain) largest(false);
   slide.classList.toggle('here', shown);
 }
 

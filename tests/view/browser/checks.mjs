@@ -7,7 +7,7 @@ const executablePath = process.argv[4];
 export const [program, folder] = process.argv.slice(2);
 const require = createRequire(join(folder, 'node_modules', 'x.js'));
 const {chromium} = require('playwright-core');
-const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+export const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 
 let checks = 0, faults = 0;
 export function check(holds, what) {
@@ -23,6 +23,7 @@ let browser;
 export async function watched(name, options, schemes = 'file|data|blob') {
   browser ??= await chromium.launch({executablePath, args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
   const page = await (await browser.newContext(options)).newPage();
+  page.setDefaultTimeout(120000);  // a machine may have other things to do
   page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !m.text().includes('GPU stall') && check(false, `${name}: console: ${m.text()}`));
   page.on('pageerror', (e) => check(false, `${name}: ${e}`));
   page.on('request', (r) => check(new RegExp(`^(${schemes}):`).test(r.url()), `${name}: asks the network for ${r.url()}`));
@@ -37,9 +38,14 @@ export async function accessible(page, what, iframes = true) {
   ++checks;
 }
 
+/** Says what was found; the exit status for it. */
+export function told() {
+  console.log(faults ? `${faults} of ${checks} checks failed` : `${checks} checks`);
+  return faults ? 1 : 0;
+}
+
 /** Ends the script, with what was found. */
 export async function finish() {
   await browser.close();
-  console.log(faults ? `${faults} of ${checks} checks failed` : `${checks} checks`);
-  process.exit(faults ? 1 : 0);
+  process.exit(told());
 }

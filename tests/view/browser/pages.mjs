@@ -6,6 +6,7 @@ import {join} from 'node:path';
 import {setTimeout as sleep} from 'node:timers/promises';
 import {accessible, check, finish, folder, program, watched} from './checks.mjs';
 import {testPictures} from './pictures.mjs';
+import {testRows} from './rows.mjs';
 import {testScale} from './scale.mjs';
 
 const work = join(folder, 'pages');
@@ -44,6 +45,7 @@ async function compare(page, tree, node, result, expected) {
   const name = await page.locator('#picked').textContent();
   if (expected) equal(name, expected, `${tree} ${node}: the cell under the pointer`);
   equal((await page.locator('.story').textContent()) + '\n', cnrg('explain', tree, '--node', node, '--cell', name).replace(/\n+$/, '\n'), `${tree} ${node} ${name}: story`);
+  check(await page.locator('.story').evaluate((s) => s.scrollWidth <= s.clientWidth && s.scrollHeight <= s.clientHeight), `${tree} ${node} ${name}: the story wraps`);
   const i = Number(name.slice(1)), text = await page.locator('#cell').innerText();
   if (name[0] === 'v') {
     const shown = await page.locator('#cell > dl.point dd').evaluateAll((all) => all.map((d) => d.firstChild.textContent));
@@ -75,6 +77,8 @@ for (const [k, [path, wanted]] of MODELS.entries()) {
   check(bytes < 3e6, `${file} has ${bytes} bytes`);
   const page = await open(file, {scheme: k % 2 ? 'dark' : 'light'});
   await accessible(page, tree);
+
+  check(await page.evaluate(() => ['dag', 'node'].every((id) => document.getElementById(id).scrollWidth <= document.getElementById(id).clientWidth)), `${tree}: tree and panel fit`);
 
   // Through the evaluation, forward and back.
   const nodes = await page.locator('.node b').allTextContents();
@@ -143,7 +147,7 @@ for (const [k, [path, wanted]] of MODELS.entries()) {
   check((await page.locator('#cell').innerText()).includes(`${leaf}: `), `${tree}: ${found} came from ${leaf}`);
 
   // A link restores the view.
-  await page.selectOption('#colour', 'class');
+  await page.selectOption('#color', 'class');
   await page.check('#ghosts');
   await page.check('#labels');
   await page.locator('#explode').fill('0.4');
@@ -151,7 +155,7 @@ for (const [k, [path, wanted]] of MODELS.entries()) {
   const hash = await page.evaluate(() => location.hash);
   const again = await open(file, {hash, scheme: k % 2 ? 'dark' : 'light'});
   equal(await again.evaluate(() => location.hash || window.location.hash), hash, `${tree}: the address`);
-  check(await again.isChecked('#ghosts') && (await again.inputValue('#colour')) === 'class', `${tree}: the view comes back`);
+  check(await again.isChecked('#ghosts') && (await again.inputValue('#color')) === 'class', `${tree}: the view comes back`);
   equal(await again.locator('#picked').textContent(), await page.locator('#picked').textContent(), `${tree}: the picked cell comes back`);
   await close(again);
   await close(page);
@@ -176,7 +180,7 @@ check(removed >= 3, `of ${removed} models removed cells were picked`);
     await wide.keyboard.press('Tab');
     reached.add(await wide.evaluate(() => document.activeElement.id || document.activeElement.className));
   }
-  for (const id of ['search', 'link', 'png', 'print', 'theme', 'help', 'back', 'dag', 'colour', 'labels', 'explode', 'axis', 'scene', 'fit']) check(reached.has(id), `keyboard: Tab reaches ${id}`);
+  for (const id of ['search', 'link', 'png', 'print', 'theme', 'help', 'back', 'dag', 'color', 'labels', 'explode', 'axis', 'scene', 'fit']) check(reached.has(id), `keyboard: Tab reaches ${id}`);
   await wide.focus('#scene');
   const before = await wide.evaluate(() => window.cnrg.scene.view.join());
   await wide.keyboard.press('ArrowLeft');
@@ -186,6 +190,7 @@ check(removed >= 3, `of ${removed} models removed cells were picked`);
   await close(wide);
 }
 
+await testRows({cnrg, check, equal, open, close, click, work});
 await testPictures({cnrg, check, open, close, work});
 await testScale({cnrg, check, open, close, work});
 
@@ -252,7 +257,7 @@ result: both
   equal(await page.locator('.node b').textContent(), 'cube1', 'watch: before');
   await sleep(1100);
   write(2);
-  await page.locator('.node b', {hasText: 'cube2'}).waitFor({timeout: 10000}).catch(() => {});
+  await page.locator('.node b', {hasText: 'cube2'}).waitFor().catch(() => {});
   equal(await page.locator('.node b').textContent(), 'cube2', 'watch: after');
   child.kill();
   await close(page);

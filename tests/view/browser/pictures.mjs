@@ -2,7 +2,7 @@
 //
 // A pixel differs if some channel is more than 40 of 256 levels off: what smoothing at a border may make of it in
 // another version of the browser is mostly less. Of the pixels 3 of 1000 may differ. Of the same program none does;
-// a camera that is off by half a degree changes more than that, and a missing face, a wrong colour, an edge
+// a camera that is off by half a degree changes more than that, and a missing face, a wrong color, an edge
 // that is dashed or not make more than that differ, too (the test tries some of these itself).
 //
 //   CNRG_WRITE_PICTURES=1 tests/view/browser/run ...     writes them anew: look at each before it is kept
@@ -15,8 +15,8 @@ const KEPT = join(dirname(fileURLToPath(import.meta.url)), 'kept'), LEVELS = 40,
 const PICTURES = [
   ['fig10', 'pereira2012/fig10', 'model', 'light', 'axis=y&cut=0.5'],
   ['edge', 'weiler1986/edge', 'around', 'dark', 'apart=0.4'],
-  ['operators', 'rossignac1991/operators', 'rock', 'light', 'colour=component'],
-  ['fig07', 'pereira2012/fig07', 'difference', 'dark', 'colour=class&ghosts=1'],
+  ['operators', 'rossignac1991/operators', 'rock', 'light', 'color=component'],
+  ['fig07', 'pereira2012/fig07', 'difference', 'dark', 'color=class&ghosts=1'],
   ['fig04', 'pereira2012/fig04', 'union_G1', 'light', 'through=1&cell=r1'],
 ];
 

@@ -60,6 +60,11 @@ export async function testScale({cnrg, check, open, close, work}) {
   check(region === `${N / 2},${N / 2 + 1}`, `cut through walls: what is kept behind the plane is picked: y ${region}`);
   await close(cut);
 
+  const oblique = await open(file, {hash: '#axis=view&normal=1,1,0&cut=0.5'});
+  const across = await measure(oblique);
+  check(Math.abs(across.area / (N ** 2 * Math.SQRT2) - 1) < 0.02, `cut along a diagonal: all of it is filled: ${across.area}`);
+  await close(oblique);
+
   const apart = await open(file, {hash: '#apart=0.5'});
   await still(apart);
   const pieces = await measure(apart);
