@@ -223,17 +223,18 @@ std::vector<Feature> features(const Result& result, const std::optional<Rational
   return Finder(Parts(view, flat), below).run();
 }
 
-std::string nearly_touching_text(const Result& result, const Watch& watch) {
+namespace {
+
+/// `joins` is followed by a distance.
+std::string nearly_touching(const ResultView& view, const FlatComplex& flat, const std::string& joins,
+                            const Watch& watch) {
   constexpr double kUndrawn = 1e-6;
   constexpr std::size_t kMostTold = 10'000;  // of parts: exact distances of more take seconds
-  const ResultView view = result.data().view();
-  const FlatComplex flat = flatten(view);
-  require_bounds(flat, "the result has no bounds", ": distances are told of such results only");
   const Parts parts(view, flat);
   const double reach = parts.diagonal() * kUndrawn;
   if (!(reach > 0) || !std::isfinite(reach)) return {};
   const double step = std::pow(10, std::floor(std::log10(reach)));  // one digit, rounded up
-  const std::string remedy = "; `cnrg check --features` lists what is near, and --join " +
+  const std::string remedy = "; `cnrg check --features` lists what is near, and " + joins +
                              decimal(std::ceil(reach / step) * step, "%.3g") + " joins it";
   std::set<std::array<Parts::Cell, 2>> told;
   std::map<std::array<Parts::Cell, 2>, bool> touching;
@@ -258,6 +259,25 @@ std::string nearly_touching_text(const Result& result, const Watch& watch) {
   return counted(told.size(), "pair of cells does", "pairs of cells do") + " not touch and " +
          (told.size() == 1 ? "is" : "are") + " nearer than a millionth of the model, " +
          (told.size() == 1 ? "" : "the nearest ") + decimal(nearest_root(least), "%.3g") + " apart" + remedy;
+}
+
+}  // namespace
+
+std::string nearly_touching_text(const Result& result, const Watch& watch) {
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  require_bounds(flat, "the result has no bounds", ": distances are told of such results only");
+  return nearly_touching(view, flat, "--join ", watch);
+}
+
+std::string nearly_touching_notice(const Result& result, const Watch& watch) {
+  constexpr std::size_t kMostFacets = 20'000;
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  std::size_t facets = 0;
+  for (const auto& face : flat.faces) facets += face.triangles.size();
+  if (facets > kMostFacets || reaches_frame(flat)) return {};
+  return nearly_touching(view, flat, "`weld` or --join ", watch);
 }
 
 std::string features_text(const Result& result, const std::vector<Feature>& features) {

@@ -14,6 +14,7 @@ namespace cnrg {
 namespace {
 
 using Catch::Contains;
+using Catch::EndsWith;
 using Catch::StartsWith;
 
 const char* const kBoxes = R"(cnrg: 1
@@ -68,7 +69,7 @@ TEST_CASE("help lists what there is, and nothing else is a command", "[app][erro
   CHECK_THAT(o.err, StartsWith("cnrg: error: "));
 }
 
-TEST_CASE("faults of the tree: one line, exit status 2; no file: 3", "[app][errors]") {
+TEST_CASE("faults of the tree: each with its line and a mark, exit status 2; no file: 3", "[app][errors]") {
   const Workshop w;
   w.write("bad.yaml", "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, nan]}}\nresult: a\n");
   w.write("flat.yaml", "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 0]}}\nresult: a\n");
@@ -76,11 +77,13 @@ TEST_CASE("faults of the tree: one line, exit status 2; no file: 3", "[app][erro
     const Outcome bad = w.run(command + " bad.yaml");
     CHECK(bad.status == 2);
     CHECK_THAT(bad.err, StartsWith("bad.yaml:3:41: error: `max` of box: `nan` is no number"));
-    CHECK(lines_in(bad.err) == 1);
+    CHECK_THAT(bad.err, EndsWith("\n  3 |   a: {box: {min: [0, 0, 0], max: [1, 1, nan]}}\n    | " +
+                                 std::string(40, ' ') + "^\n"));
+    CHECK(lines_in(bad.err) == 3);
     const Outcome flat = w.run(command + " flat.yaml");
     CHECK(flat.status == 2);
-    CHECK_THAT(flat.err, StartsWith("flat.yaml:3:7: error: box"));
-    CHECK(lines_in(flat.err) == 1);
+    CHECK_THAT(flat.err, StartsWith("flat.yaml:3:34: error: box"));
+    CHECK(lines_in(flat.err) == 3);
     const Outcome none = w.run(command + " none.yaml");
     CHECK(none.status == 3);
     CHECK_THAT(none.err, StartsWith("none.yaml:1:1: error: ") && Contains("there is no file"));

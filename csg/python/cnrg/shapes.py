@@ -309,12 +309,14 @@ def heightfield(
     origin: Sequence[Number] | None = None,
     spacing: Sequence[Number] | None = None,
     base: Number | None = None,
+    within: Number | None = None,
     **attributes: Any,
 ) -> Node:
     """A terrain from rows of heights (rows along y, entries along x; an array of shape (ny, nx)), or from an ESRI
-    ASCII grid. base: the solid down to that level; without it a surface."""
+    ASCII grid. base: the solid down to that level; without it a surface. within: fewer points and larger triangles,
+    nowhere farther than that above or below the surface over all points (units of the model)."""
     keys = {"heights": _optional(heights), "file": _path(file), "origin": _optional(origin)}
-    return leaf("heightfield", {**keys, "spacing": _optional(spacing), "base": _optional(base)}, attributes)
+    return leaf("heightfield", {**keys, "spacing": _optional(spacing), "base": _optional(base), "within": _optional(within)}, attributes)
 
 
 def _path(path: Any) -> str | None:
