@@ -231,10 +231,11 @@ class MeshLeaf {
         size += std::abs(d[0][k]) * (std::abs(d[1][l] * d[2][m]) + std::abs(d[1][m] * d[2][l]));
       }
     });
-    // Coordinates and differences are off by at most 3 units of 2^-53 each, products by 12 of them, and each of
-    // the additions adds one of the size so far.
-    const double error = (3 * static_cast<double>(corners_.size()) + 16) * 0x1p-52 * size;
-    if (std::abs(sum) > error) return sum < 0;
+    // Differences of doubles are off by 2^-53 of themselves, products by 7 of these, and each addition by one of the
+    // size so far; what is so small that it loses digits is below 2^-1000.
+    const double count = 3 * static_cast<double>(corners_.size());
+    const double error = (count + 16) * 0x1p-52 * size + count * 0x1p-1000;
+    if (data_.exact.empty() && std::abs(sum) > error) return sum < 0;
     const RationalPoint exact_origin = points_.value(corners_[0]);
     std::vector<Rational> terms;
     for_each_triangle([&](const std::array<std::uint32_t, 3>& corners) {

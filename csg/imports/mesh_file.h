@@ -7,7 +7,7 @@
 
 namespace cnrg {
 
-/// Reads a mesh by the extension of `path` (.off .obj .stl .ply .vtp .vtu .vtk .msh .glb .ts .pl .wl, in any case).
+/// Reads a mesh by the extension of `path` (.off .obj .stl .ply .vtp .vtu .vtk .msh .glb .3mf .ts .pl .wl, in any case).
 /// Coordinates are the doubles that the text rounds to; with `decimal` exactly the decimals of a text file. Throws
 /// LeafFileError
 /// (`path:line: error: ...`, for binary data `path: byte N: error: ...`) for a fault in the file, InputError if
@@ -29,6 +29,7 @@ MeshData read_vtp(const std::string& path, const std::string& text, bool decimal
 MeshData read_vtk(const std::string& path, const std::string& text, bool decimal);
 MeshData read_msh(const std::string& path, const std::string& text, bool decimal);
 MeshData read_glb(const std::string& path, const std::string& text, bool decimal);
+MeshData read_3mf(const std::string& path, const std::string& text, bool decimal);
 MeshData read_gocad(const std::string& path, const std::string& text, bool decimal);
 
 }  // namespace cnrg

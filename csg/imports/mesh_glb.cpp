@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "csg/imports/affine.h"
 #include "csg/imports/mesh_file.h"
 #include "csg/leaves/leaf.h"
 #include "csg/text/json_document.h"
@@ -14,18 +15,6 @@
 
 namespace cnrg {
 namespace {
-
-using Matrix = std::array<std::array<double, 4>, 3>;  ///< rows of an affine map
-
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix out{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      out[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + (j == 3 ? a[i][3] : 0);
-    }
-  }
-  return out;
-}
 
 class GlbReader {
  public:
@@ -40,7 +29,7 @@ class GlbReader {
     if (scenes == nullptr || scenes->count == 0) fail("the file has no scene: export one");
     const std::size_t scene = number_of(json_.root(), "scene", 0);
     const Value* const nodes = member(item(*scenes, scene, "scene"), "nodes");
-    constexpr Matrix kUpward{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};  // z of the model is y of glTF
+    constexpr Affine kUpward{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};  // z of the model is y of glTF
     for (std::size_t i = 0; nodes != nullptr && i < nodes->count; ++i)
       add_node(whole(json_.at(*nodes, i)), kUpward, 0);
     if (group_ < 2) mesh_.groups.clear();
@@ -131,8 +120,8 @@ class GlbReader {
     return otherwise;
   }
 
-  Matrix placed(const Value& node) const {
-    Matrix out{};
+  Affine placed(const Value& node) const {
+    Affine out{};
     if (member(node, "matrix") != nullptr) {
       const auto columns = numbers<16>(node, "matrix", {});
       for (std::size_t i = 0; i < 3; ++i)
@@ -144,7 +133,7 @@ class GlbReader {
     const double length = x * x + y * y + z * z + w * w;  // 1 but for rounding
     if (length == 0) fail(json_.path(node) + " has a rotation of length 0: export the file again");
     // Quotients of sums: of a quarter turn, with its two equal roots, they are exact.
-    const Matrix turn{{{(w * w + x * x - y * y - z * z) / length, 2 * (x * y - z * w) / length,
+    const Affine turn{{{(w * w + x * x - y * y - z * z) / length, 2 * (x * y - z * w) / length,
                         2 * (x * z + y * w) / length, move[0]},
                        {2 * (x * y + z * w) / length, (w * w - x * x + y * y - z * z) / length,
                         2 * (y * z - x * w) / length, move[1]},
@@ -156,13 +145,13 @@ class GlbReader {
     return out;
   }
 
-  void add_node(std::size_t number, const Matrix& above, int depth) {
+  void add_node(std::size_t number, const Affine& above, int depth) {
     constexpr int kDeepest = 1000;
     constexpr std::size_t kMostPlaced = 1'000'000;
     if (depth == kDeepest || ++placed_ > kMostPlaced)
       fail("nodes are children of each other in a circle, or too many: export the file again");
     const Value& node = entry("nodes", number);
-    const Matrix here = product(above, placed(node));
+    const Affine here = product(above, placed(node));
     if (const Value* const mesh = member(node, "mesh")) add_mesh(entry("meshes", whole(*mesh)), here);
     if (const Value* const children = member(node, "children")) {
       for (std::size_t i = 0; i < children->count; ++i)
@@ -170,7 +159,7 @@ class GlbReader {
     }
   }
 
-  void add_mesh(const Value& mesh, const Matrix& place) {
+  void add_mesh(const Value& mesh, const Affine& place) {
     const Value* const parts = member(mesh, "primitives");
     const std::size_t faces = mesh_.face_count();
     for (std::size_t i = 0; parts != nullptr && i < parts->count; ++i)
@@ -178,7 +167,7 @@ class GlbReader {
     if (mesh_.face_count() > faces) ++group_;
   }
 
-  void add_part(const Value& part, const Matrix& place) {
+  void add_part(const Value& part, const Affine& place) {
     const Value* const attributes = member(part, "attributes");
     const Value* const position = attributes == nullptr ? nullptr : member(*attributes, "POSITION");
     if (position == nullptr) return;
@@ -226,7 +215,7 @@ class GlbReader {
     return {binary_.substr(begin), count, stride};
   }
 
-  std::size_t add_points(const Value& accessor, const Matrix& place) {
+  std::size_t add_points(const Value& accessor, const Affine& place) {
     constexpr std::size_t kFloat = 5126;
     const Value* const type = member(accessor, "type");
     if (number_of(accessor, "componentType", 0) != kFloat || type == nullptr || json_.decoded(*type) != "VEC3")
@@ -235,9 +224,9 @@ class GlbReader {
     for (std::size_t i = 0; i < found.count; ++i) {
       std::array<double, 3> p{};
       for (std::size_t k = 0; k < 3; ++k) p[k] = std::bit_cast<float>(word(found.bytes, i * found.stride + 4 * k));
-      for (const auto& row : place) {
-        mesh_.xyz.push_back(row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3]);
-        if (!std::isfinite(mesh_.xyz.back()))
+      add_point(mesh_, place, p);
+      for (auto x = mesh_.xyz.end() - 3; x != mesh_.xyz.end(); ++x) {
+        if (!std::isfinite(*x))
           fail(json_.path(accessor) + " has a position that is no finite number: export the file again");
       }
     }

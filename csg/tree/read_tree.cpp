@@ -181,16 +181,33 @@ class TreeReader {
     f.read("index", name, "count", copies);
     if (!is_parameter_name(name) || document_.parameters.contains(name))
       f.at("index").fail_type(f.name("index"), "a name of letters, digits and `_` that no parameter has");
+    const CopyScope scope(*this, name);
     for (int copy = 0; copy < copies; ++copy) {
       const NodeId copied = add_node(tree_.nodes[id].name + "/" + std::to_string(copy + 1), true, of.at());
       dag_.add_operand(id, copied, of.at());
       document_.parameters[name] = Rational(copy);
-      places_.emplace_back();  // what is inline in another copy is another node
+      places_.back().clear();  // what is inline in another copy is another node
       read_node(copied, Value(document_, of.node(), of.at()));
-      places_.pop_back();
     }
-    document_.parameters.erase(name);
   }
+
+  /// While copies of a `repeat` are read, and a fault in one of them is on its way.
+  class CopyScope {
+   public:
+    CopyScope(TreeReader& reader, const std::string& index) : reader_(reader), index_(index) {
+      reader.places_.emplace_back();
+    }
+    ~CopyScope() {
+      reader_.places_.pop_back();
+      reader_.document_.parameters.erase(index_);
+    }
+    CopyScope(const CopyScope&) = delete;
+    CopyScope& operator=(const CopyScope&) = delete;
+
+   private:
+    TreeReader& reader_;
+    const std::string& index_;
+  };
 
   /// All nodes of a `.csg` file, called `NODE/NAME`, and its result as the only operand.
   void read_csg(NodeId id, const Value& value) {

@@ -100,10 +100,10 @@ TEST_CASE("eval prints one aligned row per node", "[app]") {
   CHECK(o.err.empty());
   CHECK(lines_in(o.out) == 11);  // the head, seven nodes, three stages
   CHECK(row(o.out, "a").back() == "8");
-  CHECK(row(o.out, "b").back() == "28/3");
-  CHECK(row(o.out, "u").back() == "49/3");
-  CHECK(row(o.out, "d").back() == "46/3");
-  CHECK(row(o.out, "r").back() == "46/3");
+  CHECK(row(o.out, "b").back() == "(28/3)");
+  CHECK(row(o.out, "u").back() == "(49/3)");
+  CHECK(row(o.out, "d").back() == "(46/3)");
+  CHECK(row(o.out, "r").back() == "(46/3)");
   CHECK(row(o.out, "d/2").at(1) == "box");
   CHECK(row(o.out, "wire").at(1) == "polyline");
 
@@ -223,7 +223,7 @@ TEST_CASE("a result is read back as a leaf", "[app]") {
   const Outcome o = w.run("eval again.yaml");
   INFO(o.err);
   CHECK(o.status == 0);
-  CHECK(row(o.out, "d").back() == "46/3");
+  CHECK(row(o.out, "d").back() == "(46/3)");
 }
 
 TEST_CASE("materials of a mixture are read back, and none that there is not", "[app][errors]") {

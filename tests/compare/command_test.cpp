@@ -19,7 +19,7 @@ TEST_CASE("compare prints what differs and ends with 4, or with 0", "[compare][c
   const Outcome different = w.run("compare a.yaml a.yaml --node-b low");
   CHECK(different.status == 4);
   CHECK(different.out ==
-        "A: `box` of a.yaml\nB: `low` of a.yaml\ndifferent\nonly in A: a region of volume 1/2 about (1/2, 1/2, "
+        "A: `box` of a.yaml\nB: `low` of a.yaml\ndifferent\nonly in A: a region of volume 0.5 about (1/2, 1/2, "
         "3/4)\n");
   CHECK(different.err.empty());
   const Outcome quiet = w.run("compare a.yaml a.yaml --node-a low --quiet");

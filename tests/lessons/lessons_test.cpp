@@ -86,7 +86,7 @@ TEST_CASE("an exercise as it is given has holes, and each is told with its line"
 
 /// What the check of a wrong answer has to say, by lesson.
 const std::map<int, std::string> kReasons{
-    {1, "in both: a face of area 1/2 about (3/2, 7/4, 3/2): in component 2 `a & b` of A"},
+    {1, "in both: a face of area 0.5 about (3/2, 7/4, 3/2): in component 2 `a & b` of A"},
     {2,
      "only in A: a face of area 1/2 sqrt(5) about (3/2, 3/4, 1/2)\n"
      "only in B: a face of area sqrt(2) about (1/2, 3/2, 1/2)\n"},
