@@ -56,17 +56,19 @@ std::string next_shown(std::string_view& text) {
 /// The line of a fault, and below it a mark at the column; of a long line the part there. Nothing for a file as a
 /// whole.
 std::string marked_line(const Fault& fault) {
-  constexpr int kBefore = 60, kAfter = 40;
+  constexpr std::size_t kBefore = 60, kAfter = 40;
   if (fault.at == Position() || fault.file == kStandardInput) return {};
   const std::string line = line_of(fault.file, fault.at.line);
   if (line.empty()) return {};
   std::string_view rest = line;
-  std::string before = fault.at.column > kBefore + 1 ? "..." : "", after;
-  for (int column = 1; column < fault.at.column && !rest.empty(); ++column) {
+  const std::size_t column = std::min(static_cast<std::size_t>(fault.at.column) - 1, line.size());
+  std::string before = column > kBefore ? "..." : "", after;
+  while (line.size() - rest.size() < column) {
+    const bool near = line.size() - rest.size() + kBefore >= column;
     const std::string character = next_shown(rest);
-    if (column >= fault.at.column - kBefore) before += character;
+    if (near) before += character;
   }
-  for (int i = 0; i < kAfter && !rest.empty(); ++i) after += next_shown(rest);
+  for (std::size_t i = 0; i < kAfter && !rest.empty(); ++i) after += next_shown(rest);
   const std::string margin = "  " + std::to_string(fault.at.line) + " | ";
   return margin + before + after + (rest.empty() ? "\n" : "...\n") + std::string(margin.size() - 2, ' ') + "| " +
          std::string(width_of(before), ' ') + "^\n";

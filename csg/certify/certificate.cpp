@@ -75,12 +75,16 @@ std::vector<Diagnostic> Certificate::told(const Tree& tree) const {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };
   if (places.size() > kTold) {
-    result.push_back({tree.file, {}, Diagnostic::Level::notice,
+    result.push_back({tree.file,
+                      {},
+                      Diagnostic::Level::notice,
                       count(places.size() - kTold, "more place") +
                           " where curved surfaces may not meet as their facets do; --certify tells of ten"});
   }
   if (left > 0) {
-    result.push_back({tree.file, {}, Diagnostic::Level::notice,
+    result.push_back({tree.file,
+                      {},
+                      Diagnostic::Level::notice,
                       count(left, "question") +
                           " whether curved surfaces meet as their facets do left open; --certify asks on"});
   }

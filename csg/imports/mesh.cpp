@@ -231,8 +231,8 @@ class MeshLeaf {
         size += std::abs(d[0][k]) * (std::abs(d[1][l] * d[2][m]) + std::abs(d[1][m] * d[2][l]));
       }
     });
-    // Differences of doubles are off by 2^-53 of themselves, products by 7 of these, and each addition by one of the
-    // size so far; what is so small that it loses digits is below 2^-1000.
+    // Differences of doubles are off by 2^-53 of themselves, products by 7 of these, and each addition by one of
+    // the size so far; what is so small that it loses digits is below 2^-1000.
     const double count = 3 * static_cast<double>(corners_.size());
     const double error = (count + 16) * 0x1p-52 * size + count * 0x1p-1000;
     if (data_.exact.empty() && std::abs(sum) > error) return sum < 0;

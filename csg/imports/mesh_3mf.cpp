@@ -21,9 +21,11 @@
 namespace cnrg {
 namespace {
 
-constexpr const char* kTruncated = "the archive is truncated, or damaged: export it again";
+constexpr const char* kBrokenArchive = "the archive is truncated, or damaged: export it again";
 
-[[noreturn]] void fail(const std::string& path, const std::string& text) { throw LeafFileError(path, 0, 0, text); }
+[[noreturn]] void fail_3mf(const std::string& path, const std::string& text) {
+  throw LeafFileError(path, 0, 0, text);
+}
 
 std::size_t number_in(std::string_view bytes, std::size_t at, std::size_t size) {
   std::size_t n = 0;
@@ -33,7 +35,7 @@ std::size_t number_in(std::string_view bytes, std::size_t at, std::size_t size) 
 
 /// Raw deflate. zlib makes at most 1032 bytes of one.
 std::string inflated(const std::string& path, std::string_view bytes, std::size_t size) {
-  if (size / 1100 > bytes.size()) fail(path, kTruncated);
+  if (size / 1100 > bytes.size()) fail_3mf(path, kBrokenArchive);
   std::string out(size, '\0');
   z_stream stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
@@ -44,39 +46,39 @@ std::string inflated(const std::string& path, std::string_view bytes, std::size_
   const int done = inflate(&stream, Z_FINISH);
   const bool whole = done == Z_STREAM_END && stream.total_out == size;
   inflateEnd(&stream);
-  if (!whole) fail(path, kTruncated);
+  if (!whole) fail_3mf(path, kBrokenArchive);
   return out;
 }
 
 /// The part of an archive with that name, by its directory (PKWARE's APPNOTE, 4.3).
-std::string part_of(const std::string& path, std::string_view archive, std::string_view name) {
+std::string archive_part(const std::string& path, std::string_view archive, std::string_view name) {
   constexpr std::size_t kEnd = 22, kEntry = 46, kHead = 30;
   const std::size_t end = archive.rfind(std::string_view("PK\5\6", 4));
   if (end == std::string_view::npos || archive.size() - end < kEnd)
-    fail(path, "this is no ZIP archive, which a .3mf is: export it again");
+    fail_3mf(path, "this is no ZIP archive, which a .3mf is: export it again");
   std::size_t at = number_in(archive, end + 16, 4);
   for (std::size_t left = number_in(archive, end + 10, 2); left > 0; --left) {
-    if (at > archive.size() || archive.size() - at < kEntry) fail(path, kTruncated);
+    if (at > archive.size() || archive.size() - at < kEntry) fail_3mf(path, kBrokenArchive);
     const std::size_t length = number_in(archive, at + 28, 2);
     if (archive.substr(at + kEntry, length) == name) {
       const std::size_t method = number_in(archive, at + 10, 2), packed = number_in(archive, at + 20, 4),
                         size = number_in(archive, at + 24, 4), head = number_in(archive, at + 42, 4);
-      if (head > archive.size() || archive.size() - head < kHead) fail(path, kTruncated);
+      if (head > archive.size() || archive.size() - head < kHead) fail_3mf(path, kBrokenArchive);
       const std::size_t begin = head + kHead + number_in(archive, head + 26, 2) + number_in(archive, head + 28, 2);
-      if (begin > archive.size() || archive.size() - begin < packed) fail(path, kTruncated);
+      if (begin > archive.size() || archive.size() - begin < packed) fail_3mf(path, kBrokenArchive);
       const std::string_view bytes = archive.substr(begin, packed);
       if (method == 0) return std::string(bytes);
-      if (method != 8) fail(path, "the archive is packed otherwise than by deflate: export it again");
+      if (method != 8) fail_3mf(path, "the archive is packed otherwise than by deflate: export it again");
       return inflated(path, bytes, size);
     }
     at += kEntry + length + number_in(archive, at + 30, 2) + number_in(archive, at + 32, 2);
   }
-  fail(path, "the archive has no part " + std::string(name) + ": export it again");
+  fail_3mf(path, "the archive has no part " + std::string(name) + ": export it again");
 }
 
-class ModelReader {
+class ThreeMfReader {
  public:
-  ModelReader(const std::string& path, const std::string& text)
+  ThreeMfReader(const std::string& path, const std::string& text)
       : path_(path), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
     if (!parser_) throw std::bad_alloc();
     XML_SetUserData(parser_.get(), this);
@@ -123,13 +125,14 @@ class ModelReader {
   std::size_t placed_ = 0;
 
   [[noreturn]] void fail_here(const std::string& text) const {
-    fail(path_, "3D/3dmodel.model, line " + std::to_string(XML_GetCurrentLineNumber(parser_.get())) + ": " + text);
+    fail_3mf(path_,
+             "3D/3dmodel.model, line " + std::to_string(XML_GetCurrentLineNumber(parser_.get())) + ": " + text);
   }
 
   /// Nothing may be thrown through a library of C.
   template <class Body>
   static void guarded(void* user, const Body& body) {
-    auto& reader = *static_cast<ModelReader*>(user);
+    auto& reader = *static_cast<ThreeMfReader*>(user);
     if (reader.fault_) return;
     try {
       body(reader);
@@ -139,10 +142,10 @@ class ModelReader {
     }
   }
   static void doctype(void* user, const char*, const char*, const char*, int) {
-    guarded(user, [](ModelReader& reader) { reader.fail_here("a model has no DOCTYPE: leave it out"); });
+    guarded(user, [](ThreeMfReader& reader) { reader.fail_here("a model has no DOCTYPE: leave it out"); });
   }
   static void begin_element(void* user, const char* name, const char** attributes) {
-    guarded(user, [&](ModelReader& reader) {
+    guarded(user, [&](ThreeMfReader& reader) {
       Attributes given;
       for (; *attributes != nullptr; attributes += 2) given[attributes[0]] = attributes[1];
       reader.begin(name, given);
@@ -214,16 +217,16 @@ class ModelReader {
     constexpr int kDeepest = 1000;
     constexpr std::size_t kMostPlaced = 1'000'000;
     if (depth == kDeepest || ++placed_ > kMostPlaced)
-      fail(path_, "objects are parts of each other in a circle, or too many: export it again");
+      fail_3mf(path_, "objects are parts of each other in a circle, or too many: export it again");
     const auto found = objects_.find(use.object);
-    if (found == objects_.end()) fail(path_, "there is no object " + use.object + ": export it again");
+    if (found == objects_.end()) fail_3mf(path_, "there is no object " + use.object + ": export it again");
     const Affine here = product(above, use.place);
     const Object& object = found->second;
     const std::uint32_t first = place32(mesh_.point_count(), "points");
     for (const auto& p : object.points) {
       add_point(mesh_, here, p);
       if (!std::isfinite(mesh_.xyz.back() + mesh_.xyz.end()[-2] + mesh_.xyz.end()[-3]))
-        fail(path_, "object " + use.object + " is placed beyond all doubles: export it again");
+        fail_3mf(path_, "object " + use.object + " is placed beyond all doubles: export it again");
     }
     for (const auto& triangle : object.triangles) {
       for (const std::uint32_t p : triangle) mesh_.corners.push_back(first + p);
@@ -238,7 +241,7 @@ class ModelReader {
 }  // namespace
 
 MeshData read_3mf(const std::string& path, const std::string& text, bool) {
-  return ModelReader(path, part_of(path, text, "3D/3dmodel.model")).read();
+  return ThreeMfReader(path, archive_part(path, text, "3D/3dmodel.model")).read();
 }
 
 }  // namespace cnrg

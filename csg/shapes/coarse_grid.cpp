@@ -38,7 +38,7 @@ Whole floor_of(Whole a, Whole b) { return a / b - (a % b < 0 ? 1 : 0); }
 class Coarsening {
  public:
   Coarsening(const HeightTable& table, const Rational& within)
-      : table_(table), within_(within), bound_(to_double(within)), chosen_(table.heights.size(), 0) {
+      : table_(table), within_(within), bound_(to_double(within)), chosen_(table.heights.size(), kNot) {
     for (const Rational& z : table.heights) {
       rounded_.push_back(to_double(z));
       highest_ = std::max(highest_, std::abs(rounded_.back()));
@@ -69,7 +69,8 @@ class Coarsening {
   const double bound_;
   std::vector<double> rounded_;
   double highest_ = 0, error_ = 0, farthest_ = 0;
-  std::vector<char> chosen_;
+  enum Choice : char { kNot, kNext, kThere };  ///< not, for the next round, among the corners of triangles
+  std::vector<Choice> chosen_;
   std::vector<Index> points_;
   Delaunay surface_;  // by places in the table
 
@@ -80,12 +81,15 @@ class Coarsening {
   Whole j_of(Index p) const { return static_cast<Whole>(p) / columns(); }
 
   void choose(Index p) {
-    if (std::exchange(chosen_[p], 1) == 0) points_.push_back(p);
+    if (chosen_[p] != kNot) return;
+    chosen_[p] = kNext;
+    points_.push_back(p);
   }
 
   void triangulate() {
     std::vector<std::array<double, 2>> plan;
     for (const Index p : points_) {
+      chosen_[p] = kThere;
       const auto i = static_cast<double>(i_of(p)), j = static_cast<double>(j_of(p));
       plan.push_back({i - j / 2, 0.875 * j});
     }
@@ -114,7 +118,7 @@ class Coarsening {
       const auto [begin, end] = row_of(corners, j);
       for (Whole i = begin; i <= end; ++i) {
         const Index p = at(i, j);
-        if (chosen_[p] != 0) continue;
+        if (chosen_[p] != kNot) continue;
         const std::array<Whole, 3> w = weights(corners, i, j);
         const double off = deviation<double>(rounded_, corners, w, p);
         if (std::abs(off) < worst ||
@@ -207,9 +211,9 @@ class Coarsening {
     if (!too_far(off(rounded_), [&] { return off(table_.heights); })) return;
     const bool nearer = 2 * place.part > place.parts;
     const Index one = nearer ? place.to : place.from, other = nearer ? place.from : place.to;
-    require(chosen_[one] == 0 || chosen_[other] == 0,
-            "coarse_surface: an edge crosses one of the grid that is there");
-    choose(chosen_[one] == 0 ? one : other);
+    require(chosen_[one] != kThere || chosen_[other] != kThere, "coarse_surface: an edge crosses one of the grid");
+    if (chosen_[one] == kNext || chosen_[other] == kNext) return;
+    choose(chosen_[one] == kNot ? one : other);
   }
 };
 

@@ -75,11 +75,8 @@ void check_encoding(const Document& document, const std::string& text) {
   if (at == text.size()) return;
   const std::string_view before = std::string_view(text).substr(0, at);
   const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
-  const auto is_first = [](char c) { return (c & 0xc0) != 0x80; };
-  const Position position{
-      1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
-      1 + static_cast<int>(
-              std::count_if(before.begin() + static_cast<std::ptrdiff_t>(line_begin), before.end(), is_first))};
+  const Position position{1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+                          1 + static_cast<int>(before.size() - line_begin)};
   document.fail(position, "the byte " + shown(text.substr(at, 1)) + " is no UTF-8; save the file as UTF-8");
 }
 

@@ -45,9 +45,9 @@ TEST_CASE("all faults of a tree are told with their lines; of long lines and odd
   CHECK(w.run("eval t.yaml").err ==
         "t.yaml:3:29: error: unknown key `maxx` in box; did you mean `max`?\n"
         "  3 |   a: {box: {min: [0, 0, 0], maxx: [1, 1, 1]}}\n    |                             ^\n"
-        "t.yaml:4:11: error: unknown key `boks` in the node `Größe`: neither an operator nor an attribute; did "
-        "you mean "
-        "`box`?\n  4 |   Größe: {boks: 1}\n    |           ^\n"
+        "t.yaml:4:13: error: unknown key `boks` in the node `Größe`: neither an operator nor an attribute; remove "
+        "it "
+        "or write the one that is meant\n  4 |   Größe: {boks: 1}\n    |           ^\n"
         "t.yaml:5:9: error: there is no node called `c`; did you mean `a`?\n  5 | result: c\n    |         ^\n");
   const std::string blanks(100, ' ');
   w.write("t.yaml", "cnrg: 1\nnodes: {a: " + blanks + "{box: x}" + blanks + "}\nresult: a\n");
