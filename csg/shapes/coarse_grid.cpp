@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -54,9 +55,17 @@ class Coarsening {
       triangulate();
       farthest_ = 0;
       const std::size_t before = points_.size();
-      for (const auto& triangle : surface_.triangles) check_points(triangle);
+      std::set<std::array<Index, 2>> bad;  // sides of triangles that will not stay
       for (const auto& triangle : surface_.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) check_edge(triangle[k], triangle[(k + 1) % 3]);
+        if (!check_points(triangle)) continue;
+        for (std::size_t k = 0; k < 3; ++k) bad.insert(side(triangle, k));
+      }
+      for (const auto& triangle : surface_.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto [p, q] = side(triangle, k);
+          const bool first = triangle[k] == p || is_border(p, q);  // an inner edge is there twice
+          if (first && !bad.contains({p, q})) check_edge(p, q);
+        }
       }
       if (points_.size() == before) break;
     }
@@ -73,9 +82,15 @@ class Coarsening {
   std::vector<Choice> chosen_;
   std::vector<Index> points_;
   Delaunay surface_;  // by places in the table
+  double worst_ = 0;  // of the crossings of an edge, and where
+  Between worst_place_;
 
   Whole columns() const { return static_cast<Whole>(table_.columns); }
   Whole rows() const { return static_cast<Whole>(table_.rows); }
+  static std::array<Index, 2> side(const std::array<Index, 3>& triangle, std::size_t k) {
+    const auto [p, q] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+    return {p, q};
+  }
   Index at(Whole i, Whole j) const { return static_cast<Index>(j * columns() + i); }
   Whole i_of(Index p) const { return static_cast<Whole>(p) % columns(); }
   Whole j_of(Index p) const { return static_cast<Whole>(p) / columns(); }
@@ -110,7 +125,8 @@ class Coarsening {
 
   // --- points of the table in a triangle
 
-  void check_points(const std::array<Index, 3>& corners) {
+  /// False if none is too far off; else the farthest is chosen.
+  bool check_points(const std::array<Index, 3>& corners) {
     const auto [first, last] = std::minmax({j_of(corners[0]), j_of(corners[1]), j_of(corners[2])});
     double worst = 0;
     Index farthest = 0;
@@ -129,6 +145,7 @@ class Coarsening {
       }
     }
     if (worst > 0) choose(farthest);
+    return worst > 0;
   }
 
   /// The first and last entry of row j in a triangle.
@@ -170,8 +187,7 @@ class Coarsening {
   // --- crossings of an edge with those of the grid
 
   void check_edge(Index p, Index q) {
-    const bool inner = p < q || is_border(p, q);  // an inner edge is there twice
-    if (!inner) return;
+    worst_ = 0;
     const Whole i = i_of(p), j = j_of(p), di = i_of(q) - i, dj = j_of(q) - j;
     cross_lines(p, q, i, di, [&](Whole line, Whole n, Whole d) {
       const Whole y = j * d + n * dj, row = floor_of(y, d);
@@ -186,6 +202,7 @@ class Coarsening {
       const Whole next = x == column * d ? column : column + 1;
       return Between{at(column, column - line), at(next, next - line), x - column * d, d};
     });
+    if (worst_ > 0) choose_end();
   }
   bool is_border(Index p, Index q) const {
     return (i_of(p) == i_of(q) && (i_of(p) == 0 || i_of(p) == columns() - 1)) ||
@@ -208,9 +225,16 @@ class Coarsening {
           z[place.from] + number<Number>(place.part) * (z[place.to] - z[place.from]) / number<Number>(place.parts);
       return Number(grid - edge);
     };
-    if (!too_far(off(rounded_), [&] { return off(table_.heights); })) return;
-    const bool nearer = 2 * place.part > place.parts;
-    const Index one = nearer ? place.to : place.from, other = nearer ? place.from : place.to;
+    const double size = std::abs(off(rounded_));
+    if (!too_far(size, [&] { return off(table_.heights); }) || size <= worst_) return;
+    worst_ = size;
+    worst_place_ = place;
+  }
+
+  void choose_end() {
+    const bool nearer = 2 * worst_place_.part > worst_place_.parts;
+    const Index one = nearer ? worst_place_.to : worst_place_.from,
+                other = nearer ? worst_place_.from : worst_place_.to;
     require(chosen_[one] != kThere || chosen_[other] != kThere, "coarse_surface: an edge crosses one of the grid");
     if (chosen_[one] == kNext || chosen_[other] == kNext) return;
     choose(chosen_[one] == kNot ? one : other);
