@@ -2,6 +2,7 @@
 // their triangles, which shares nothing with the walk along edges of the program.
 #include <random>
 
+#include "tests/exact/rational_text.h"
 #include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
