@@ -414,7 +414,7 @@ class Files(Folder):
         with self.assertRaises(cnrg.InputError) as caught:
             cnrg.parse("cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, x], max: [1, 1, y]}}\nresult: b\n")
         error = caught.exception
-        self.assertEqual([(e.line, e.column) for e in (error, *error.more)], [(3, 26), (3, 42), (4, 9)])
+        self.assertEqual([(e.line, e.column) for e in (error, *error.more)], [(3, 25), (3, 41), (4, 9)])
         self.assertEqual(len(str(error).splitlines()), 3)
 
     def test_parameters_of_a_file_are_numbers_of_the_nodes(self):

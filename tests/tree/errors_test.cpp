@@ -57,12 +57,12 @@ TEST_CASE("all faults of a file are told, each at its value", "[tree][errors]") 
   std::vector<std::string> told;
   for (const Fault& f : error->faults())
     told.push_back(std::to_string(f.at.line) + ":" + std::to_string(f.at.column) + " " + f.message.substr(0, 24));
-  CHECK(told == std::vector<std::string>{"1:7 this program reads versi", "2:19 unknown key `colour` in ",
-                                         "4:26 `min` of box: `x` is no ", "4:42 `max` of box: `y` is no ",
-                                         "4:53 `size` must be above 0, ", "5:35 unknown key `radiu` in s",
+  CHECK(told == std::vector<std::string>{"1:7 this program reads versi", "2:20 unknown key `colour` in ",
+                                         "4:25 `min` of box: `x` is no ", "4:41 `max` of box: `y` is no ",
+                                         "4:52 `size` is how long edges", "5:35 unknown key `radiu` in s",
                                          "6:18 there is no node called ", "6:23 unknown key `boks` in th",
                                          "6:42 unknown key `bas` in pri", "6:50 unknown key `vektor` in ",
-                                         "6:73 the material `clay` is n", "7:9 there is no node called ",
+                                         "6:74 the material `clay` is n", "7:9 there is no node called ",
                                          "8:7 `weld` of a tree file mu"});
   CHECK(error->what() == error->faults()[0].text());
 }
@@ -111,7 +111,7 @@ TEST_CASE("what was probably meant is said", "[tree][errors]") {
               {"`rotate` must be a map, such as {axis: [0, 0, 1], degrees: 90}, not a list of 3"});
   expect_node("simplify: p, mirror: 1", 22,
               {"`mirror` must be a map, such as {normal: [1, 0, 0], point: [0, 0, 0]}"});
-  expect_node("cnrg: x.msh", 7, {"`x.msh` is none; write the result by `cnrg eval -o` as .json"});
+  expect_node("cnrg: x.inp", 7, {"`x.inp` is none; write the result by `cnrg eval -o` as .json"});
   expect_node("cnrg: x.vtu", 7, {"{mesh: {file: x.vtu}}"});
   expect_node("cnrg: part.PLY", 7, {"{mesh: {file: part.PLY}}"});
   expect_node("cnrg: part.stp", 7, {"{step: {file: part.stp}}"});
