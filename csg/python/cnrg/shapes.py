@@ -407,7 +407,7 @@ _NUMBERS = ("chord", "segments", "weld", "fit", "base")
 
 
 def load(path: str | os.PathLike[str], **keys: Any) -> Node:
-    """A leaf from a file, by its extension: meshes (.off .obj .stl .ply .vtp .vtu .vtk .ts .pl .wl), CAD models (.step .stp
+    """A leaf from a file, by its extension: meshes (.off .obj .stl .ply .vtp .vtu .vtk .msh .glb .3mf .ts .pl .wl), CAD models (.step .stp
     .brep), grids of heights (.asc), results (.json of `Result.write`), OpenSCAD (.csg). The path is relative to the current folder. keys:
     those of the leaf in a tree file (fill, weld, fit, chord, segments, unit, solids, seams, coordinates, base), and
     attributes."""
