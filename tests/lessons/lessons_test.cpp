@@ -100,7 +100,7 @@ const std::map<int, std::string> kReasons{
     {8, "only in B: an edge of length 1 about (4, 2, 7/2)\n"},
     {9, "only in A: a face of area sqrt(107) about (0, -2, 1/3)\n"},
     {10, "only in A: all 2 together: volume 1\n"},
-    {11, "in both: a region of volume 1/3000000 about (1/2, 1/2, 833333/2500000)"},
+    {11, "in both: a region of volume 0.000000333333333333 (1/3000000) about (1/2, 1/2, 833333/2500000)"},
     {12, "in both: an edge of length 1 about (1, 2, 5/2): an entity of A, in region 1 `block` of B\n"}};
 
 TEST_CASE("a wrong answer is told why", "[lessons]") {
