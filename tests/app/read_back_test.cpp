@@ -29,7 +29,11 @@ TEST_CASE(".msh, .glb and .3mf of solids are read back as trees of one leaf", "[
     INFO(file << "\n" << o.err << o.out);
     REQUIRE(o.status == 0);
     CHECK(o.err.empty());
-    CHECK(row(o.out, file.substr(0, file.find('.'))).back() == "6.5");
+    const auto words = row(o.out, file.substr(0, file.find('.')));
+    REQUIRE(words.size() >= 10);
+    CHECK(words[7] == "2");
+    CHECK(words[9] == "6.5");  // of the tetrahedra up to the rounding of points on a slanted face
+    CHECK((words.size() == 10 || file == "filled.msh"));
   }
   // A wall between regions: all cavities are regions.
   REQUIRE(w.run("eval t.yaml --node wall -o w.msh --quiet").status == 0);
@@ -37,7 +41,7 @@ TEST_CASE(".msh, .glb and .3mf of solids are read back as trees of one leaf", "[
   const Outcome cells = w.run("eval w.yaml");
   INFO(cells.err);
   const auto words = row(cells.out, "w");
-  REQUIRE(words.size() == 9);
+  REQUIRE(words.size() == 10);
   CHECK(words[7] == "2");
   CHECK(words.back() == "12");
 }
