@@ -6,7 +6,7 @@
 namespace cnrg::python {
 namespace {
 
-py::object text_of(const std::string& text, const char* otherwise) {
+py::object decoded(const std::string& text, const char* otherwise) {
   return py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), otherwise));
 }
@@ -14,7 +14,7 @@ py::object text_of(const std::string& text, const char* otherwise) {
 /// An error of a class of cnrg/errors.py. Texts of files are UTF-8 here: what is not was escaped where the message
 /// was made.
 py::object error_of(const py::object& type, const Fault& fault) {
-  return type(text_of(fault.message, "backslashreplace"), text_of(fault.file, "surrogateescape"), fault.at.line,
+  return type(decoded(fault.message, "backslashreplace"), decoded(fault.file, "surrogateescape"), fault.at.line,
               fault.at.column);
 }
 
@@ -30,7 +30,7 @@ void raise_made(const char* name, Make make) {
   }
 }
 void raise(const char* name, const std::string& message) {
-  raise_made(name, [&](const py::object& type) { return type(text_of(message, "backslashreplace")); });
+  raise_made(name, [&](const py::object& type) { return type(decoded(message, "backslashreplace")); });
 }
 void raise(const char* name, const Placed& placed) {
   raise_made(name, [&](const py::object& type) {

@@ -225,8 +225,16 @@ std::vector<Feature> features(const Result& result, const std::optional<Rational
 
 namespace {
 
+/// Is there a leaf that both cells came from?
+bool have_common_leaf(const FlatComplex& flat, const std::array<Parts::Cell, 2>& cells) {
+  const auto &first = origin_of(flat, cells[0]).leaves, &second = origin_of(flat, cells[1]).leaves;
+  return std::ranges::any_of(first, [&](LeafId leaf) { return std::ranges::find(second, leaf) != second.end(); });
+}
+
+enum class Pairs : bool { all, of_different_leaves };
+
 /// `joins` is followed by a distance.
-std::string nearly_touching(const ResultView& view, const FlatComplex& flat, const std::string& joins,
+std::string nearly_touching(const ResultView& view, const FlatComplex& flat, const std::string& joins, Pairs which,
                             const Watch& watch) {
   constexpr double kUndrawn = 1e-6;
   constexpr std::size_t kMostTold = 10'000;  // of parts: exact distances of more take seconds
@@ -237,7 +245,7 @@ std::string nearly_touching(const ResultView& view, const FlatComplex& flat, con
   const std::string remedy = "; `cnrg check --features` lists what is near, and " + joins +
                              decimal(std::ceil(reach / step) * step, "%.3g") + " joins it";
   std::set<std::array<Parts::Cell, 2>> told;
-  std::map<std::array<Parts::Cell, 2>, bool> touching;
+  std::map<std::array<Parts::Cell, 2>, bool> left_out;
   Rational least;
   for (const Near kind : kNears) {
     const auto pairs = near_pairs_if_few(parts, kind, from_double(reach), kMostTold, Ends::left_out, watch);
@@ -248,8 +256,11 @@ std::string nearly_touching(const ResultView& view, const FlatComplex& flat, con
     for (const NearPair& pair : *pairs) {
       auto cells = cells_of(parts, kind, pair.a, pair.b);
       if (cells[1] < cells[0]) std::swap(cells[0], cells[1]);
-      const auto [known, fresh] = touching.try_emplace(cells, false);
-      if (fresh) known->second = touch(parts, cells[0], cells[1]);
+      const auto [known, fresh] = left_out.try_emplace(cells, false);
+      if (fresh) {
+        known->second = (which == Pairs::of_different_leaves && have_common_leaf(flat, cells)) ||
+                        touch(parts, cells[0], cells[1]);
+      }
       if (known->second) continue;
       if (told.empty() || pair.squared < least) least = pair.squared;
       told.insert(cells);
@@ -267,7 +278,7 @@ std::string nearly_touching_text(const Result& result, const Watch& watch) {
   const ResultView view = result.data().view();
   const FlatComplex flat = flatten(view);
   require_bounds(flat, "the result has no bounds", ": distances are told of such results only");
-  return nearly_touching(view, flat, "--join ", watch);
+  return nearly_touching(view, flat, "--join ", Pairs::all, watch);
 }
 
 std::string nearly_touching_notice(const Result& result, const Watch& watch) {
@@ -277,7 +288,7 @@ std::string nearly_touching_notice(const Result& result, const Watch& watch) {
   std::size_t facets = 0;
   for (const auto& face : flat.faces) facets += face.triangles.size();
   if (facets > kMostFacets || reaches_frame(flat)) return {};
-  return nearly_touching(view, flat, "`weld` or --join ", watch);
+  return nearly_touching(view, flat, "`weld` or --join ", Pairs::of_different_leaves, watch);
 }
 
 std::string features_text(const Result& result, const std::vector<Feature>& features) {

@@ -28,6 +28,7 @@ TEST_CASE("cells that nearly touch are told, with weld as a remedy", "[app][noti
                  Contains(", the nearest 1e-07 apart; `cnrg check --features` lists what is near, and `weld` or "
                           "--join 3e-06 joins it\n"));
   CHECK(told(near, " --quiet").empty());
+  CHECK(told("  r: {box: {min: [0, 0, 0], max: [1, 1, 10000000]}}\n").empty());  // thin by itself
   CHECK_THAT(told(near, "", "weld: 3e-6\n"), Contains("notice: weld") && !Contains("do not touch"));
   CHECK(told("  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  b: {box: {min: [1.001, 0, 0], max: [2, 1, 1]}}\n"
              "  r: {union: [a, b]}\n")
