@@ -225,10 +225,9 @@ std::vector<Feature> features(const Result& result, const std::optional<Rational
 
 namespace {
 
-/// Is there a leaf that both cells came from?
-bool have_common_leaf(const FlatComplex& flat, const std::array<Parts::Cell, 2>& cells) {
-  const auto &first = origin_of(flat, cells[0]).leaves, &second = origin_of(flat, cells[1]).leaves;
-  return std::ranges::any_of(first, [&](LeafId leaf) { return std::ranges::find(second, leaf) != second.end(); });
+/// Did both cells come from the same leaves?
+bool are_of_same_leaves(const FlatComplex& flat, const std::array<Parts::Cell, 2>& cells) {
+  return std::ranges::equal(origin_of(flat, cells[0]).leaves, origin_of(flat, cells[1]).leaves);
 }
 
 enum class Pairs : bool { all, of_different_leaves };
@@ -258,7 +257,7 @@ std::string nearly_touching(const ResultView& view, const FlatComplex& flat, con
       if (cells[1] < cells[0]) std::swap(cells[0], cells[1]);
       const auto [known, fresh] = left_out.try_emplace(cells, false);
       if (fresh) {
-        known->second = (which == Pairs::of_different_leaves && have_common_leaf(flat, cells)) ||
+        known->second = (which == Pairs::of_different_leaves && are_of_same_leaves(flat, cells)) ||
                         touch(parts, cells[0], cells[1]);
       }
       if (known->second) continue;
