@@ -67,7 +67,8 @@ TEST_CASE("overlaps are told by decimals, with their volume and both leaves", "[
   CHECK_THAT(message,
              Catch::StartsWith("t.yaml:5:7: error: aggregate: the operands `a` and `b` overlap in ") &&
                  Catch::Contains(" of the volume 0.333333333333, among them the region at the face near (") &&
-                 Catch::Contains(", inside `a/1` (line 3) and `b/1` (line 4); use `sum`") && !Catch::Contains("1/3"));
+                 Catch::Contains(", inside `a/1` (line 3) and `b/1` (line 4); use `sum`") &&
+                 !Catch::Contains("1/3"));
 }
 
 TEST_CASE("check looks at unused leaves too, evaluate does not", "[evaluate][errors]") {
