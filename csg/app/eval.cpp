@@ -11,6 +11,7 @@
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
 #include "csg/certify/certificate.h"
+#include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
 #include "csg/formats/writer.h"
@@ -20,6 +21,7 @@
 #include "csg/text/file.h"
 #include "csg/text/plugin.h"
 #include "csg/text/table.h"
+#include "csg/topology/features.h"
 #include "csg/topology/selectables.h"
 #include "csg/topology/topology.h"
 #include "csg/tree/selector.h"
@@ -172,6 +174,23 @@ std::string topology_of(const Result& result) {
   return topology_text(result.complex(), result.selection(), result.cells(), result.data().value->attributes());
 }
 
+/// What of each node asked for, or of the result, is so near that it was probably meant to touch, and which names
+/// it has no more.
+void tell_near_and_lost(const Tree& tree, const Evaluation& evaluation, std::vector<NodeId> nodes,
+                        Results& results) {
+  if (nodes.empty()) nodes = {tree.result};
+  for (const NodeId id : nodes) {
+    const Node& node = tree.nodes[id];
+    ProgressBar bar(false);
+    bar.show("near features");
+    const std::string text = nearly_touching_notice(results(id), {bar.progress(), {}});
+    bar.clear();
+    print(lost_names(tree, evaluation, id), false);
+    if (!text.empty())
+      print({{tree.file, node.operator_at, Diagnostic::Level::notice, "`" + node.name + "`: " + text}}, false);
+  }
+}
+
 /// What is shown becomes what `criteria` pick of it.
 void select_in(Tree& tree, const std::string& criteria, std::vector<NodeId>& nodes, PictureRequest& picture) {
   const auto picked = [&](NodeId node) { return add_selection(tree, node, criteria, "--select"); };
@@ -246,6 +265,7 @@ int run_eval(const EvalArguments& arguments) {
     if (options.nodes.empty()) results(tree.result);
     for (const NodeId node : options.nodes) results(node);
   }
+  if (!arguments.quiet && arguments.join.empty()) tell_near_and_lost(tree, evaluation, options.nodes, results);
   std::string told;
   if (arguments.topology) {
     ProgressBar bar(arguments.quiet);

@@ -80,7 +80,6 @@ Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quie
 
 bool tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
   if (quiet) return false;
-  constexpr std::size_t kTold = 3;
   if (!evaluation.certificate) {
     for (std::uint32_t i = 0; i < evaluation.leaf_names.size(); ++i) {
       if (!evaluation.parameters->surfaces(LeafId(i))) continue;
@@ -90,15 +89,7 @@ bool tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) 
     return false;
   }
   const Certificate certificate = certificate_of(evaluation);
-  print(certificate.notices(tree, kTold), quiet);
-  if (certificate.places.size() > kTold) {
-    tell(tree.file + ": notice: " + count(certificate.places.size() - kTold, "more place") +
-         " where curved surfaces may not meet as their facets do; --certify tells of ten");
-  }
-  if (certificate.left > 0) {
-    tell(tree.file + ": notice: " + count(certificate.left, "question") +
-         " whether curved surfaces meet as their facets do left open; --certify asks on");
-  }
+  print(certificate.told(tree), quiet);
   return certificate.asked > 0;
 }
 

@@ -9,6 +9,9 @@
 #include <new>
 
 #include "csg/text/escape.h"
+#include "csg/text/input_file.h"
+#include "csg/text/table.h"
+#include "csg/tree/position.h"
 
 namespace cnrg::app {
 namespace {
@@ -26,7 +29,64 @@ int write_out(std::string_view text) {
   return 0;
 }
 
+/// A line of a file, without its end; nothing if it has not so many lines or cannot be read again.
+std::string line_of(const std::string& file, int number) {
+  std::string text;
+  try {
+    text = read_file(file);
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+  std::size_t begin = 0;
+  for (int line = 1; line < number; ++line) {
+    begin = text.find('\n', begin) + 1;
+    if (begin == 0) return {};
+  }
+  return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
+}
+
+/// Removes a character in front and gives it as it is shown.
+std::string next_shown(std::string_view& text) {
+  const std::size_t length = first_character(text).length;
+  std::string character = shown(text.substr(0, length));
+  text.remove_prefix(length);
+  return character;
+}
+
+/// The line of a fault, and below it a mark at the column; of a long line the part there. Nothing for a file as a
+/// whole.
+std::string marked_line(const Fault& fault) {
+  constexpr std::size_t kBefore = 60, kAfter = 40;
+  if (fault.at == Position() || fault.file == kStandardInput) return {};
+  const std::string line = line_of(fault.file, fault.at.line);
+  if (line.empty()) return {};
+  std::string_view rest = line;
+  const std::size_t column = std::min(static_cast<std::size_t>(fault.at.column) - 1, line.size());
+  std::string before = column > kBefore ? "..." : "", after;
+  while (line.size() - rest.size() < column) {
+    const bool near = line.size() - rest.size() + kBefore >= column;
+    const std::string character = next_shown(rest);
+    if (near) before += character;
+  }
+  for (std::size_t i = 0; i < kAfter && !rest.empty(); ++i) after += next_shown(rest);
+  const std::string margin = "  " + std::to_string(fault.at.line) + " | ";
+  return margin + before + after + (rest.empty() ? "\n" : "...\n") + std::string(margin.size() - 2, ' ') + "| " +
+         std::string(width_of(before), ' ') + "^\n";
+}
+
 }  // namespace
+
+void tell_error(const std::exception& error) {
+  constexpr std::size_t kMost = 50;
+  const auto* const placed = dynamic_cast<const Placed*>(&error);
+  if (placed == nullptr) return tell(error.what());
+  const std::vector<Fault>& faults = placed->faults();
+  for (std::size_t i = 0; i < faults.size() && i < kMost; ++i) {
+    tell(faults[i].text());
+    std::cerr << marked_line(faults[i]) << std::flush;
+  }
+  if (faults.size() > kMost) tell(counted(faults.size() - kMost, "more fault", "more faults"));
+}
 
 void tell(std::string_view message) {
   std::cout.flush();  // what was said before stands before

@@ -5,6 +5,7 @@
 // `std::cout`.
 #pragma once
 
+#include <exception>
 #include <streambuf>
 #include <string>
 #include <string_view>
@@ -13,6 +14,10 @@ namespace cnrg::app {
 
 /// Prints a message on standard error as one line, whatever is in it.
 void tell(std::string_view message);
+
+/// Prints an error: its own line or, of one with places (csg/tree/position.h), each fault with the line of the
+/// file and a mark below the column.
+void tell_error(const std::exception& error);
 
 /// Standard streams that whoever started the program left closed are opened as such that cannot be used. Otherwise
 /// the first files that are opened would take their places, and get what is printed.

@@ -9,6 +9,7 @@
 #include "csg/app/exit_status.h"
 #include "csg/app/memory.h"
 #include "csg/app/output.h"
+#include "csg/tree/position.h"
 #include "kernel/base/error.h"
 
 namespace cnrg::app {
@@ -21,6 +22,12 @@ int fail(const std::string& name, int status, const std::string& message) {
   return status;
 }
 
+int fail(const std::string& name, int status, const std::exception& error) {
+  if (dynamic_cast<const Placed*>(&error) == nullptr) return fail(name, status, std::string(error.what()));
+  tell_error(error);
+  return status;
+}
+
 int guarded(const std::string& name, const std::function<int()>& program) {
   try {
     Output output;
@@ -29,9 +36,9 @@ int guarded(const std::string& name, const std::function<int()>& program) {
     if (output.unread()) return kNoAccess;
     return fail(name, kNoAccess, "the results could not be written to standard output; is there room?");
   } catch (const InputError& e) {
-    return fail(name, kBadInput, e.what());
+    return fail(name, kBadInput, e);
   } catch (const FileError& e) {
-    return fail(name, kNoAccess, e.what());
+    return fail(name, kNoAccess, e);
   } catch (const std::bad_alloc&) {
     return memory_ran_out();
   } catch (const std::runtime_error& e) {  // a thread or a folder that the system does not give

@@ -149,9 +149,9 @@ void open_page(const std::string& path) {
     try {
       make_page(arguments, files);
     } catch (const InputError& e) {  // somebody is writing; the page stays as it is
-      tell(e.what());
+      tell_error(e);
     } catch (const FileError& e) {
-      tell(e.what());
+      tell_error(e);
     }
     for (const auto& [file, time] : times_of(files)) {
       const auto known = [&, &name = file](const auto& entry) { return entry.first == name; };

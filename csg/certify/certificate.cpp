@@ -68,4 +68,27 @@ std::vector<Diagnostic> Certificate::notices(const Tree& tree, std::size_t most)
   return result;
 }
 
+std::vector<Diagnostic> Certificate::told(const Tree& tree) const {
+  constexpr std::size_t kTold = 3;
+  std::vector<Diagnostic> result = notices(tree, kTold);
+  const auto count = [](std::size_t n, const char* what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  if (places.size() > kTold) {
+    result.push_back({tree.file,
+                      {},
+                      Diagnostic::Level::notice,
+                      count(places.size() - kTold, "more place") +
+                          " where curved surfaces may not meet as their facets do; --certify tells of ten"});
+  }
+  if (left > 0) {
+    result.push_back({tree.file,
+                      {},
+                      Diagnostic::Level::notice,
+                      count(left, "question") +
+                          " whether curved surfaces meet as their facets do left open; --certify asks on"});
+  }
+  return result;
+}
+
 }  // namespace cnrg

@@ -41,6 +41,8 @@ struct Certificate {
   std::string doubt(const Tree& tree) const;
   /// Of the first places.
   std::vector<Diagnostic> notices(const Tree& tree, std::size_t most) const;
+  /// Where nobody asked for all: the first places, how many more there are, and questions left.
+  std::vector<Diagnostic> told(const Tree& tree) const;
 };
 
 /// Of the result and of the nodes that were asked for besides, as EvaluateOptions::proof said.

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "csg/curves/chord.h"
+#include "csg/leaves/leaf.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/integers.h"
@@ -35,7 +36,8 @@ Fineness::Fineness(const char* shape, const Tessellation& tessellation) : shape_
   }
   if (tessellation.chord) {
     if (*tessellation.chord <= 0) {
-      throw InputError(shape_ + ": chord is " + to_decimal(*tessellation.chord) + ": give a positive length");
+      throw LeafKeyError("chord",
+                         shape_ + ": chord is " + to_decimal(*tessellation.chord) + ": give a positive length");
     }
     chord_ = to_double(*tessellation.chord);
     if (from_double(chord_) > *tessellation.chord) chord_ = std::nextafter(chord_, 0.0);
@@ -43,8 +45,8 @@ Fineness::Fineness(const char* shape, const Tessellation& tessellation) : shape_
   }
   if (tessellation.segments) segments_ = *tessellation.segments;
   if (segments_ < 1 || segments_ > kMostSegments) {
-    throw InputError(shape_ + ": segments is " + std::to_string(segments_) + ": give 1 to " +
-                     std::to_string(kMostSegments));
+    throw LeafKeyError("segments", shape_ + ": segments is " + std::to_string(segments_) + ": give 1 to " +
+                                       std::to_string(kMostSegments));
   }
 }
 

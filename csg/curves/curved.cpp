@@ -27,9 +27,9 @@ using Ring = std::vector<PointId>;
 
 void check_fineness(const char* shape, const char* what, int count, int least) {
   if (count >= least && count <= Fineness::kMostSegments) return;
-  throw InputError(std::string(shape) + ": " + what + " is " + std::to_string(count) + ": give " +
-                   (count < least ? "at least " + std::to_string(least)
-                                  : "at most " + std::to_string(Fineness::kMostSegments)));
+  throw LeafKeyError(what, std::string(shape) + ": " + what + " is " + std::to_string(count) + ": give " +
+                               (count < least ? "at least " + std::to_string(least)
+                                              : "at most " + std::to_string(Fineness::kMostSegments)));
 }
 
 /// A grid of facets that no machine of today holds is refused before it is begun.
@@ -43,7 +43,8 @@ void check_facets(const char* shape, int segments, int rings) {
 
 void check_positive(const char* shape, const char* what, const Rational& value) {
   if (value > 0) return;
-  throw InputError(std::string(shape) + ": " + what + " is " + to_decimal(value) + ": give a positive length");
+  throw LeafKeyError(what,
+                     std::string(shape) + ": " + what + " is " + to_decimal(value) + ": give a positive length");
 }
 
 /// Points of a circle about `center`, rounded where that keeps them in the circle's plane.
@@ -130,7 +131,8 @@ std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape, LeafP
   check_positive("cylinder", "radius", shape.radius);
   check_fineness("cylinder", "segments", shape.segments, 3);
   const RationalPoint along = shape.to - shape.from;
-  if (is_zero(along)) throw InputError("cylinder: from and to are both " + describe(shape.from) + ": move one");
+  if (is_zero(along))
+    throw LeafKeyError("to", "cylinder: from and to are both " + describe(shape.from) + ": move one");
   std::vector<RationalPoint> points = circle(CircleFrame(along), shape.from, shape.radius, shape.segments);
   LeafBuilder builder(Fill::winding, record);
   const Ring bottom = add_ring(builder, points);
@@ -151,7 +153,8 @@ std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape, LeafParameter
   }
   check_fineness("cone", "segments", shape.segments, 3);
   const RationalPoint along = shape.to - shape.from;
-  if (is_zero(along)) throw InputError("cone: from and to are both " + describe(shape.from) + ": move one");
+  if (is_zero(along))
+    throw LeafKeyError("to", "cone: from and to are both " + describe(shape.from) + ": move one");
   const CircleFrame frame(along);
   LeafBuilder builder(Fill::winding, record);
   const auto ring = [&](const RationalPoint& center, const Rational& radius) {
@@ -217,13 +220,14 @@ std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape, LeafParamet
   check_positive("torus", "radius", shape.radius);
   check_positive("torus", "tube", shape.tube);
   if (shape.tube >= shape.radius) {
-    throw InputError("torus: the tube's radius " + to_decimal(shape.tube) + " is not less than the radius " +
-                     to_decimal(shape.radius) + ", it would meet itself: give a smaller tube");
+    throw LeafKeyError("tube", "torus: the tube's radius " + to_decimal(shape.tube) +
+                                   " is not less than the radius " + to_decimal(shape.radius) +
+                                   ", it would meet itself: give a smaller tube");
   }
   check_fineness("torus", "segments", shape.segments, 3);
   check_fineness("torus", "rings", shape.rings, 3);
   check_facets("torus", shape.segments, shape.rings);
-  if (is_zero(shape.axis)) throw InputError("torus: the axis is [0, 0, 0]: give a direction");
+  if (is_zero(shape.axis)) throw LeafKeyError("axis", "torus: the axis is [0, 0, 0]: give a direction");
   const CircleFrame frame(shape.axis);
   // Unit vectors to 52 bits, scaled exactly and rounded once more at the end.
   const std::vector<RationalPoint> around = frame.offsets(1, shape.segments);

@@ -45,13 +45,13 @@ class Extrusion {
         heights_(common == nullptr ? std::set<Rational>() : common->heights),
         fineness_("extrude", shape.tessellation),
         boundary_(fineness_, common == nullptr ? nullptr : common->steps.get()) {
-    if (is_zero(shape.vector)) throw InputError("extrude: the vector is zero: give the way to go");
+    if (is_zero(shape.vector)) throw LeafKeyError("vector", "extrude: the vector is zero: give the way to go");
     if (shape.scale < 0) {
-      throw InputError("extrude: scale is " + to_decimal(shape.scale) + ": give 0 or more");
+      throw LeafKeyError("scale", "extrude: scale is " + to_decimal(shape.scale) + ": give 0 or more");
     }
     if (shape.profile.lines.empty() || shape.profile.lines[0].segments.empty() ||
         shape.profile.lines[0].segments[0].points.empty()) {
-      throw InputError("extrude: the profile is empty: give its corners");
+      throw LeafKeyError("profile", "extrude: the profile is empty: give its corners");
     }
     center_ = axis_point(shape);
     if (shape.twist != 0 || shape.scale != 1) check_right_angle(shape.profile.lines[0].segments[0].points[0]);

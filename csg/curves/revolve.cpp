@@ -28,15 +28,17 @@ namespace cnrg {
 namespace {
 
 void check(const RevolveShape& shape) {
-  if (is_zero(shape.axis)) throw InputError("revolve: the axis is [0, 0, 0]: give a direction");
+  if (is_zero(shape.axis)) throw LeafKeyError("axis", "revolve: the axis is [0, 0, 0]: give a direction");
   if (shape.degrees <= 0 || shape.degrees > 360) {
-    throw InputError("revolve: degrees is " + to_decimal(shape.degrees) + ": give more than 0 and at most 360" +
-                     (shape.degrees < 0 ? ", and turn the axis round" : ""));
+    throw LeafKeyError("degrees", "revolve: degrees is " + to_decimal(shape.degrees) +
+                                      ": give more than 0 and at most 360" +
+                                      (shape.degrees < 0 ? ", and turn the axis round" : ""));
   }
   for (const ProfileLine& line : shape.profile.lines) {
     for (const CurveNet& net : line.segments) {
       for (const RationalPoint& p : net.points) {
-        if (p[1] != 0) throw InputError("revolve: a point of the profile has three coordinates: give [r, z]");
+        if (p[1] != 0)
+          throw LeafKeyError("profile", "revolve: a point of the profile has three coordinates: give [r, z]");
       }
     }
   }
@@ -50,13 +52,13 @@ Rational check_radii(const std::vector<SampledLine>& lines) {
   for (const SampledLine& line : lines) {
     for (const RationalPoint& p : line.points) {
       if (p[0] < 0) {
-        throw InputError("revolve: the profile crosses the axis, at " + describe_rz(p) +
-                         ": give a profile with r >= 0 everywhere");
+        throw LeafKeyError("profile", "revolve: the profile crosses the axis, at " + describe_rz(p) +
+                                          ": give a profile with r >= 0 everywhere");
       }
       if (p[0] > largest) largest = p[0];
     }
   }
-  if (largest == 0) throw InputError("revolve: the profile lies on the axis: give points with r > 0");
+  if (largest == 0) throw LeafKeyError("profile", "revolve: the profile lies on the axis: give points with r > 0");
   return largest;
 }
 

@@ -36,7 +36,8 @@ BezierPatch wall(const std::vector<Section>& rows, std::size_t line, std::size_t
 }
 
 std::shared_ptr<const NetForm> skin_of(const LoftShape& shape) {
-  if (shape.profiles.size() < 2) throw InputError("loft: there are fewer than two profiles: give two or more");
+  if (shape.profiles.size() < 2)
+    throw LeafKeyError("profiles", "loft: there are fewer than two profiles: give two or more");
   std::vector<Section> sections;
   RationalPoint before{0, 0, 0}, front;
   for (const Profile& profile : shape.profiles) {
@@ -55,9 +56,9 @@ std::shared_ptr<const NetForm> skin_of(const LoftShape& shape) {
   Skin skin("loft", shape.tessellation);
   for (std::size_t i = 1; i < sections.size(); ++i) {
     if (counts(sections[i]) != counts(sections[0])) {
-      throw InputError("loft: profile " + std::to_string(i + 1) +
-                       " has other numbers of lines or segments than the" +
-                       " first one: give equal ones, with corners on segments where need be");
+      throw LeafKeyError("profiles", "loft: profile " + std::to_string(i + 1) +
+                                         " has other numbers of lines or segments than the" +
+                                         " first one: give equal ones, with corners on segments where need be");
     }
     skin.add_band({sections[i - 1], sections[i]});
   }

@@ -30,13 +30,16 @@ struct Plane {
 class Sweeper {
  public:
   explicit Sweeper(const SweepShape& shape) : shape_(shape), skin_("sweep", shape.tessellation) {
-    if (shape.path.size() < 2) throw InputError("sweep: the path has fewer than two points: give two or more");
+    if (shape.path.size() < 2)
+      throw LeafKeyError("path", "sweep: the path has fewer than two points: give two or more");
     for (std::size_t i = 1; i < shape.path.size(); ++i) {
       if (shape.path[i] == shape.path[i - 1])
-        throw InputError("sweep: two points of the path are both " + describe(shape.path[i]) + ": leave one out");
+        throw LeafKeyError(
+            "path", "sweep: two points of the path are both " + describe(shape.path[i]) + ": leave one out");
     }
     if (shape.radius && *shape.radius <= 0)
-      throw InputError("sweep: the radius is " + to_decimal(*shape.radius) + ": give a positive length");
+      throw LeafKeyError("radius",
+                         "sweep: the radius is " + to_decimal(*shape.radius) + ": give a positive length");
   }
 
   std::shared_ptr<const NetForm> run() {
@@ -52,7 +55,7 @@ class Sweeper {
     for (corner_ = 1; corner_ + 1 < shape_.path.size(); ++corner_) {
       const RationalPoint way = shape_.path[corner_ + 1] - shape_.path[corner_];
       if (is_zero(cross(direction_, way)) && dot(direction_, way) < 0)
-        throw InputError("sweep: the path turns back at " + at_corner() + ": give it two bends");
+        throw LeafKeyError("path", "sweep: the path turns back at " + at_corner() + ": give it two bends");
       if (is_zero(cross(direction_, way))) continue;
       if (shape_.radius) bend(way);
       else mitre(way);
@@ -71,9 +74,9 @@ class Sweeper {
       const RationalPoint p = project(h);
       const Rational way = dot(plane.normal, plane.point - p) / speed;
       if (way <= 0) {
-        throw InputError("sweep: a piece of the path before " + at_corner() +
-                         " is too short for its bends: give a longer one, a smaller profile" +
-                         (shape_.radius ? ", or a smaller radius" : ", or a `radius`"));
+        throw LeafKeyError("path", "sweep: a piece of the path before " + at_corner() +
+                                       " is too short for its bends: give a longer one, a smaller profile" +
+                                       (shape_.radius ? ", or a smaller radius" : ", or a `radius`"));
       }
       return homogeneous(p + way * direction_, h[3]);
     });

@@ -10,6 +10,8 @@
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/operators/component_lists.h"
 #include "csg/operators/node_value.h"
+#include "csg/result/flat.h"
+#include "csg/result/result_data.h"
 #include "kernel/selection/canonical.h"
 
 namespace cnrg {
@@ -59,7 +61,59 @@ CellSet active_of(const Selection& selection, const CellSet& cells) {
   return out;
 }
 
+/// Of a leaf without regions: its cells of the largest dimension that it has there.
+struct NamedCells {
+  int dimension = -1;
+  bool has_own = false;
+  std::set<std::string> others;  ///< names of other leaves on them
+};
+
 }  // namespace
+
+std::vector<Diagnostic> lost_names(const Tree& tree, const Evaluation& evaluation, NodeId node) {
+  for (const Evaluation& other : evaluation.others) {
+    const auto is_here = [&](const KeptValue& kept) { return kept.node == node; };
+    if (std::ranges::any_of(other.kept, is_here)) return lost_names(tree, other, node);
+  }
+  const auto label_of = [&](LeafId leaf) -> const std::string& {
+    static const std::string kNone;
+    const bool is_node = leaf.index() < evaluation.leaves->count();
+    return is_node && evaluation.complex->leaf_regions[leaf] == 0
+               ? tree.nodes[evaluation.leaves->node_of(leaf)].label
+               : kNone;
+  };
+  std::map<LeafId, NamedCells> named;
+  const auto see = [&](int dimension, const FlatComplex::Provenance& origin) {
+    for (const LeafId leaf : origin.leaves) {
+      if (label_of(leaf).empty()) continue;
+      NamedCells& cells = named[leaf];
+      if (dimension > cells.dimension) cells = {dimension, false, {}};
+      if (dimension < cells.dimension) continue;
+      const std::string name = origin.said == nullptr ? "" : origin.said->name.text();
+      const bool of_other = std::any_of(origin.leaves.begin(), origin.leaves.end(), [&](LeafId other) {
+        return label_of(other) == name && label_of(other) != label_of(leaf);
+      });
+      if (of_other) cells.others.insert(name);
+      else cells.has_own = true;
+    }
+  };
+  const Result result = evaluation.result(node);
+  const FlatComplex flat = flatten(result.data().view());
+  for (const auto& face : flat.faces) see(2, face.origin);
+  for (const auto& edge : flat.edges) see(1, edge.origin);
+  for (const auto& vertex : flat.vertices) see(0, vertex.origin);
+  std::vector<Diagnostic> out;
+  for (const auto& [leaf, cells] : named) {
+    if (cells.has_own || cells.others.empty()) continue;
+    const Node& lost = tree.nodes[evaluation.leaves->node_of(leaf)];
+    std::string others;
+    for (const std::string& other : cells.others) others += (others.empty() ? "`" : ", `") + other + "`";
+    out.push_back({tree.file, lost.operator_at, Diagnostic::Level::notice,
+                   "`" + lost.name + "`: in `" + tree.nodes[node].name + "` nothing is called `" + lost.label +
+                       "`, since all of it is part of " + others + "; to keep the name, let it dominate"});
+  }
+  return out;
+}
 
 std::vector<Diagnostic> dropped_faces(const Tree& tree, const PreparedLeaves& leaves, const Complex& complex,
                                       const RefineReport& report) {

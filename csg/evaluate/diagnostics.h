@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/evaluate/simplified_value.h"
 #include "csg/operators/boolean.h"
@@ -27,6 +28,10 @@ std::vector<Diagnostic> dropped_faces(const Tree& tree, const PreparedLeaves& le
 std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, const NodeValue& value,
                                            const std::vector<AttributeConflict>& conflicts, const Complex& complex,
                                            const SimplifiedValue& simplified, const Transform& moved);
+
+/// Notices: sheets, wires and points with a name of their own that no cell of a kept node has, since each of their
+/// cells is part of another one with a name. Flattens the node's value.
+std::vector<Diagnostic> lost_names(const Tree& tree, const Evaluation& evaluation, NodeId node);
 
 /// A warning, if the node is a `select` that has picked nothing.
 std::vector<Diagnostic> empty_selection(const Tree& tree, NodeId node, const NodeValue& value);

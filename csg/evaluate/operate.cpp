@@ -164,6 +164,8 @@ StepOutcome side_of(const Complex& complex, const Node& node, std::span<const Op
   const Group surface = whole(group_operand(complex, node, operands[0]));
   PartedGroup block = group_operand(complex, node, operands[1]);
   const Group left = whole(block);
+  if (left.cells.empty() && left.faces.empty() && left.edges.empty() && left.vertices.empty())
+    return {std::move(block), {}, {}};
   const Side side = node.op == Operator::below ? Side::below : Side::above;
   const Group right = part_of(complex, side, surface, operands[0].name, left, operands[1].name, place.transform);
   const Dominance dominance = Dominance::left;

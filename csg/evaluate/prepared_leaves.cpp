@@ -22,6 +22,15 @@ Position position_of(const Node& node, std::size_t face) {
   return {group->faces[face].line, group->faces[face].column};
 }
 
+/// Where the tree file has the value of a key of a leaf.
+Position position_of(const Node& node, const std::string& key) {
+  for (const std::string& known : {key, std::string()}) {
+    const auto it = node.values.find(known);
+    if (it != node.values.end()) return it->second;
+  }
+  return node.operator_at;
+}
+
 /// A leaf, faces or solids of one, in words for people.
 struct Mention {
   Position at;  ///< of the first face
@@ -89,9 +98,9 @@ PreparedLeaves::PreparedLeaves(const Tree& tree) : tree_(&tree), prepared_(tree.
   prepare_nodes(nodes);
 }
 
-// Files of meshes are read at the same time; if several have faults that of the first node is told.
+// Files of meshes are read at the same time.
 void PreparedLeaves::prepare_nodes(const std::vector<NodeId>& nodes) {
-  std::vector<std::exception_ptr> faults(nodes.size());
+  std::vector<std::exception_ptr> errors(nodes.size());
   const std::stop_token stop = LeafStop::token();
   tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
     const LeafStop of_this_thread(stop);
@@ -100,13 +109,17 @@ void PreparedLeaves::prepare_nodes(const std::vector<NodeId>& nodes) {
     try {
       prepare_node(nodes[i]);
     } catch (...) {
-      faults[i] = std::current_exception();
+      errors[i] = std::current_exception();
     }
   });
+  Faults faults;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (faults[i]) std::rethrow_exception(faults[i]);
-    if (!prepared_[nodes[i]]) prepare_node(nodes[i]);
+    faults.attempt([&] {
+      if (errors[i]) std::rethrow_exception(errors[i]);
+      if (!prepared_[nodes[i]]) prepare_node(nodes[i]);
+    });
   }
+  faults.raise();
 }
 
 void PreparedLeaves::prepare_node(NodeId id) {
@@ -119,10 +132,12 @@ void PreparedLeaves::prepare_node(NodeId id) {
         e.fault() + " (read for the node `" + node.name + "`, " + to_string(tree_->file, node.operator_at) + ")");
   } catch (const LeafFaceError& e) {
     throw TreeError(tree_->file, position_of(node, e.face()), e.what());
+  } catch (const LeafKeyError& e) {
+    throw TreeError(tree_->file, position_of(node, e.key()), e.what());
   } catch (const InputError& e) {
     throw TreeError(tree_->file, node.operator_at, e.what());
   } catch (const FileError& e) {
-    throw FileError(to_string(tree_->file, node.operator_at) + ": error: " + e.what());
+    throw TreeFileError({{tree_->file, position_of(node, "file"), e.what()}});
   }
 }
 

@@ -247,6 +247,8 @@ class Scopes {
                      {instance.transform, transform_above(x_.tree, instance), order_below(id), removed()});
     } catch (const FaultAt& e) {
       throw TreeError(file_of(node), e.at(), e.what());
+    } catch (const LeafError& e) {
+      throw TreeError(file_of(node), node.operator_at, x_.leaves.in_words(e.words()));
     } catch (const InputError& e) {
       throw TreeError(file_of(node), node.operator_at, e.what());
     }

@@ -7,8 +7,8 @@
 // on it, for a child that has overwritten its memory may end well: numbers are in range, lists of one length. All
 // else is checked by cad.cpp, as for any file.
 //
-// The bounds are there to end what does not end. A child may work for ten minutes and longer on a large file, and
-// take as much memory as the machine has.
+// The bounds are there to end what does not end. A child may work for a minute on a small file, for ten minutes
+// and longer on a large one, and take as much memory as the machine has.
 #include <algorithm>
 #include <new>
 #include <utility>
@@ -31,8 +31,10 @@ using Index = std::uint32_t;
 enum class Answer : std::uint8_t { model, input_error, leaf_file_error, broken_invariant };
 
 ChildLimits limits(const std::string& content) {
-  constexpr std::size_t kSeconds = 600, kBytesPerSecond = 100'000;
-  return {.seconds = kSeconds + content.size() / kBytesPerSecond, .bytes = memory_of_machine()};
+  constexpr std::size_t kLeast = 60, kMost = 600, kOfSmall = 5'000,
+                        kOfLarge = 100'000;  // seconds, bytes per second
+  const std::size_t size = content.size();
+  return {.seconds = std::min(kLeast + size / kOfSmall, kMost) + size / kOfLarge, .bytes = memory_of_machine()};
 }
 
 // --- a model, field by field: the same order in the child, which writes it, and in the parent, which reads it

@@ -8,7 +8,7 @@
 namespace cnrg {
 
 std::string read_leaf_file(const std::string& path, const std::string& inside, const std::string& remedy) {
-  std::string content = read_file(path, inside);
+  std::string content = in_value_of("file", [&] { return read_file(path, inside); });
   if (without_mark(content).find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw LeafFileError(path, 1, 1, "the file is empty: " + remedy);
   return content;

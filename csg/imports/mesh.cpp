@@ -8,6 +8,7 @@
 // Faces of zero area take part in deciding whether the mesh is closed, since their own boundary is zero in space
 // (they sew T-junctions), and are left out afterwards.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -57,6 +58,11 @@ class MeshLeaf {
     if (weld_.made.changed() && fill == Fill::winding) check_volume(weld_, *within_);
     const std::vector<std::uint32_t> leaf_faces = join_coplanar(sides);
     note_changes();
+    if (fill == Fill::winding && is_inside_out()) {
+      notices_.push_back(name_ +
+                         ": its faces look inward; it is taken as the solid that they enclose: turn the "
+                         "faces around");
+    }
     return build(fill, leaf_faces);
   }
 
@@ -208,6 +214,45 @@ class MeshLeaf {
     notices_.push_back(fault + "; it is taken as a surface without regions: to change or confirm that, give " +
                        remedy);
     return Fill::none;
+  }
+
+  /// True if the signed volume of the faces is negative: the sum of the tetrahedra on an origin, one for each
+  /// triangle.
+  bool is_inside_out() const {
+    const double* const origin = points_.xyz(corners_[0]);
+    double sum = 0, size = 0;
+    for_each_triangle([&](const std::array<std::uint32_t, 3>& corners) {
+      double d[3][3];
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) d[i][k] = points_.xyz(corners[i])[k] - origin[k];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+        sum += d[0][k] * (d[1][l] * d[2][m] - d[1][m] * d[2][l]);
+        size += std::abs(d[0][k]) * (std::abs(d[1][l] * d[2][m]) + std::abs(d[1][m] * d[2][l]));
+      }
+    });
+    // Differences of doubles are off by 2^-53 of themselves, products by 7 of these, and each addition by one of
+    // the size so far; what is so small that it loses digits is below 2^-1000.
+    const double count = 3 * static_cast<double>(corners_.size());
+    const double error = (count + 16) * 0x1p-52 * size + count * 0x1p-1000;
+    if (data_.exact.empty() && std::abs(sum) > error) return sum < 0;
+    const RationalPoint exact_origin = points_.value(corners_[0]);
+    std::vector<Rational> terms;
+    for_each_triangle([&](const std::array<std::uint32_t, 3>& corners) {
+      RationalPoint d[3];
+      for (std::size_t i = 0; i < 3; ++i) d[i] = points_.value(corners[i]) - exact_origin;
+      terms.push_back(dot(d[0], cross(d[1], d[2])));
+    });
+    return cnrg::sum(std::move(terms)) < 0;
+  }
+
+  /// The triangles of each face around its first corner.
+  template <class Do>
+  void for_each_triangle(Do act) const {
+    for (std::size_t f = 0; f < face_count(); ++f) {
+      for (std::size_t i = offsets_[f] + 1; i + 1 < offsets_[f + 1]; ++i)
+        act({corners_[offsets_[f]], corners_[i], corners_[i + 1]});
+    }
   }
 
   /// Numbers of leaf faces: coplanar faces of one group that share an edge have one.

@@ -19,6 +19,7 @@ MeshReader mesh_reader(const std::string& path) {
   static constexpr std::pair<std::string_view, MeshReader> kMeshReaders[] = {
       {".off", &read_off},  {".obj", &read_obj},  {".stl", &read_stl},  {".ply", &read_ply}, {".vtk", &read_vtk},
       {".ts", &read_gocad}, {".pl", &read_gocad}, {".wl", &read_gocad}, {".vtp", &read_vtp}, {".vtu", &read_vtp},
+      {".msh", &read_msh},  {".glb", &read_glb},  {".3mf", &read_3mf},
   };
   const std::string extension = extension_of(path);
   for (const auto& [name, reader] : kMeshReaders) {
@@ -36,8 +37,7 @@ MeshData read_mesh(const std::string& path, bool decimal, const std::string& ins
     return reader(path, read_leaf_file(path, inside, "write the mesh again"), decimal);
   throw InputError("mesh: '" + path +
                    "' has an unknown format: give a file with the extension .off, .obj, .stl, .ply, .vtp, .vtu, "
-                   ".vtk, .ts, .pl or "
-                   ".wl");
+                   ".vtk, .msh, .glb, .3mf, .ts, .pl or .wl");
 }
 
 }  // namespace cnrg

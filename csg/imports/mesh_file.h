@@ -7,9 +7,9 @@
 
 namespace cnrg {
 
-/// Reads a mesh by the extension of `path` (.off .obj .stl .ply .vtp .vtu .vtk .ts .pl .wl, in any case).
-/// Coordinates are the doubles that the text rounds to; with `decimal` exactly the decimals of a text file. Throws
-/// LeafFileError
+/// Reads a mesh by the extension of `path` (.off .obj .stl .ply .vtp .vtu .vtk .msh .glb .3mf .ts .pl .wl, in any
+/// case). Coordinates are the doubles that the text rounds to; with `decimal` exactly the decimals of a text file.
+/// Throws LeafFileError
 /// (`path:line: error: ...`, for binary data `path: byte N: error: ...`) for a fault in the file, InputError if
 /// the extension is unknown; else as `read_file` (csg/text/input_file.h).
 MeshData read_mesh(const std::string& path, bool decimal, const std::string& inside = {});
@@ -27,6 +27,9 @@ MeshData read_stl(const std::string& path, const std::string& text, bool decimal
 MeshData read_ply(const std::string& path, const std::string& text, bool decimal);
 MeshData read_vtp(const std::string& path, const std::string& text, bool decimal);
 MeshData read_vtk(const std::string& path, const std::string& text, bool decimal);
+MeshData read_msh(const std::string& path, const std::string& text, bool decimal);
+MeshData read_glb(const std::string& path, const std::string& text, bool decimal);
+MeshData read_3mf(const std::string& path, const std::string& text, bool decimal);
 MeshData read_gocad(const std::string& path, const std::string& text, bool decimal);
 
 }  // namespace cnrg

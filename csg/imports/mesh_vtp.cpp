@@ -172,6 +172,9 @@ class VtpReader {
   }
 
  private:
+  static constexpr std::size_t kSlack = 1'000'000;
+  static constexpr std::int64_t kMostPacked = 1100;  // numbers; bytes that zlib makes of one
+
   const std::string& path_;
   const std::string& text_;
   bool decimal_;
@@ -265,7 +268,7 @@ class VtpReader {
     const XmlElement* list = piece.child("Cells");
     if (list == nullptr) fail(piece, "the piece has no element Cells: write it again");
     const VtkCells cells = read_cells(*list, size);
-    const std::vector<std::int64_t> types = integers(*list, "types");
+    const std::vector<std::int64_t> types = integers(*list, "types", size);
     if (types.size() != size) {
       fail(*list, "there are " + std::to_string(types.size()) + " types of " + std::to_string(size) +
                       " cells: correct their number");
@@ -290,7 +293,7 @@ class VtpReader {
     if (data == nullptr) return taken;
     const auto array = [&](const char* name) -> std::vector<std::int64_t> {
       for (const auto& child : data->children)
-        if (child->attribute("Name") == name) return numbers(*child).integers;
+        if (child->attribute("Name") == name) return numbers(*child, size).integers;
       return {};
     };
     const std::vector<std::int64_t> dimensions = array("dimension"), bounded = array("regions_bounded");
@@ -311,7 +314,7 @@ class VtpReader {
       TextCursor cursor(path_, array->text, 0, array->text_line);
       while (cursor.more()) cursor.coordinates(mesh, decimal_);
     } else {
-      const VtkNumbers found = numbers(*array);
+      const VtkNumbers found = numbers(*array, 3 * n);
       for (std::size_t i = 0; i < found.size(); ++i) {
         mesh.xyz.push_back(found.whole ? static_cast<double>(found.integers[i]) : found.reals[i]);
         if (std::isfinite(mesh.xyz.back())) continue;
@@ -324,20 +327,29 @@ class VtpReader {
     }
   }
 
-  std::vector<std::int64_t> integers(const XmlElement& list, const char* name) const {
+  static const XmlElement* array_of(const XmlElement& list, const char* name) {
     for (const auto& child : list.children) {
-      if (child->attribute("Name") != name) continue;
-      VtkNumbers found = numbers(*child);
-      if (!found.whole) fail(*child, "cells are lists of whole numbers: correct the type of the array");
-      return std::move(found.integers);
+      if (child->attribute("Name") == name) return child.get();
     }
-    fail(list, std::string("the array ") + name + " is missing here: write the file again");
+    return nullptr;
+  }
+
+  std::vector<std::int64_t> integers(const XmlElement& list, const char* name, std::size_t most) const {
+    const XmlElement* const array = array_of(list, name);
+    if (array == nullptr) fail(list, std::string("the array ") + name + " is missing here: write the file again");
+    VtkNumbers found = numbers(*array, most);
+    if (!found.whole) fail(*array, "cells are lists of whole numbers: correct the type of the array");
+    return std::move(found.integers);
   }
 
   VtkCells read_cells(const XmlElement& list, std::size_t n) {
     VtkCells cells;
-    cells.connectivity = integers(list, "connectivity");
-    const std::vector<std::int64_t> ends = integers(list, "offsets");
+    std::vector<std::int64_t> ends;
+    if (array_of(list, "offsets") != nullptr) ends = integers(list, "offsets", n);
+    const std::int64_t last =
+        ends.empty() ? 0 : std::clamp(ends.back(), std::int64_t{0}, std::ssize(text_) * kMostPacked);
+    cells.connectivity = integers(list, "connectivity", static_cast<std::size_t>(last));
+    if (ends.empty()) ends = integers(list, "offsets", n);
     cells.offsets.insert(cells.offsets.end(), ends.begin(), ends.end());
     if (cells.size() != n) {
       fail(list, "there are " + std::to_string(cells.size()) + " offsets of " + std::to_string(n) +
@@ -360,7 +372,7 @@ class VtpReader {
           array->attribute("NumberOfComponents", "1") != "1") {
         continue;
       }
-      VtkNumbers found = numbers(*array);
+      VtkNumbers found = numbers(*array, cells);
       if (found.size() == cells) return found;
       fail(*array, "there are " + std::to_string(found.size()) + " labels of " + std::to_string(cells) +
                        " cells: correct their number");
@@ -368,7 +380,8 @@ class VtpReader {
     return {};
   }
 
-  VtkNumbers numbers(const XmlElement& array) const {
+  /// Of a damaged array there may be some more than `most`; who reads them tells.
+  VtkNumbers numbers(const XmlElement& array, std::size_t most) const {
     constexpr std::pair<std::string_view, VtkType> kTypes[] = {
         {"Int8", VtkType::int8},      {"UInt8", VtkType::uint8},   {"Int16", VtkType::int16},
         {"UInt16", VtkType::uint16},  {"Int32", VtkType::int32},   {"UInt32", VtkType::uint32},
@@ -384,7 +397,7 @@ class VtpReader {
       fail(array,
            "the format " + in_quotes(format) + " of an array is none of ascii, binary and appended: correct it");
     }
-    const std::string bytes = bytes_of(array, format == "appended");
+    const std::string bytes = bytes_of(array, format == "appended", (most + kSlack) * size_of(type->second));
     if (bytes.size() % size_of(type->second) != 0) {
       fail(array, "the array has " + std::to_string(bytes.size()) + " bytes, which are no whole numbers of type " +
                       name + ": write the file again");
@@ -403,16 +416,16 @@ class VtpReader {
     return found;
   }
 
-  std::string bytes_of(const XmlElement& array, bool appended) const {
+  std::string bytes_of(const XmlElement& array, bool appended, std::size_t most) const {
     try {
-      if (!appended) return decoded(array.text, true, coding_);
+      if (!appended) return decoded(array.text, true, coding_, most);
       const std::size_t offset = count(array, "offset");
       if (appended_.size() <= offset) {
         fail(array, "the array is at the offset " + std::to_string(offset) + " of the appended data, which have " +
                         std::to_string(appended_.size()) +
                         " bytes: the file is truncated, or the offset is wrong");
       }
-      return decoded(appended_.substr(offset), !appended_raw_, coding_);
+      return decoded(appended_.substr(offset), !appended_raw_, coding_, most);
     } catch (const VtkBytesFault& fault) {
       fail(array, std::string("the array ") + in_quotes(array.attribute("Name")) + " " + fault.what());
     }

@@ -13,4 +13,8 @@ MeshData read_vtp(const std::string& path, const std::string&, bool) {
   throw InputError("mesh: '" + path + "': " + vtp_library() + ", or give the mesh as .vtk");
 }
 
+MeshData read_3mf(const std::string& path, const std::string&, bool) {
+  throw InputError("mesh: '" + path + "': " + vtp_library() + ", or give the mesh as .stl");
+}
+
 }  // namespace cnrg

@@ -87,15 +87,21 @@ std::uint64_t header_number(Source& source, const VtkCoding& coding) {
   return number;
 }
 
+void check_size(std::uint64_t blocks, std::uint64_t size, std::uint64_t last, std::size_t most) {
+  if (last <= most && (blocks < 2 || size <= (most - last) / (blocks - 1))) return;
+  throw VtkBytesFault("has far more bytes than the numbers of points and cells say: correct them");
+}
+
 }  // namespace
 
-std::string decoded(std::string_view data, bool base64, const VtkCoding& coding) {
+std::string decoded(std::string_view data, bool base64, const VtkCoding& coding, std::size_t most) {
   Source source(data, base64);
   if (!coding.compressed) return source.take(header_number(source, coding));
   const std::uint64_t blocks = header_number(source, coding);
   if (blocks == 0) return {};
   const std::uint64_t size = header_number(source, coding), last = header_number(source, coding);
   if (blocks > source.left() / coding.header) throw VtkBytesFault(kTruncated);
+  check_size(blocks, size, last != 0 ? last : size, most);
   std::vector<std::uint64_t> packed;
   for (std::uint64_t i = 0; i < blocks; ++i) packed.push_back(header_number(source, coding));
   std::string bytes;

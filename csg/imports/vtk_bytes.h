@@ -20,7 +20,8 @@ class VtkBytesFault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The bytes of the array whose header begins `data`; more may follow. Throws VtkBytesFault.
-std::string decoded(std::string_view data, bool base64, const VtkCoding& coding);
+/// The bytes of the array whose header begins `data`; more may follow. Throws VtkBytesFault, also where
+/// more than `most` bytes are packed, before memory is taken for them.
+std::string decoded(std::string_view data, bool base64, const VtkCoding& coding, std::size_t most);
 
 }  // namespace cnrg

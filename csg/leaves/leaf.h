@@ -52,6 +52,26 @@ class LeafFileError : public InputError {
   int line_, column_;
 };
 
+/// A fault in the value that one key of a leaf has.
+class LeafKeyError : public InputError {
+ public:
+  LeafKeyError(std::string key, const std::string& fault) : InputError(fault), key_(std::move(key)) {}
+  const std::string& key() const { return key_; }
+
+ private:
+  std::string key_;
+};
+
+/// Runs `work`, of which every fault is in the value of `key`.
+template <class Work>
+auto in_value_of(const char* key, Work work) {
+  try {
+    return work();
+  } catch (const InputError& e) {
+    throw LeafKeyError(key, e.what());
+  }
+}
+
 /// A fault in one of the faces that a leaf lists.
 class LeafFaceError : public InputError {
  public:

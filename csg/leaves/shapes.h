@@ -112,7 +112,7 @@ struct HeightfieldShape {
   Rational origin_x = 0, origin_y = 0, spacing_x = 1, spacing_y = 1;
   std::vector<std::vector<Rational>> heights;
   std::string file;
-  std::optional<Rational> base;
+  std::optional<Rational> base, within{};
   std::string inside{};  ///< the folder that `file` must lie in (csg/text/input_file.h); empty: any
 };
 /// `{mesh: {file: part.off, fill: winding, coordinates: decimal, weld: 1e-6}}`: OFF, OBJ, STL, PLY; path already

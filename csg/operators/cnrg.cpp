@@ -12,6 +12,8 @@
 #include "csg/operators/component_attributes.h"
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
+#include "kernel/base/leaf_words.h"
+#include "kernel/selection/measure.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {
@@ -27,16 +29,22 @@ int dimension(const CellSet& set) {
 }
 
 std::string text_of(const RationalPoint& p) {
-  return "(" + to_string(p[0]) + ", " + to_string(p[1]) + ", " + to_string(p[2]) + ")";
+  return "(" + to_decimal(p[0]) + ", " + to_decimal(p[1]) + ", " + to_decimal(p[2]) + ")";
 }
 
-// How many cells, and where one of them is.
-std::string words_of(const Complex& complex, const CellSet& set) {
+// How many cells, and where one of them is; of regions the volume, and the leaves that hold one.
+LeafWords words_of(const Complex& complex, const CellSet& set) {
   const std::string count = std::to_string(set.size()) + (set.size() == 1 ? " cell" : " cells");
   if (!set.regions.empty()) {
+    const std::optional<Rational> size = volume(complex, set.regions);
     const FaceId wall = complex.region_faces[set.regions[0]].front().face();
-    return count + ", among them the region behind the face at " +
-           text_of(interior_point(complex, wall).rational());
+    LeafWords words = count + " of the volume " + (size ? to_decimal(*size) : "infinity") +
+                      ", among them the region at the face near " +
+                      text_of(interior_point(complex, wall).rational()) + ", inside ";
+    std::size_t others = complex.labels(set.regions[0]).size();
+    for (const Label& label : complex.labels(set.regions[0]))
+      words = words + LeafPlace{label.leaf.value()} + (--others == 0 ? "" : others == 1 ? " and " : ", ");
+    return words;
   }
   const auto inside = [&](auto cell) { return text_of(interior_point(complex, cell).rational()); };
   if (!set.faces.empty()) return count + ", among them the face at " + inside(set.faces[0]);
@@ -341,8 +349,8 @@ namespace {
     if (names[i] == names[k]) {
       throw InputError("aggregate: the operand `" + names[i] + "` is listed twice; list it once");
     }
-    throw InputError("aggregate: the operands `" + names[i] + "` and `" + names[k] + "` overlap in " +
-                     words_of(complex, overlap) + "; use `sum`, or take one from the other with `subtract`");
+    throw LeafError("aggregate: the operands `" + names[i] + "` and `" + names[k] + "` overlap in " +
+                    words_of(complex, overlap) + "; use `sum`, or take one from the other with `subtract`");
   }
   throw InvariantError("aggregate: an overlap with no operand");
 }

@@ -3,6 +3,8 @@
 
 #include "bind.h"
 #include "csg/certify/certificate.h"
+#include "csg/evaluate/diagnostics.h"
+#include "csg/topology/features.h"
 #include "numbers.h"
 #include "watched.h"
 
@@ -74,13 +76,19 @@ void bind_evaluation(py::module_& module) {
            })
       .def("diagnostics",
            [](const EvaluatedTree& e, const std::vector<std::size_t>& kept) {
-             constexpr std::size_t kTold = 3;
              std::vector<NodeId> roots{e.tree->result};
              for (const std::size_t node : kept) roots.emplace_back(node);
              std::vector<Diagnostic> all = reading_warnings(*e.tree, roots);
              all.insert(all.end(), e.evaluation.diagnostics.begin(), e.evaluation.diagnostics.end());
-             for (Diagnostic& d : certificate_of(e.evaluation).notices(*e.tree, kTold))
-               all.push_back(std::move(d));
+             for (Diagnostic& d : certificate_of(e.evaluation).told(*e.tree)) all.push_back(std::move(d));
+             for (const NodeId node : roots) {
+               for (Diagnostic& d : lost_names(*e.tree, e.evaluation, node)) all.push_back(std::move(d));
+               const Node& shown = e.tree->nodes[node];
+               const std::string near = nearly_touching_notice(e.evaluation.result(node));
+               if (!near.empty())
+                 all.push_back({e.tree->file, shown.operator_at, Diagnostic::Level::notice,
+                                "`" + shown.name + "`: " + near});
+             }
              py::list list;
              for (const Diagnostic& d : all) {
                list.append(py::make_tuple(d.level == Diagnostic::Level::warning ? "warning" : "notice", d.file,

@@ -6,8 +6,8 @@
 namespace cnrg::python {
 namespace {
 
-constexpr std::size_t kMostDigits = 100'000;  // as in a tree file
-constexpr std::size_t kMostBits = 332'193;    // of so many digits
+constexpr std::size_t kMostDigits = 100'000;       // as in a tree file
+constexpr std::size_t kMostIntegerBits = 332'193;  // of so many digits
 
 [[noreturn]] void refuse(const std::string& what, const std::string& why) { throw InputError(what + ": " + why); }
 
@@ -17,7 +17,7 @@ std::string kind_of(const py::handle& value) { return Py_TYPE(value.ptr())->tp_n
 Integer integer_of(const py::handle& value, const std::string& what) {
   const py::object index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
   if (!index) throw py::error_already_set();
-  if (index.attr("bit_length")().cast<std::size_t>() > kMostBits)
+  if (index.attr("bit_length")().cast<std::size_t>() > kMostIntegerBits)
     refuse(what, "a number of more than 100000 digits; give a shorter one");
   const py::object text = py::reinterpret_steal<py::object>(PyNumber_ToBase(index.ptr(), 16));
   if (!text) throw py::error_already_set();

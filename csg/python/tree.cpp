@@ -193,7 +193,7 @@ class Records {
   Records(const std::string& text, const Tree& tree) : tree_(tree), records_(tree.nodes.size()) {
     for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
       const Node& node = tree.nodes[id];
-      if (node.is_inline) places_[{node.at.line, node.at.column}].push_back(id);
+      if (node.is_inline && !node.is_layer) places_[{node.at.line, node.at.column}].push_back(id);
     }
     const YAML::Node nodes = YAML::Load(text)["nodes"];
     const Scope everywhere{NodeId(0), NodeId(tree.nodes.size()), tree.parameters};
@@ -239,7 +239,11 @@ class Records {
     NodeRecord& r = records_[id.index()];
     const bool repeats = node.operator_name == "repeat";
     r.name = node.name;
-    r.operator_name = !repeats ? node.operator_name : tree_.operands(id).size() == 1 ? "simplify" : "union";
+    const bool layers = node.operator_name == "layers";
+    r.operator_name = !repeats && !layers              ? node.operator_name
+                      : tree_.operands(id).size() == 1 ? "simplify"
+                                                       : "union";
+    if (layers) r.attributes.emplace_back("dominance", py::str("left"));
     r.is_inline = node.is_inline;
     r.is_leaf = node.op == Operator::leaf;
     r.forgets_features = node.op == Operator::simplify && node.forget_features;
@@ -248,7 +252,10 @@ class Records {
     r.column = node.at.column;
     if (node.selector) r.picked = picked_by(*node.selector);
     const std::vector<NodeId> operands = tree_.operands(id);
-    for (const NodeId operand : operands) r.operands.push_back(operand.index());
+    for (const NodeId operand : operands) {
+      r.operands.push_back(operand.index());
+      if (tree_.nodes[operand].is_layer) add_made(operand);
+    }
     for (const auto& entry : map) {
       const std::string key = with_values(entry.first.Scalar(), scope.parameters);
       const bool is_operand = key == "within";
@@ -259,6 +266,24 @@ class Records {
       else if (r.is_leaf) r.value = yaml_data(entry.second, scope.parameters);
       else if (repeats) add_copies(operands, entry.second, scope);
       else open_.emplace_back(entry.second, scope);
+    }
+  }
+
+  /// A node that `layers` makes, and those below it.
+  void add_made(NodeId id) {
+    const Node& node = tree_.nodes[id];
+    NodeRecord& r = records_[id.index()];
+    if (!r.name.empty()) return;
+    r.name = node.name;
+    r.operator_name = node.operator_name;
+    r.is_inline = true;
+    r.line = node.at.line;
+    r.column = node.at.column;
+    if (!node.label.empty()) r.attributes.emplace_back("name", py::str(node.label));
+    if (!node.material.empty()) r.attributes.emplace_back("material", py::str(node.material));
+    for (const NodeId operand : tree_.operands(id)) {
+      r.operands.push_back(operand.index());
+      if (tree_.nodes[operand].is_layer) add_made(operand);
     }
   }
 

@@ -6,17 +6,19 @@
 
 namespace cnrg {
 
-void require_bounds(const FlatComplex& flat, const char* why, const char* otherwise) {
+bool reaches_frame(const FlatComplex& flat) {
   const auto on_frame = [&](const FlatComplex::Loop& loop) {
     return std::any_of(loop.begin(), loop.end(), [&](FlatComplex::Index p) {
       return std::binary_search(flat.frame_points.begin(), flat.frame_points.end(), p);
     });
   };
-  const bool reached =
-      std::any_of(flat.faces.begin(), flat.faces.end(),
-                  [&](const auto& face) { return std::any_of(face.loops.begin(), face.loops.end(), on_frame); }) ||
-      std::any_of(flat.edges.begin(), flat.edges.end(), [&](const auto& e) { return on_frame(e.points); });
-  if (reached) {
+  return std::any_of(flat.faces.begin(), flat.faces.end(),
+                     [&](const auto& f) { return std::any_of(f.loops.begin(), f.loops.end(), on_frame); }) ||
+         std::any_of(flat.edges.begin(), flat.edges.end(), [&](const auto& e) { return on_frame(e.points); });
+}
+
+void require_bounds(const FlatComplex& flat, const char* why, const char* otherwise) {
+  if (reaches_frame(flat)) {
     throw InputError(
         std::string(why) +
         ", and only one whose faces and lines have bounds can be moved; cut the node with a box first "

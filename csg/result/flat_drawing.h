@@ -6,6 +6,9 @@
 
 namespace cnrg {
 
+/// True if a face or line reaches the frame of unbounded leaves.
+bool reaches_frame(const FlatComplex& flat);
+
 /// Throws InputError if a face or line reaches the frame of unbounded leaves: `why` it must not, as the beginning
 /// of the message.
 void require_bounds(const FlatComplex& flat, const char* why, const char* otherwise);

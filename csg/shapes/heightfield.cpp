@@ -12,6 +12,8 @@
 #include "csg/imports/height_points.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
+#include "csg/shapes/coarse_grid.h"
+#include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/delaunay.h"
 #include "kernel/exact/exact_vectors.h"
@@ -28,25 +30,27 @@ struct GridPoints {
 
 void check_base(const Rational& lowest, const Rational& base) {
   if (lowest > base) return;
-  throw InputError("heightfield: base is " + to_decimal(base) + ", but the lowest height is " +
-                   to_decimal(lowest) + ": give a base below all heights");
+  throw LeafKeyError("base", "heightfield: base is " + to_decimal(base) + ", but the lowest height is " +
+                                 to_decimal(lowest) + ": give a base below all heights");
 }
 
 GridPoints points_of_tree(LeafBuilder& builder, const HeightfieldShape& shape) {
   const auto& rows = shape.heights;
   if (rows.size() < 2 || rows[0].size() < 2) {
-    throw InputError("heightfield: heights has " + std::to_string(rows.size()) + " rows of " +
-                     std::to_string(rows.empty() ? 0 : rows[0].size()) + " entries: give at least 2 rows of 2");
+    throw LeafKeyError("heights", "heightfield: heights has " + std::to_string(rows.size()) + " rows of " +
+                                      std::to_string(rows.empty() ? 0 : rows[0].size()) +
+                                      " entries: give at least 2 rows of 2");
   }
   if (shape.spacing_x <= 0 || shape.spacing_y <= 0) {
-    throw InputError("heightfield: spacing is [" + to_decimal(shape.spacing_x) + ", " +
-                     to_decimal(shape.spacing_y) + "]: give positive lengths");
+    throw LeafKeyError("spacing", "heightfield: spacing is [" + to_decimal(shape.spacing_x) + ", " +
+                                      to_decimal(shape.spacing_y) + "]: give positive lengths");
   }
   GridPoints grid{rows[0].size(), rows.size(), {}};
   for (std::size_t j = 0; j < rows.size(); ++j) {
     if (rows[j].size() != grid.columns) {
-      throw InputError("heightfield: row " + std::to_string(j + 1) + " has " + std::to_string(rows[j].size()) +
-                       " heights, row 1 has " + std::to_string(grid.columns) + ": give rows of equal length");
+      throw LeafKeyError("heights", "heightfield: row " + std::to_string(j + 1) + " has " +
+                                        std::to_string(rows[j].size()) + " heights, row 1 has " +
+                                        std::to_string(grid.columns) + ": give rows of equal length");
     }
     const Rational y = shape.origin_y + to_integer(j) * shape.spacing_y;
     for (std::size_t i = 0; i < grid.columns; ++i) {
@@ -109,6 +113,31 @@ void add_surface(LeafBuilder& builder, const GridPoints& grid) {
     }
   }
   if (cells == 0) throw InputError("heightfield: no cell has data at all of its corners: there is no surface");
+}
+
+/// Keeps of a grid the points of a surface with fewer triangles, which it adds.
+GridPoints add_coarse(LeafBuilder& builder, const LeafBuilder& all, const GridPoints& grid, const Rational& within,
+                      std::vector<std::string>& notices) {
+  HeightTable table{grid.columns, grid.rows, {}};
+  for (const PointId p : grid.ids) {
+    if (!p.valid())
+      throw LeafKeyError("within", "heightfield: `within` is for grids without gaps: fill these, or leave it out");
+    table.heights.push_back(all.value(p)[2]);
+  }
+  const CoarseSurface surface = coarse_surface(table, within);
+  GridPoints kept{grid.columns, grid.rows, std::vector<PointId>(grid.ids.size())};
+  std::size_t count = 0;
+  for (const auto& triangle : surface.triangles) {
+    for (const std::uint32_t p : triangle) {
+      if (kept.ids[p].valid()) continue;
+      kept.ids[p] = builder.point(all.value(grid.ids[p]));
+      ++count;
+    }
+    builder.triangle(kept.ids[triangle[0]], kept.ids[triangle[1]], kept.ids[triangle[2]], 0);
+  }
+  notices.push_back("heightfield: " + grouped(count) + " of " + grouped(grid.ids.size()) +
+                    " points make a surface within " + decimal(surface.deviation, "%.6g") + " of all");
+  return kept;
 }
 
 /// The sides of the border, each with its two ends, counter-clockwise as seen from above.
@@ -196,12 +225,19 @@ std::unique_ptr<PreparedLeaf> prepare_heightfield(const HeightfieldShape& shape)
   std::vector<std::string> notices;
   Sides sides;
   if (holds_height_points(shape.file)) {
+    if (shape.within)
+      throw LeafKeyError("within", "heightfield: `within` is for grids, and .xyz are points: leave it out");
     sides = add_scattered(builder, shape, notices);
   } else {
+    LeafBuilder all(Fill::none);
+    LeafBuilder& of_grid = shape.within ? all : builder;
     const GridPoints grid =
-        shape.file.empty() ? points_of_tree(builder, shape) : points_of_file(builder, shape, notices);
-    add_surface(builder, grid);
-    sides = sides_of(grid);
+        shape.file.empty() ? points_of_tree(of_grid, shape) : points_of_file(of_grid, shape, notices);
+    if (!shape.within) add_surface(builder, grid);
+    sides = sides_of(shape.within ? add_coarse(builder, all, grid, *shape.within, notices) : grid);
+    if (shape.within) {
+      for (std::vector<PointId>& side : sides) std::erase_if(side, [](PointId p) { return !p.valid(); });
+    }
   }
   for (const std::vector<PointId>& side : sides) {
     if (side.front().valid()) builder.soup().add_curve_end(builder.leaf(), side.front());

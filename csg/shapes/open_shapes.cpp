@@ -14,7 +14,7 @@ std::unique_ptr<PreparedLeaf> prepare_polygon(const PolygonShape& shape) {
   loops.insert(loops.end(), shape.holes.begin(), shape.holes.end());
   std::vector<std::string> notices;
   if (shape.fit) notices = fit_polygon(loops, *shape.fit, "polygon");
-  check_polygon(loops, {.has_fit = true});
+  in_value_of("outer", [&] { check_polygon(loops, {.has_fit = true}); });
   LeafBuilder builder(Fill::none);
   std::vector<std::vector<PointId>> ids;
   for (const auto& loop : loops) {
@@ -30,11 +30,11 @@ std::unique_ptr<PreparedLeaf> prepare_disk(const DiskShape& shape) {
     if (r <= 0) throw InputError("disk: a radius is " + to_decimal(r) + ": give positive lengths");
   }
   if (shape.segments < 3)
-    throw InputError("disk: segments is " + std::to_string(shape.segments) + ": give 3 or more");
-  if (is_zero(shape.normal)) throw InputError("disk: the normal is [0, 0, 0]: give a direction");
+    throw LeafKeyError("segments", "disk: segments is " + std::to_string(shape.segments) + ": give 3 or more");
+  if (is_zero(shape.normal)) throw LeafKeyError("normal", "disk: the normal is [0, 0, 0]: give a direction");
   const RationalPoint second = cross(shape.normal, shape.along);
   if (is_zero(second))
-    throw InputError("disk: `along` runs along the normal: give a direction in the plane of the disk");
+    throw LeafKeyError("along", "disk: `along` runs along the normal: give a direction in the plane of the disk");
   const RationalPoint first = cross(second, shape.normal);
   const Rational first2 = shape.radii[0] * shape.radii[0] / dot(first, first);
   const Rational second2 = shape.radii[1] * shape.radii[1] / dot(second, second);

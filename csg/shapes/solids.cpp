@@ -41,8 +41,9 @@ std::unique_ptr<PreparedLeaf> prepare_box(const BoxShape& shape) {
   const char* axis[] = {"x", "y", "z"};
   for (std::size_t k = 0; k < 3; ++k) {
     if (shape.min[k] < shape.max[k]) continue;
-    throw InputError(std::string("box: min is not less than max in ") + axis[k] + " (" + to_decimal(shape.min[k]) +
-                     " and " + to_decimal(shape.max[k]) + "): give min < max, or a polygon for a flat box");
+    throw LeafKeyError("max", std::string("box: min is not less than max in ") + axis[k] + " (" +
+                                  to_decimal(shape.min[k]) + " and " + to_decimal(shape.max[k]) +
+                                  "): give min < max, or a polygon for a flat box");
   }
   LeafBuilder builder(Fill::winding);
   PointId corner[8];
@@ -62,12 +63,13 @@ std::unique_ptr<PreparedLeaf> prepare_prism(const PrismShape& shape) {
   loops.insert(loops.end(), shape.holes.begin(), shape.holes.end());
   std::vector<std::string> notices;
   if (shape.fit) notices = fit_polygon(loops, *shape.fit, "the prism's base");
-  const RationalPoint normal = check_polygon(loops, {.polygon = "the prism's base", .has_fit = true});
+  const RationalPoint normal =
+      in_value_of("base", [&] { return check_polygon(loops, {.polygon = "the prism's base", .has_fit = true}); });
   const Rational rise = dot(normal, shape.vector);
   if (rise == 0) {
-    throw InputError(std::string("prism: the vector ") +
-                     (is_zero(shape.vector) ? "is zero" : "lies in the plane of the base") +
-                     ", the prism is flat: give a vector that leaves the plane");
+    throw LeafKeyError("vector", std::string("prism: the vector ") +
+                                     (is_zero(shape.vector) ? "is zero" : "lies in the plane of the base") +
+                                     ", the prism is flat: give a vector that leaves the plane");
   }
   // The outer loop counter-clockwise, holes clockwise, as seen from where the vector goes.
   for (std::size_t l = 0; l < loops.size(); ++l) {
@@ -101,12 +103,13 @@ std::unique_ptr<PreparedLeaf> prepare_pyramid(const PyramidShape& shape) {
   std::vector<std::vector<RationalPoint>> loops{shape.base};
   std::vector<std::string> notices;
   if (shape.fit) notices = fit_polygon(loops, *shape.fit, "the pyramid's base");
-  const RationalPoint normal = check_polygon(loops, {.polygon = "the pyramid's base", .has_fit = true});
+  const RationalPoint normal = in_value_of(
+      "base", [&] { return check_polygon(loops, {.polygon = "the pyramid's base", .has_fit = true}); });
   std::vector<RationalPoint>& loop = loops[0];
   const Rational rise = dot(normal, shape.apex - loop[0]);
   if (rise == 0) {
-    throw InputError("pyramid: the apex " + describe(shape.apex) +
-                     " lies in the plane of the base, the pyramid is flat: move it off the plane");
+    throw LeafKeyError("apex", "pyramid: the apex " + describe(shape.apex) +
+                                   " lies in the plane of the base, the pyramid is flat: move it off the plane");
   }
   if (rise < 0) std::reverse(loop.begin(), loop.end());  // counter-clockwise as seen from the apex
   LeafBuilder builder(Fill::winding);

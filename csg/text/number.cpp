@@ -64,9 +64,10 @@ std::string number_text(const Rational& value, std::string_view elsewhere) {
   constexpr std::size_t kReadable = 24, kPrinted = 160;
   // Bits tell how many digits there are at least: a text that is not going to be shown is not made.
   if (bits_of(value) <= 4 * kPrinted) {
-    std::string exact = to_string(value);
-    if (exact.size() <= kReadable) return exact;
-    if (exact.size() <= kPrinted) return to_decimal(value) + " (" + exact + ")";
+    std::string exact = to_string(value), decimal = to_decimal(value);
+    if (decimal.size() <= kReadable && parse_rational(decimal) == value) return decimal;
+    if (exact.size() <= kReadable && value.get_den() == 1) return exact;
+    if (exact.size() <= kPrinted) return decimal + " (" + exact + ")";
   }
   const bool whole = value.get_den() == 1;
   const std::size_t digits = digits_of(value.get_num()) + (whole ? 0 : digits_of(value.get_den()));

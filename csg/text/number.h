@@ -24,8 +24,8 @@ struct NumberText {
 };
 NumberText read_number(std::string_view text, std::size_t most = kMostDigits);
 
-/// An exact number for people: a decimal stands before a fraction that is too long to be read, and in place of one
-/// that would fill the screen, with its digits counted; `elsewhere` goes behind these: where the fraction is.
+/// An exact number for people: a decimal, and behind one that is rounded the fraction, or, where that would fill
+/// the screen, the number of its digits and `elsewhere`: where the fraction is.
 std::string number_text(const Rational& value, std::string_view elsewhere);
 
 /// A bound of an error, 0 or more, in three digits, rounded up; empty for 0, and of one that nobody knows

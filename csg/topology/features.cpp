@@ -223,20 +223,28 @@ std::vector<Feature> features(const Result& result, const std::optional<Rational
   return Finder(Parts(view, flat), below).run();
 }
 
-std::string nearly_touching_text(const Result& result, const Watch& watch) {
+namespace {
+
+/// Did both cells come from the same leaves?
+bool are_of_same_leaves(const FlatComplex& flat, const std::array<Parts::Cell, 2>& cells) {
+  return std::ranges::equal(origin_of(flat, cells[0]).leaves, origin_of(flat, cells[1]).leaves);
+}
+
+enum class Pairs : bool { all, of_different_leaves };
+
+/// `joins` is followed by a distance.
+std::string nearly_touching(const ResultView& view, const FlatComplex& flat, const std::string& joins, Pairs which,
+                            const Watch& watch) {
   constexpr double kUndrawn = 1e-6;
   constexpr std::size_t kMostTold = 10'000;  // of parts: exact distances of more take seconds
-  const ResultView view = result.data().view();
-  const FlatComplex flat = flatten(view);
-  require_bounds(flat, "the result has no bounds", ": distances are told of such results only");
   const Parts parts(view, flat);
   const double reach = parts.diagonal() * kUndrawn;
   if (!(reach > 0) || !std::isfinite(reach)) return {};
   const double step = std::pow(10, std::floor(std::log10(reach)));  // one digit, rounded up
-  const std::string remedy = "; `cnrg check --features` lists what is near, and --join " +
+  const std::string remedy = "; `cnrg check --features` lists what is near, and " + joins +
                              decimal(std::ceil(reach / step) * step, "%.3g") + " joins it";
   std::set<std::array<Parts::Cell, 2>> told;
-  std::map<std::array<Parts::Cell, 2>, bool> touching;
+  std::map<std::array<Parts::Cell, 2>, bool> left_out;
   Rational least;
   for (const Near kind : kNears) {
     const auto pairs = near_pairs_if_few(parts, kind, from_double(reach), kMostTold, Ends::left_out, watch);
@@ -247,8 +255,11 @@ std::string nearly_touching_text(const Result& result, const Watch& watch) {
     for (const NearPair& pair : *pairs) {
       auto cells = cells_of(parts, kind, pair.a, pair.b);
       if (cells[1] < cells[0]) std::swap(cells[0], cells[1]);
-      const auto [known, fresh] = touching.try_emplace(cells, false);
-      if (fresh) known->second = touch(parts, cells[0], cells[1]);
+      const auto [known, fresh] = left_out.try_emplace(cells, false);
+      if (fresh) {
+        known->second = (which == Pairs::of_different_leaves && are_of_same_leaves(flat, cells)) ||
+                        touch(parts, cells[0], cells[1]);
+      }
       if (known->second) continue;
       if (told.empty() || pair.squared < least) least = pair.squared;
       told.insert(cells);
@@ -258,6 +269,25 @@ std::string nearly_touching_text(const Result& result, const Watch& watch) {
   return counted(told.size(), "pair of cells does", "pairs of cells do") + " not touch and " +
          (told.size() == 1 ? "is" : "are") + " nearer than a millionth of the model, " +
          (told.size() == 1 ? "" : "the nearest ") + decimal(nearest_root(least), "%.3g") + " apart" + remedy;
+}
+
+}  // namespace
+
+std::string nearly_touching_text(const Result& result, const Watch& watch) {
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  require_bounds(flat, "the result has no bounds", ": distances are told of such results only");
+  return nearly_touching(view, flat, "--join ", Pairs::all, watch);
+}
+
+std::string nearly_touching_notice(const Result& result, const Watch& watch) {
+  constexpr std::size_t kMostFacets = 20'000;
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  std::size_t facets = 0;
+  for (const auto& face : flat.faces) facets += face.triangles.size();
+  if (facets > kMostFacets || reaches_frame(flat)) return {};
+  return nearly_touching(view, flat, "`weld` or --join ", Pairs::of_different_leaves, watch);
 }
 
 std::string features_text(const Result& result, const std::vector<Feature>& features) {

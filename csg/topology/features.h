@@ -40,6 +40,10 @@ std::vector<Feature> features(const Result& result, const std::optional<Rational
 /// told. Throws InputError for a result without bounds.
 std::string nearly_touching_text(const Result& result, const Watch& watch = {});
 
+/// The same beside every evaluation, of cells of different leaves, with `weld` as a remedy; empty also for a
+/// result without bounds, and for one of more than 20,000 facets, of which it would take long.
+std::string nearly_touching_notice(const Result& result, const Watch& watch = {});
+
 /// A table of them, a line each: kind, value, cells, places, the leaves that made each cell.
 std::string features_text(const Result& result, const std::vector<Feature>& features);
 

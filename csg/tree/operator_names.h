@@ -13,26 +13,17 @@ struct OperatorName {
   std::string_view name;
   Operator op;
 };
-inline constexpr std::array<OperatorName, 19> kOperators{{
-    {"union", Operator::unite},
-    {"repeat", Operator::unite},
-    {"intersection", Operator::intersect},
-    {"difference", Operator::subtract},
-    {"aggregate", Operator::aggregate},
-    {"unify", Operator::unify},
-    {"sum", Operator::sum},
-    {"product", Operator::product},
-    {"subtract", Operator::cnrg_subtract},
-    {"complement", Operator::complement},
-    {"interior", Operator::interior},
-    {"closure", Operator::closure},
-    {"boundary", Operator::boundary},
-    {"regularize", Operator::regularize},
-    {"below", Operator::below},
-    {"above", Operator::above},
-    {"simplify", Operator::simplify},
-    {"csg", Operator::simplify},
-    {"select", Operator::select},
+inline constexpr std::array<OperatorName, 20> kOperators{{
+    {"union", Operator::unite},           {"repeat", Operator::unite},
+    {"layers", Operator::unite},          {"intersection", Operator::intersect},
+    {"difference", Operator::subtract},   {"aggregate", Operator::aggregate},
+    {"unify", Operator::unify},           {"sum", Operator::sum},
+    {"product", Operator::product},       {"subtract", Operator::cnrg_subtract},
+    {"complement", Operator::complement}, {"interior", Operator::interior},
+    {"closure", Operator::closure},       {"boundary", Operator::boundary},
+    {"regularize", Operator::regularize}, {"below", Operator::below},
+    {"above", Operator::above},           {"simplify", Operator::simplify},
+    {"csg", Operator::simplify},          {"select", Operator::select},
 }};
 
 inline const OperatorName* find_operator(std::string_view name) {

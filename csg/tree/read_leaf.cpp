@@ -150,7 +150,8 @@ Shape read_torus(const Value& value, const LeafContext&) {
 Shape read_heightfield(const Value& value, const LeafContext& context) {
   const Fields f(value, form("heightfield"));
   HeightfieldShape shape;
-  f.read("base", shape.base, "file", shape.file);
+  f.read("base", shape.base, "file", shape.file, "within", shape.within);
+  if (shape.within && *shape.within <= 0) f.at("within").fail(f.name("within") + " must be a positive length");
   if (!shape.file.empty()) {
     shape.file = path_in_folder(shape.file, context);
     shape.inside = context.inside;

@@ -10,22 +10,21 @@
 #include <array>
 #include <filesystem>
 #include <unordered_map>
+#include <utility>
 
 #include "csg/openscad/openscad_tree.h"
 #include "csg/text/escape.h"
 #include "csg/text/input_file.h"
-#include "csg/text/number.h"
 #include "csg/text/table.h"
 #include "csg/tree/check_tree.h"
 #include "csg/tree/dag.h"
 #include "csg/tree/operator_names.h"
+#include "csg/tree/read_attribute.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
 #include "csg/tree/read_openscad.h"
 #include "csg/tree/read_parameters.h"
-#include "csg/tree/read_properties.h"
 #include "csg/tree/read_selector.h"
-#include "csg/tree/read_transform.h"
 #include "csg/tree/selector.h"
 #include "csg/tree/suggest.h"
 #include "csg/tree/tree.h"
@@ -54,17 +53,9 @@ class TreeReader {
     check_no_result(top);
     read_parameters(document_, top, options_);
     tree_.parameters = document_.parameters;
-    const Fields fields(top, form("a tree file"));
-    const Value& version = fields.at("cnrg");
-    if (version.number("`cnrg`") != 1) version.fail("this program reads version 1 of tree files; write `cnrg: 1`");
-    if (const Value* materials = fields.find("materials")) tree_.materials = read_materials(*materials);
-    tree_.nodes_at = fields.entry("nodes")->key_at;
-    read_nodes(fields.at("nodes"));
-    tree_.result = named(fields.at("result"), "`result`");
-    std::string for_editors;
-    fields.read("weld", tree_.weld, "$schema", for_editors);
-    check_weld(fields);
-    if (tree_.weld) tree_.weld_at = fields.at("weld").at();
+    Faults faults;
+    read_parts(Fields(top, form("a tree file"), {}, &faults), faults);
+    faults.raise();
     check_graph(tree_, dag_);
     check_selectors(tree_, dag_);
     check_distances(tree_);
@@ -91,6 +82,29 @@ class TreeReader {
   }
 
  private:
+  void read_parts(const Fields& fields, Faults& faults) {
+    const auto part = [&](const char* key, auto read) {
+      if (const Value* value = fields.find(key)) faults.attempt([&] { read(*value); });
+    };
+    part("cnrg", [](const Value& version) {
+      if (version.number("`cnrg`") != 1)
+        version.fail("this program reads version 1 of tree files; write `cnrg: 1`");
+    });
+    part("materials", [&](const Value& materials) { tree_.materials = read_materials(materials); });
+    if (const Value::Entry* nodes = fields.entry("nodes")) tree_.nodes_at = nodes->key_at;
+    part("nodes", [&](const Value& nodes) { read_nodes(nodes); });
+    if (!tree_.names.empty()) part("result", [&](const Value& node) { tree_.result = named(node, "`result`"); });
+    part("weld", [&](const Value& weld) {
+      fields.read("weld", tree_.weld);
+      check_weld(fields);
+      tree_.weld_at = weld.at();
+    });
+    part("$schema", [&](const Value&) {
+      std::string for_editors;
+      fields.read("$schema", for_editors);
+    });
+  }
+
   /// An exact result is JSON, and so YAML.
   void check_no_result(const Value& top) const {
     if (!top.is_map()) return;
@@ -133,11 +147,13 @@ class TreeReader {
       tree_.names.emplace(e.key, id);
       remember(e.value, id);
     }
+    Faults faults;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       top_ = entries[i].key;
-      read_node(NodeId(i), entries[i].value);
+      faults.attempt([&] { read_node(NodeId(i), entries[i].value); });
     }
     top_.clear();
+    faults.raise();
   }
 
   /// The node that a text names.
@@ -165,16 +181,33 @@ class TreeReader {
     f.read("index", name, "count", copies);
     if (!is_parameter_name(name) || document_.parameters.contains(name))
       f.at("index").fail_type(f.name("index"), "a name of letters, digits and `_` that no parameter has");
+    const CopyScope scope(*this, name);
     for (int copy = 0; copy < copies; ++copy) {
       const NodeId copied = add_node(tree_.nodes[id].name + "/" + std::to_string(copy + 1), true, of.at());
       dag_.add_operand(id, copied, of.at());
       document_.parameters[name] = Rational(copy);
-      places_.emplace_back();  // what is inline in another copy is another node
+      places_.back().clear();  // what is inline in another copy is another node
       read_node(copied, Value(document_, of.node(), of.at()));
-      places_.pop_back();
     }
-    document_.parameters.erase(name);
   }
+
+  /// While copies of a `repeat` are read, and a fault in one of them is on its way.
+  class CopyScope {
+   public:
+    CopyScope(TreeReader& reader, const std::string& index) : reader_(reader), index_(index) {
+      reader.places_.emplace_back();
+    }
+    ~CopyScope() {
+      reader_.places_.pop_back();
+      reader_.document_.parameters.erase(index_);
+    }
+    CopyScope(const CopyScope&) = delete;
+    CopyScope& operator=(const CopyScope&) = delete;
+
+   private:
+    TreeReader& reader_;
+    const std::string& index_;
+  };
 
   /// All nodes of a `.csg` file, called `NODE/NAME`, and its result as the only operand.
   void read_csg(NodeId id, const Value& value) {
@@ -216,21 +249,69 @@ class TreeReader {
 
   /// An operand by name or inline.
   void read_operand(NodeId user, const Value& value, std::size_t number) {
+    dag_.add_operand(user, operand(user, value, number), value.at());
+  }
+  NodeId operand(NodeId user, const Value& value, std::size_t number) {
     if (!value.is_map()) {
       if (!value.is_text())
         value.fail_type("an operand of `" + tree_.nodes[user].name + "`", "the name of a node or a node {...}");
-      dag_.add_operand(user, named(value, "an operand"), value.at());
-      return;
+      return named(value, "an operand");
     }
-    if (const NodeId known = recall(value); known.valid()) {
-      dag_.add_operand(user, known, value.at());
-      return;
-    }
+    if (const NodeId known = recall(value); known.valid()) return known;
     const NodeId id = add_node(tree_.nodes[user].name + "/" + std::to_string(number), true, value.at());
     if (is_subject(tree_.nodes[user].op, number)) tree_.nodes[id].called = tree_.nodes[user].regions_called();
-    dag_.add_operand(user, id, value.at());
     remember(value, id);
     read_node(id, value);
+    return id;
+  }
+
+  /// `{within: SOLID, surfaces: [...]}`: a layer is below its surface in what the layers before it leave, the last
+  /// one all that is left. Nodes are numbered as if all were operands: the solid, surfaces, then layers and rests.
+  void read_layers(NodeId id, const Value& value) {
+    const Fields f(value, form("layers"));
+    const std::vector<Value> surfaces =
+        f.at("surfaces").list(f.name("surfaces"), "a list of nodes [a, b], from the lowest up");
+    if (surfaces.empty()) f.at("surfaces").fail_type(f.name("surfaces"), "a list of one node or more");
+    const std::vector<Value> names = words_of_layers(f, "names", surfaces.size() + 1),
+                             materials = words_of_layers(f, "materials", surfaces.size() + 1);
+    for (const Value& material : materials) check_material(material);
+    tree_.nodes[id].dominant = DominantOperand::left;
+    std::size_t number = 0;
+    NodeId rest = operand(id, f.at("within"), ++number);
+    std::vector<NodeId> parting;
+    for (const Value& surface : surfaces) parting.push_back(operand(id, surface, ++number));
+    const auto add_part = [&](Operator op, const char* name, Position at) {
+      const NodeId part = add_node(tree_.nodes[id].name + "/" + std::to_string(++number), true, at);
+      Node& node = tree_.nodes[part];
+      node.op = op;
+      node.operator_name = name;
+      node.operator_at = at;
+      node.is_layer = true;
+      return part;
+    };
+    for (std::size_t i = 0; i <= surfaces.size(); ++i) {
+      const bool last = i == surfaces.size();
+      const Position at = last ? f.at("within").at() : surfaces[i].at();
+      const NodeId layer = add_part(last ? Operator::simplify : Operator::below, last ? "simplify" : "below", at);
+      if (!names.empty()) tree_.nodes[layer].label = names[i].text(f.name("names"));
+      if (!materials.empty()) tree_.nodes[layer].material = materials[i].raw();
+      dag_.add_operand(id, layer, at);
+      if (!last) dag_.add_operand(layer, parting[i], at);
+      dag_.add_operand(layer, rest, at);
+      if (last) return;
+      const NodeId above = add_part(Operator::above, "above", at);
+      dag_.add_operand(above, parting[i], at);
+      dag_.add_operand(above, std::exchange(rest, above), at);
+    }
+  }
+
+  static std::vector<Value> words_of_layers(const Fields& f, const char* key, std::size_t count) {
+    const Value* const list = f.find(key);
+    if (list == nullptr) return {};
+    const std::vector<Value> words = list->list(f.name(key), "a list of texts");
+    if (words.size() != count)
+      list->fail_type(f.name(key), "a list of " + std::to_string(count) + ", one more than surfaces");
+    return words;
   }
 
   // Nodes by the identity of their YAML node: equal nodes stand at one place.
@@ -273,7 +354,8 @@ class TreeReader {
     const std::string what = "the node `" + tree_.nodes[id].name + "`";
     if (!value.is_map()) value.fail_type(what, "a map {OPERATOR: ..., ATTRIBUTE: ...}");
     const std::vector<Value::Entry> entries = value.entries(what);
-    for (const Value::Entry& e : entries) check_boolean(e);
+    Faults faults;
+    for (const Value::Entry& e : entries) faults.attempt([&] { check_boolean(e); });
     const bool has_operator = std::any_of(entries.begin(), entries.end(), [](const Value::Entry& e) {
       return e.key != "simplify" && (contains(leaf_names(), e.key) || find_operator(e.key)) &&
              !is_attribute(e, false);
@@ -281,8 +363,8 @@ class TreeReader {
     const Value::Entry* operation = nullptr;
     for (const Value::Entry& e : entries) {
       if (is_attribute(e, has_operator)) continue;
-      check_operator_name(e, what);
-      if (operation) {
+      faults.attempt([&] { check_operator_name(e, what); });
+      if (operation && faults.empty()) {
         const bool first = find_operator(operation->key) != nullptr, second = find_operator(e.key) != nullptr;
         const char* const kinds = first && second ? " has two operators, `"
                                   : first         ? " has an operator and a leaf, `"
@@ -293,16 +375,19 @@ class TreeReader {
       }
       operation = &e;
     }
+    faults.raise();
     if (!operation) {
       document_.fail(tree_.nodes[id].at, what + " has no leaf and no operator; add one, such as `box` or `union`");
     }
     tree_.nodes[id].operator_at = operation->key_at;
     tree_.nodes[id].operator_name = operation->key;
-    read_operation(id, *operation);
-    read_within(id, *operation, entries);
+    faults.attempt([&] { read_operation(id, *operation); });
+    faults.attempt([&] { read_within(id, *operation, entries); });
     for (const Value::Entry& e : entries) {
-      if (&e != operation && e.key != "within") read_attribute(tree_.nodes[id], e);
+      if (&e != operation && e.key != "within")
+        faults.attempt([&] { read_attribute(tree_.nodes[id], e, context_); });
     }
+    faults.raise();
     check_blend(tree_.nodes[id], entries);
   }
 
@@ -350,18 +435,22 @@ class TreeReader {
   void read_operation(NodeId id, const Value::Entry& e) {
     const OperatorName* known = find_operator(e.key);
     if (!known) {
+      tree_.nodes[id].values = places_of_values(e.value);
       tree_.nodes[id].shape = read_leaf(e.key, e.value, context_);
       return;
     }
     tree_.nodes[id].op = known->op;
     if (known->name == "repeat") return read_repeat(id, e.value);
     if (known->name == "csg") return read_csg(id, e.value);
+    if (known->name == "layers") return read_layers(id, e.value);
     if (takes_a_list(known->op)) {
       const std::vector<Value> operands = e.value.list("`" + e.key + "`", "a list of two or more nodes [a, b]");
       const std::size_t least = known->op == Operator::aggregate ? 1 : 2;
       if (operands.size() < least) e.value.fail_type("`" + e.key + "`", "a list of two or more nodes [a, b]");
-      for (std::size_t i = 0; i < operands.size(); ++i) read_operand(id, operands[i], i + 1);
-      return;
+      Faults faults;
+      for (std::size_t i = 0; i < operands.size(); ++i)
+        faults.attempt([&] { read_operand(id, operands[i], i + 1); });
+      return faults.raise();
     }
     if (known->op == Operator::select) return read_selection(id, e.value);
     if (e.value.is_list()) e.value.fail_type("`" + e.key + "`", "one node, by name or {...}");
@@ -437,75 +526,6 @@ class TreeReader {
     selector->inside = number - 1;
     add_places("touching");
     tree_.nodes[id].selector = std::move(selector);
-  }
-
-  void read_attribute(Node& node, const Value::Entry& e) {
-    if (is_of_others(e.key)) return;
-    if (e.key == "material") {
-      node.material = e.value.text("`material`");
-      check_material(e.value);
-    } else if (e.key == "name") {
-      node.label = e.value.text("`name`");
-    } else if (e.key == "attributes") {
-      node.properties = read_properties(e.value);
-    } else if (e.key == "size") {
-      node.size = read_size(e.value);
-    } else if (e.key == "regularize") {
-      node.regularize = *e.value.as_bool();
-    } else if (e.key == "each") {
-      const std::optional<bool> each = e.value.as_bool();
-      if (!each) e.value.fail_type("`each`", "true or false");
-      if (*each && !is_topological(node.op)) {
-        document_.fail(e.key_at, "`each` is for interior, closure, boundary and regularize; remove it from `" +
-                                     node.operator_name + "`");
-      }
-      node.each = *each;
-    } else if (e.key == "simplify") {
-      node.forget_features = e.value.raw() == "points";
-    } else if (e.key == "dominance") {
-      read_dominance(node, e);
-    } else if (e.key == "blend") {
-      read_blend(node, e);
-    } else {
-      const Transform step = read_transform(e);
-      node.transform = node.transform ? step * *node.transform : step;
-    }
-  }
-
-  void read_dominance(Node& node, const Value::Entry& e) {
-    const std::string text = e.value.text("`dominance`");
-    static const std::map<std::string, DominantOperand> kSides{
-        {"left", DominantOperand::left}, {"right", DominantOperand::right}, {"equal", DominantOperand::equal}};
-    if (const auto side = kSides.find(text); side != kSides.end()) {
-      if (!has_sides(node.op)) {
-        e.value.fail("`dominance: " + text + "` is for union, intersection, difference, sum and product; give `" +
-                     node.operator_name + "` a number, such as `dominance: 2`");
-      }
-      node.dominant = side->second;
-    } else if (read_number(text).value || text.find_first_not_of("0123456789+-.eE/") == std::string::npos) {
-      node.dominance = e.value.number("`dominance`");
-    } else {
-      e.value.fail_type("`dominance`", has_sides(node.op) ? "left, right, equal or a number" : "a number");
-    }
-  }
-
-  void read_blend(Node& node, const Value::Entry& e) {
-    if (e.value.text("`blend`") != "linear") e.value.fail_type("`blend`", "linear");
-    if (node.op != Operator::unite) {
-      document_.fail(e.key_at, "`blend` is for union; remove it from `" + node.operator_name + "`");
-    }
-    node.blend = true;
-  }
-
-  /// Where operands blend, none of them dominates.
-  void check_blend(const Node& node, const std::vector<Value::Entry>& entries) const {
-    if (!node.blend || !node.dominant) return;
-    for (const Value::Entry& e : entries) {
-      if (e.key == "dominance") {
-        document_.fail(e.key_at, "`" + node.name + "` blends its operands, so none of them dominates; leave out " +
-                                     "`dominance: " + e.value.raw() + "` or `blend`");
-      }
-    }
   }
 
   Document& document_;

@@ -69,8 +69,9 @@ struct Node {
   Position at;           ///< of the key, or of the inline node
   Position operator_at;  ///< of the operator's key
   Operator op = Operator::leaf;
-  std::string operator_name;   ///< as the file has it: `union`, `box`, ...
-  std::optional<Shape> shape;  ///< of a leaf
+  std::string operator_name;                 ///< as the file has it: `union`, `box`, ...
+  std::optional<Shape> shape;                ///< of a leaf
+  std::map<std::string, Position> values{};  ///< of a leaf: where the values of its keys stand; alone at ""
   std::optional<Transform> transform;
   std::string material;          ///< empty: not given
   std::string label;             ///< the attribute `name`; empty: not given
@@ -84,7 +85,8 @@ struct Node {
   /// Of `simplify`: what is nearer and does not touch is joined (csg/evaluate/joined_nodes.h); above 0. The node's
   /// value is computed apart and refined with others as that of a leaf.
   std::optional<Rational> within;
-  bool each = false;  ///< interior, closure, boundary, regularize: every component by itself
+  bool is_layer = false;  ///< made by `layers`, so that nothing of it stands in the file
+  bool each = false;      ///< interior, closure, boundary, regularize: every component by itself
   std::shared_ptr<const Selector> selector;  ///< of `select`
 };
 

@@ -75,11 +75,8 @@ void check_encoding(const Document& document, const std::string& text) {
   if (at == text.size()) return;
   const std::string_view before = std::string_view(text).substr(0, at);
   const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
-  const auto is_first = [](char c) { return (c & 0xc0) != 0x80; };
-  const Position position{
-      1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
-      1 + static_cast<int>(
-              std::count_if(before.begin() + static_cast<std::ptrdiff_t>(line_begin), before.end(), is_first))};
+  const Position position{1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+                          1 + static_cast<int>(before.size() - line_begin)};
   document.fail(position, "the byte " + shown(text.substr(at, 1)) + " is no UTF-8; save the file as UTF-8");
 }
 
@@ -103,7 +100,8 @@ void check_one_document(const Document& document, const std::string& text) {
 Value::Value(Document& document, const YAML::Node& node, Position key_at)
     : document_(&document), node_(node), at_(node.IsNull() ? key_at : position_of(node.Mark(), key_at)) {
   if (document.values_left == 0) {
-    fail(
+    throw TreeLimitError(
+        document.file, at_,
         "the aliases and `repeat` of this file repeat too much: it yields far more values than it has letters; "
         "write one node and use it by name instead");
   }
@@ -118,7 +116,10 @@ const std::string& Value::computed() const {
     fail(e.what());
   }
   if (computed_->size() > document_->values_left)
-    fail("the values of expressions in this file are too long: they have far more letters than the file");
+    throw TreeLimitError(
+        document_->file, at_,
+        "the values of expressions in this file are too long: they have far more letters than the "
+        "file");
   document_->values_left -= computed_->size();
   return *computed_;
 }
@@ -258,16 +259,28 @@ std::vector<Value::Entry> Value::entries(const std::string& what, std::vector<YA
   return result;
 }
 
-Fields::Fields(const Value& map, const Form& form, std::string what)
+std::map<std::string, Position> places_of_values(const Value& value) {
+  if (!value.is_map()) return {{"", value.at()}};
+  std::map<std::string, Position> places;
+  for (const auto& item : value.node()) {
+    if (item.first.IsScalar()) places.emplace(item.first.Scalar(), position_of(item.second.Mark(), value.at()));
+  }
+  return places;
+}
+
+Fields::Fields(const Value& map, const Form& form, std::string what, Faults* faults)
     : map_(map),
       form_(form),
       what_(what.empty() ? std::string(form.name) : std::move(what)),
       entries_(map.entries(what_)) {
-  check_keys();
-  check_presence();
+  Faults own;
+  check_keys(own);
+  if (own.empty()) check_presence(own);  // what is missing may be what is misspelt
+  if (faults) faults->attempt([&] { own.raise(); });
+  else own.raise();
 }
 
-void Fields::check_keys() const {
+void Fields::check_keys(Faults& faults) const {
   for (const Value::Entry& e : entries_) {
     if (is_of_others(e.key) || form_.find(e.key)) continue;
     std::vector<std::string_view> allowed;
@@ -277,8 +290,10 @@ void Fields::check_keys() const {
       known += (known.empty() ? "" : ", ") + std::string(k.name);
     }
     const std::string hint = did_you_mean(e.key, allowed);
-    map_.document().fail(e.key_at, "unknown key " + quoted(e.key) + " in " + what_ +
-                                       (hint.empty() ? "; known are: " + known : hint));
+    faults.attempt([&] {
+      map_.document().fail(e.key_at, "unknown key " + quoted(e.key) + " in " + what_ +
+                                         (hint.empty() ? "; known are: " + known : hint));
+    });
   }
 }
 
@@ -301,14 +316,16 @@ void Fields::check_partners(const Key& key, const Value::Entry& e) const {
   if (!key.needs.empty() && !has(key.needs)) fail_missing({key.needs});
 }
 
-void Fields::check_presence() const {
+void Fields::check_presence(Faults& faults) const {
   for (const Key& key : form_.keys) {
-    if (const Value::Entry* e = entry(key.name)) check_partners(key, *e);
-    else if (key.is_required()) fail_missing({key.name});
+    faults.attempt([&] {
+      if (const Value::Entry* e = entry(key.name)) check_partners(key, *e);
+      else if (key.is_required()) fail_missing({key.name});
+    });
   }
   const std::vector<std::string_view>& keys = form_.one_of;
   if (!keys.empty() && std::none_of(keys.begin(), keys.end(), [&](auto key) { return has(key); }))
-    fail_missing(keys);
+    faults.attempt([&] { fail_missing(keys); });
 }
 
 const Value& Fields::value_of(std::string_view key, Type::Kind kind) const {

@@ -8,6 +8,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -98,6 +99,9 @@ struct Value::Entry {
   Value value;
 };
 
+/// Where the values of a map stand, by their keys; of another value its own place, at the key "".
+std::map<std::string, Position> places_of_values(const Value& value);
+
 /// Of maps with known keys: those that other programs read, such as `x-experiment`.
 inline bool is_of_others(std::string_view key) { return key.starts_with("x-"); }
 
@@ -105,8 +109,8 @@ inline bool is_of_others(std::string_view key) { return key.starts_with("x-"); }
 class Fields {
  public:
   /// Fails for a key that the form has not, naming the nearest, for one that is missing, and for two that exclude
-  /// each other. `what` names the map in messages; without it the form does.
-  Fields(const Value& map, const Form& form, std::string what = {});
+  /// each other. `what` names the map in messages; without it the form does. With `faults` they get what fails.
+  Fields(const Value& map, const Form& form, std::string what = {}, Faults* faults = nullptr);
   /// The value of a key, or nullptr.
   const Value* find(std::string_view key) const;
   const Value::Entry* entry(std::string_view key) const;
@@ -117,11 +121,12 @@ class Fields {
   std::string name(std::string_view key) const { return "`" + std::string(key) + "` of " + what_; }
 
   /// Reads the values of keys that are there, as the types that the form has for them: `read("min", min, "max",
-  /// max)`.
-  template <class T, class... More>
-  void read(std::string_view key, T& to, More&&... more) const {
-    if (has(key)) read_value(key, to);
-    if constexpr (sizeof...(more) > 0) read(more...);
+  /// max)`. Fails with the faults of all of them.
+  template <class... Pairs>
+  void read(Pairs&&... pairs) const {
+    Faults faults;
+    read_into(faults, pairs...);
+    faults.raise();
   }
   /// The items of a list, each by `read(item)`; nothing where the key is not there.
   template <class Read>
@@ -132,14 +137,19 @@ class Fields {
   }
 
  private:
-  void check_keys() const;
-  void check_presence() const;
+  void check_keys(Faults& faults) const;
+  void check_presence(Faults& faults) const;
   void check_partners(const Key& key, const Value::Entry& e) const;
   [[noreturn]] void fail_missing(const std::vector<std::string_view>& keys) const;
   /// The value of a key that is there; the form has to have it as one of that kind.
   const Value& value_of(std::string_view key, Type::Kind kind) const;
   std::string list_words(std::string_view key) const;
   void read_text(std::string_view key, std::string& to) const;
+  template <class T, class... More>
+  void read_into(Faults& faults, std::string_view key, T& to, More&... more) const {
+    if (has(key)) faults.attempt([&] { read_value(key, to); });
+    if constexpr (sizeof...(more) > 0) read_into(faults, more...);
+  }
   template <class T>
   void read_value(std::string_view key, T& to) const {
     using Kind = Type::Kind;

@@ -233,7 +233,7 @@ class Ours:
         tree.write_text(f"cnrg: 1\nnodes:\n{nodes}  result: {root}\n  around: {{complement: result}}\nresult: result\n")
         done = run([self.program, "eval", tree, "--node", "result", "--node", "around"])
         if done.returncode:
-            raise Failure(done.stderr.splitlines()[-1])
+            raise Failure(next(line for line in done.stderr.splitlines() if "error: " in line))
         rows = {line.split()[0]: line.split() for line in done.stdout.splitlines()}
         head, row = rows["node"], rows["result"]
         value = dict(zip(head, row))

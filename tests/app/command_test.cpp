@@ -14,6 +14,7 @@ namespace cnrg {
 namespace {
 
 using Catch::Contains;
+using Catch::EndsWith;
 using Catch::StartsWith;
 
 const char* const kBoxes = R"(cnrg: 1
@@ -68,7 +69,7 @@ TEST_CASE("help lists what there is, and nothing else is a command", "[app][erro
   CHECK_THAT(o.err, StartsWith("cnrg: error: "));
 }
 
-TEST_CASE("faults of the tree: one line, exit status 2; no file: 3", "[app][errors]") {
+TEST_CASE("faults of the tree: each with its line and a mark, exit status 2; no file: 3", "[app][errors]") {
   const Workshop w;
   w.write("bad.yaml", "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, nan]}}\nresult: a\n");
   w.write("flat.yaml", "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 0]}}\nresult: a\n");
@@ -76,11 +77,13 @@ TEST_CASE("faults of the tree: one line, exit status 2; no file: 3", "[app][erro
     const Outcome bad = w.run(command + " bad.yaml");
     CHECK(bad.status == 2);
     CHECK_THAT(bad.err, StartsWith("bad.yaml:3:41: error: `max` of box: `nan` is no number"));
-    CHECK(lines_in(bad.err) == 1);
+    CHECK_THAT(bad.err, EndsWith("\n  3 |   a: {box: {min: [0, 0, 0], max: [1, 1, nan]}}\n    | " +
+                                 std::string(40, ' ') + "^\n"));
+    CHECK(lines_in(bad.err) == 3);
     const Outcome flat = w.run(command + " flat.yaml");
     CHECK(flat.status == 2);
-    CHECK_THAT(flat.err, StartsWith("flat.yaml:3:7: error: box"));
-    CHECK(lines_in(flat.err) == 1);
+    CHECK_THAT(flat.err, StartsWith("flat.yaml:3:34: error: box"));
+    CHECK(lines_in(flat.err) == 3);
     const Outcome none = w.run(command + " none.yaml");
     CHECK(none.status == 3);
     CHECK_THAT(none.err, StartsWith("none.yaml:1:1: error: ") && Contains("there is no file"));
@@ -97,10 +100,10 @@ TEST_CASE("eval prints one aligned row per node", "[app]") {
   CHECK(o.err.empty());
   CHECK(lines_in(o.out) == 11);  // the head, seven nodes, three stages
   CHECK(row(o.out, "a").back() == "8");
-  CHECK(row(o.out, "b").back() == "28/3");
-  CHECK(row(o.out, "u").back() == "49/3");
-  CHECK(row(o.out, "d").back() == "46/3");
-  CHECK(row(o.out, "r").back() == "46/3");
+  CHECK(row(o.out, "b").back() == "(28/3)");
+  CHECK(row(o.out, "u").back() == "(49/3)");
+  CHECK(row(o.out, "d").back() == "(46/3)");
+  CHECK(row(o.out, "r").back() == "(46/3)");
   CHECK(row(o.out, "d/2").at(1) == "box");
   CHECK(row(o.out, "wire").at(1) == "polyline");
 
@@ -220,7 +223,7 @@ TEST_CASE("a result is read back as a leaf", "[app]") {
   const Outcome o = w.run("eval again.yaml");
   INFO(o.err);
   CHECK(o.status == 0);
-  CHECK(row(o.out, "d").back() == "46/3");
+  CHECK(row(o.out, "d").back() == "(46/3)");
 }
 
 TEST_CASE("materials of a mixture are read back, and none that there is not", "[app][errors]") {
@@ -273,7 +276,8 @@ result: cut
   for (const char* ending : {"poly", "smesh"}) {
     o = w.run(std::string("eval gap.yaml --no-snap -o gap.") + ending);
     CHECK(o.status == 2);
-    CHECK_THAT(o.err, StartsWith("gap.yaml:5:3: error: gap.") && Contains("without --no-snap"));
+    CHECK_THAT(o.err, StartsWith("gap.yaml:5:11: notice: `model`: 4 pairs of cells do not touch") &&
+                          Contains("\ngap.yaml:5:3: error: gap.") && Contains("without --no-snap"));
     o = w.run(std::string("eval gap.yaml -o gap.") + ending);
     CHECK(o.status == 0);
     CHECK_THAT(o.err, Contains("notice: snapped 4 of 16 vertices"));
@@ -338,7 +342,7 @@ result: m
     w.write("back.yaml", "cnrg: 1\nnodes:\n  r: {mesh: {file: " + file + "}}\nresult: r\n");
     o = w.run("eval back.yaml -o back.json");
     CHECK(o.status == 0);
-    CHECK_THAT(o.out, Contains(file == "m.stl" ? "  44739243/33554432" : "  1.33333333333 ("));
+    CHECK_THAT(o.out, Contains(file == "m.stl" ? "  1.33333334327 (44739243/33554432)" : "  1.33333333333 ("));
   }
   Outcome o = w.run("eval t.yaml --node thin --binary -o thin.stl");
   CHECK(o.status == 2);

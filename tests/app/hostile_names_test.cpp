@@ -171,7 +171,7 @@ TEST_CASE("hostile words of files that a leaf reads are shown", "[app][names]") 
     INFO(leaf);
     CHECK(o.status != 0);
     CHECK(o.status != 1);
-    CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
+    CHECK(errors_in(o.err) == 1);
     check_harmless(o.err, leaf);
   }
 }
@@ -181,7 +181,9 @@ TEST_CASE("a tree that is no UTF-8 is told at its byte", "[app][names]") {
   w.write("t.yaml", "cnrg: 1\nnodes: {caf\xe9: {points: [[0, 0, 0]]}}\nresult: caf\xe9\n");
   const Outcome o = w.run("eval t.yaml");
   CHECK(o.status == 2);
-  CHECK(o.err == "t.yaml:2:12: error: the byte \\xe9 is no UTF-8; save the file as UTF-8\n");
+  CHECK(o.err ==
+        "t.yaml:2:12: error: the byte \\xe9 is no UTF-8; save the file as UTF-8\n"
+        "  2 | nodes: {caf\\xe9: {points: [[0, 0, 0]]}}\n    |            ^\n");
 }
 
 }  // namespace

@@ -15,6 +15,12 @@ const char* const kOff = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 std::string tree_with(const std::string& leaf) { return "cnrg: 1\nnodes:\n  a: {" + leaf + "}\nresult: a\n"; }
 
+/// The column of the file's name in `tree_with(leaf)`.
+std::string place_of_file(const std::string& leaf) {
+  const std::size_t key = leaf.find("file: ");
+  return std::to_string(7 + (key == std::string::npos ? leaf.find(": ") + 2 : key + 6));
+}
+
 TEST_CASE("only regular files are read", "[app][inputs]") {
   const Workshop w;
   w.shell("mkfifo pipe.off pipe.json; mkdir folder.off; ln -s /dev/zero zero.off; ln -s /dev/zero zero.asc");
@@ -23,8 +29,8 @@ TEST_CASE("only regular files are read", "[app][inputs]") {
     const Outcome o = w.run("check t.yaml");
     INFO(leaf);
     CHECK(o.status == 3);
-    CHECK_THAT(o.err, StartsWith("t.yaml:3:7: error: ") && Contains(what));
-    CHECK(lines_in(o.err) == 1);
+    CHECK_THAT(o.err, StartsWith("t.yaml:3:" + place_of_file(leaf) + ": error: ") && Contains(what));
+    CHECK(errors_in(o.err) == 1);
   };
   fails("mesh: {file: pipe.off}", "'pipe.off' cannot be read: it is a pipe, give a regular file");
   fails("mesh: {file: folder.off}", "it is a directory");
@@ -39,7 +45,7 @@ TEST_CASE("only regular files are read", "[app][inputs]") {
     INFO(o.err);
     CHECK(o.status == 3);
     CHECK_THAT(o.err, StartsWith(tree + ":1:1: error: ") && Contains(tree));
-    CHECK(lines_in(o.err) == 1);
+    CHECK(errors_in(o.err) == 1);
   }
 }
 
@@ -76,9 +82,9 @@ TEST_CASE("a file larger than the memory of the machine is refused before it is 
     const Outcome o = w.shell("truncate -s 8T " + file + " && '" CNRG_PROGRAM "' check t.yaml 2>.err");
     if (o.err.find("without OpenCASCADE") != std::string::npos) continue;
     CHECK(o.status == 3);
-    CHECK(o.err == "t.yaml:3:7: error: '" + file +
-                       "' cannot be read: it has 8,796,093,022,208 bytes, more than the memory of this machine; "
-                       "give a smaller file\n");
+    CHECK_THAT(o.err, StartsWith("t.yaml:3:" + place_of_file(leaf) + ": error: '" + file +
+                                 "' cannot be read: it has 8,796,093,022,208 bytes, more than the memory of this "
+                                 "machine; give a smaller file\n"));
   }
 }
 
@@ -102,7 +108,7 @@ TEST_CASE("YAML that explodes is refused", "[app][inputs]") {
         w.shell(std::string("ulimit -v 2000000; '" CNRG_PROGRAM "' check ") + name + " >.out 2>.err");
     INFO(o.err);
     CHECK(o.status == 2);
-    CHECK(lines_in(o.err) == 1);
+    CHECK(errors_in(o.err) == (name == std::string("laughs.yaml") ? 50 : 1));  // each node has a fault
   }
 }
 
@@ -130,9 +136,9 @@ TEST_CASE("--inside refuses every file outside of the folder", "[app][inputs]") 
     INFO(leaf << "\n" << o.err);
     if (o.err.find("without OpenCASCADE") != std::string::npos) continue;
     CHECK(o.status == 2);
-    CHECK_THAT(o.err, StartsWith("in/t.yaml:3:7: error: ") &&
+    CHECK_THAT(o.err, StartsWith("in/t.yaml:3:" + place_of_file(leaf) + ": error: ") &&
                           Contains("is no file inside of the folder '" + w.path("in").string() + "'"));
-    CHECK(lines_in(o.err) == 1);
+    CHECK(errors_in(o.err) == 1);
   }
   CHECK(run("mesh: {file: " + absolute + "}").status == 2);
   for (const std::string leaf : {"mesh: {file: deep/i.off}", "mesh: {file: good.off}",

@@ -37,6 +37,32 @@ TEST_CASE("faults of options name the nearest one and the right help", "[app][me
                                        EndsWith(" see `cnrg --help`\n"));
 }
 
+TEST_CASE("all faults of a tree are told with their lines; of long lines and odd letters the part there",
+          "[app][messages]") {
+  const Workshop w;
+  w.write("t.yaml",
+          "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], maxx: [1, 1, 1]}}\n  Größe: {boks: 1}\nresult: c\n");
+  CHECK(w.run("eval t.yaml").err ==
+        "t.yaml:3:29: error: unknown key `maxx` in box; did you mean `max`?\n"
+        "  3 |   a: {box: {min: [0, 0, 0], maxx: [1, 1, 1]}}\n    |                             ^\n"
+        "t.yaml:4:13: error: unknown key `boks` in the node `Größe`: neither an operator nor an attribute; remove "
+        "it "
+        "or write the one that is meant\n  4 |   Größe: {boks: 1}\n    |           ^\n"
+        "t.yaml:5:9: error: there is no node called `c`; did you mean `a`?\n  5 | result: c\n    |         ^\n");
+  const std::string blanks(100, ' ');
+  w.write("t.yaml", "cnrg: 1\nnodes: {a: " + blanks + "{box: x}" + blanks + "}\nresult: a\n");
+  CHECK_THAT(w.run("eval t.yaml").err,
+             StartsWith("t.yaml:2:118: error: ") &&
+                 EndsWith("\n  2 | ..." + std::string(54, ' ') + "{box: x}" + std::string(38, ' ') +
+                          "...\n    | " + std::string(63, ' ') + "^\n"));
+  std::string many = "cnrg: 1\nnodes:\n";
+  for (int i = 0; i < 60; ++i) many += "  n" + std::to_string(i) + ": {boks: 1}\n";
+  w.write("t.yaml", many + "result: n0\n");
+  const Outcome o = w.run("eval t.yaml");
+  CHECK(errors_in(o.err) == 50);
+  CHECK_THAT(o.err, EndsWith("^\n10 more faults\n"));
+}
+
 TEST_CASE("a directory given to -o is told before any work", "[app][messages]") {
   const Workshop w;
   w.shell("mkdir out out.vtu");

@@ -25,6 +25,14 @@ inline std::size_t lines_in(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
+/// Lines of errors; with each of a file its line may be shown, and a mark below it.
+inline std::size_t errors_in(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t n = 0;
+  for (std::string line; std::getline(lines, line);) n += line.find("error: ") != std::string::npos;
+  return n;
+}
+
 /// A folder that lives as long as the object; the program runs in it.
 class Workshop {
  public:

@@ -50,7 +50,7 @@ TEST_CASE("faults of a tree on standard input have a line and a column", "[app][
   }
   const Outcome flat =
       w.run("eval -", "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 0]}}\nresult: a\n");
-  CHECK_THAT(flat.err, StartsWith("<stdin>:3:7: error: box"));
+  CHECK_THAT(flat.err, StartsWith("<stdin>:3:34: error: box"));
   CHECK_THAT(w.run("eval -", "").err, StartsWith("<stdin>:1:1: error: "));
   CHECK_THAT(w.shell("'" CNRG_PROGRAM "' check - <&- >.out 2>.err").err,
              StartsWith("<stdin>:1:1: error: the tree file: standard input cannot be read"));

@@ -2,6 +2,7 @@
 // are integrals.
 #include "csg/operators/below.h"
 
+#include <set>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
@@ -186,6 +187,60 @@ TEST_CASE("nothing of a block under a surface is above it, whatever cuts the sur
       {"over", "under"});
   CHECK(e.result("over").component_count() == 0);
   CHECK(e.result("under").volume(1) == Rational(4));
+}
+
+TEST_CASE("layers: each cell is in the layer of the first surface above it", "[below]") {
+  std::set<std::string> met;
+  for (unsigned seed = 1; seed <= 25; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    const std::vector<std::string> names{"a", "b", "c", "d"};
+    std::vector<Graph> graphs;
+    std::string nodes;
+    for (int k = 0; k < 3; ++k) {
+      // Some lie above the block or below it, and many cross.
+      graphs.push_back(random_graph(random, 4, 2, static_cast<int>(random.below(9)) - 3, 7));
+      nodes += "  s" + std::to_string(k) + ": {mesh: " + graphs.back().mesh() + "}\n";
+    }
+    const Evaluation e = evaluated("cnrg: 1\nmaterials: {m: {}, n: {}}\nnodes:\n" + nodes +
+                                       "  block: {box: {min: [0, 0, 0], max: [4, 4, 6]}}\n"
+                                       "  all: {layers: {within: block, surfaces: [s0, s1, s2], names: [a, b, c, "
+                                       "d], materials: [m, n, m, n]}}\nresult: all\n",
+                                   {});
+    const Group& all = e.kept[0].group();
+    CHECK(check_group(*e.complex, all) == "");
+    CHECK(volume_of(e, all) == 96);
+    const Locator locator(*e.complex);
+    for (const auto& [cell, region] : all.cells) {
+      const RationalPoint p = interior_point(*e.complex, locator, cell);
+      std::size_t layer = 0;
+      while (layer < 3 && p[2] > graphs[layer].at(p[0], p[1])) ++layer;
+      CHECK(all.regions[region - 1].name == names[layer]);
+      CHECK(all.regions[region - 1].material.name() == (layer % 2 == 0 ? "m" : "n"));
+      met.insert(names[layer]);
+    }
+  }
+  CHECK(met.size() == 4);
+}
+
+TEST_CASE("layers: a solid that is all below the first surface has one layer", "[below]") {
+  const Evaluation e = evaluated(
+      "cnrg: 1\nnodes:\n  block: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
+      "  high: {plane: {point: [0, 0, 5], normal: [0, 0, 1]}}\n  low: {plane: {point: [0, 0, 1/2], normal: [0, 0, "
+      "1]}}\n"
+      "  r: {layers: {within: block, surfaces: [high, low], names: [x, y, z]}}\nresult: r\n",
+      {});
+  REQUIRE(e.kept[0].group().regions.size() == 1);
+  CHECK(e.kept[0].group().regions[0].name == "x");
+  const std::string block = "  block: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  s: {points: [[0, 0, 0]]}\n";
+  CHECK(fault_of(block + "  r: {layers: {within: block, surfaces: [s], names: [x]}}\n")
+            .find("t.yaml:5:53: error: `names` of layers must be a list of 2, one more than surfaces") == 0);
+  CHECK(fault_of(block + "  r: {layers: {within: block, surfaces: []}}\n").find("a list of one node or more") !=
+        std::string::npos);
+  CHECK(fault_of(block + "  r: {layers: {within: block, surfaces: [s], materials: [x, y]}}\n")
+            .find("the material `x` is not declared") != std::string::npos);
+  CHECK(fault_of(block + "  r: {layers: {within: block, surfaces: [s]}, blend: linear}\n")
+            .find("`blend` is for union; remove it from `layers`") != std::string::npos);
 }
 
 TEST_CASE("faults of surfaces are told with their places", "[below]") {

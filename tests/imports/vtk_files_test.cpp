@@ -327,7 +327,10 @@ TEST_CASE("VTK's XML that is broken") {
   const std::string packed = " compressor=\"vtkZLibDataCompressor\"";
   CHECK_THAT(binary("/////wAAAAAAAAAA", packed), Contains("cut off"));
   CHECK_THAT(binary("AQAAAAgAAAAIAAAABAAAAA==AAAAAA==", packed), Contains("damaged block of zlib"));
-  CHECK_THAT(binary("AQAAAP////8AAAAABAAAAA==AAAAAA==", packed), Contains("zlib cannot have made"));
+  CHECK_THAT(binary("AQAAAAAAIAAAAAAABAAAAA==AAAAAA==", packed), Contains("zlib cannot have made"));
+  // Four points do not have 4 GB, whatever is packed.
+  CHECK_THAT(binary("AQAAAP////8AAAAABAAAAA==AAAAAA==", packed),
+             Contains("the array 'P' has far more bytes than the numbers of points and cells say"));
 
   const auto appended = [&](const std::string& offset, const std::string& block) {
     return error(

@@ -86,7 +86,7 @@ TEST_CASE("an exercise as it is given has holes, and each is told with its line"
 
 /// What the check of a wrong answer has to say, by lesson.
 const std::map<int, std::string> kReasons{
-    {1, "in both: a face of area 1/2 about (3/2, 7/4, 3/2): in component 2 `a & b` of A"},
+    {1, "in both: a face of area 0.5 about (3/2, 7/4, 3/2): in component 2 `a & b` of A"},
     {2,
      "only in A: a face of area 1/2 sqrt(5) about (3/2, 3/4, 1/2)\n"
      "only in B: a face of area sqrt(2) about (1/2, 3/2, 1/2)\n"},
@@ -100,7 +100,7 @@ const std::map<int, std::string> kReasons{
     {8, "only in B: an edge of length 1 about (4, 2, 7/2)\n"},
     {9, "only in A: a face of area sqrt(107) about (0, -2, 1/3)\n"},
     {10, "only in A: all 2 together: volume 1\n"},
-    {11, "in both: a region of volume 1/3000000 about (1/2, 1/2, 833333/2500000)"},
+    {11, "in both: a region of volume 0.000000333333333333 (1/3000000) about (1/2, 1/2, 833333/2500000)"},
     {12, "in both: an edge of length 1 about (1, 2, 5/2): an entity of A, in region 1 `block` of B\n"},
     {13, "only in B: 4 faces of area 6 in all about (4, 2, 1/2)\n"},
     {14, "about (0, 17/8, 0)\n"}};

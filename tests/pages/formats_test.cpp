@@ -128,7 +128,7 @@ TEST_CASE("csg/FORMATS.md has the extensions that the program writes and reads",
   const auto listed = [](const std::string& text, const std::string& mark) {
     static const std::regex extension("(\\.[a-z0-9]+)+");
     REQUIRE(text.find(mark) != std::string::npos);
-    const std::string list = text.substr(text.find(mark) + mark.size());
+    const std::string rest = text.substr(text.find(mark) + mark.size()), list = rest.substr(0, rest.find('\n'));
     Words words;
     for (std::sregex_iterator i(list.begin(), list.end(), extension), end; i != end; ++i) words.insert(i->str());
     return words;

@@ -263,12 +263,13 @@ class FilesOfResults(WithFolder):
         again = cnrg.load(self.folder / "two.vtu").evaluate()
         self.assertEqual(sorted(r.volume for r in again.regions), [1, 2])
         self.assertEqual(len(again.faces.active), 11)
-        L_SHAPE.evaluate().write(self.folder / "l.vtu")
-        self.assertEqual((cnrg.load(self.folder / "l.vtu") & UNIT).evaluate().volume, 1)
+        for extension in ("vtu", "msh", "glb", "3mf"):
+            L_SHAPE.evaluate().write(self.folder / f"l.{extension}")
+            self.assertEqual((cnrg.load(self.folder / f"l.{extension}") & UNIT).evaluate().volume, 1)
 
     def test_other_files_are_told_with_a_remedy(self):
-        for name, remedy in (("a.msh", "write a result as .json"), ("a.3mf", "as .stl"), ("a.ifc", "IfcConvert"),
-                             ("a.dxf", "export it as .step"), ("a.GLB", "as .stl")):
+        for name, remedy in (("a.med", "write a result as .json"), ("a.inp", "as .stl"), ("a.ifc", "IfcConvert"),
+                             ("a.dxf", "export it as .step"), ("a.GLTF", "as .stl")):
             (self.folder / name).write_text("x")
             for command in (("eval",), ("check",), ("mesh", "-o", "m.msh"), ("view",)):
                 run = subprocess.run([sys.executable, "-m", "cnrg", command[0], str(self.folder / name), *command[1:]],

@@ -392,6 +392,31 @@ class Files(Folder):
             again = cnrg.Tree.of(tree.result)
             self.assertEqual([t.evaluate().rows[-1].volume for t in (tree, again)], [2 * n] * 2)
 
+    def test_layers_are_those_of_a_file(self):
+        text = ("cnrg: 1\nmaterials: {m: {}, n: {}}\nnodes:\n  ground: {box: {min: [0, 0, 0], max: [4, 4, 4]}}\n"
+                "  high: {plane: {point: [0, 0, 9], normal: [0, 0, 1]}}\n"
+                "  model: {layers: {within: ground, surfaces: [{polygon: [[-1, -1, 2], [5, -1, 2], [5, 5, 2], [-1, 5, 2]]}, high, "
+                "{polygon: [[-1, -1, 1], [5, -1, 3], [5, 5, 3], [-1, 5, 1]]}], names: [a, b, c, d], materials: [m, n, m, n]}}\n"
+                "result: model\n")
+        tree = cnrg.parse(text)
+        again = cnrg.Tree.of(tree.result)
+        floor = cnrg.polygon([[-1, -1, 2], [5, -1, 2], [5, 5, 2], [-1, 5, 2]])
+        top = cnrg.polygon([[-1, -1, 1], [5, -1, 3], [5, 5, 3], [-1, 5, 1]])
+        m, n = cnrg.material("m"), cnrg.material("n")
+        made = cnrg.layers(cnrg.box([0, 0, 0], [4, 4, 4]), [floor, cnrg.plane([0, 0, 9], [0, 0, 1]), top], names="abcd",
+                           materials=[m, n, m, n])
+        for result in (tree.evaluate().result, again.evaluate().result, made.evaluate()):
+            self.assertEqual([(r.name, r.volume) for r in result.regions], [("a", 32), ("b", 32)])
+        with self.assertRaisesRegex(cnrg.InputError, "2 names are needed, one more than surfaces, not 1"):
+            cnrg.layers(cnrg.box([0, 0, 0], [4, 4, 4]), [floor], names=["a"])
+
+    def test_all_faults_of_a_tree_are_in_one_error(self):
+        with self.assertRaises(cnrg.InputError) as caught:
+            cnrg.parse("cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, x], max: [1, 1, y]}}\nresult: b\n")
+        error = caught.exception
+        self.assertEqual([(e.line, e.column) for e in (error, *error.more)], [(3, 25), (3, 41), (4, 9)])
+        self.assertEqual(len(str(error).splitlines()), 3)
+
     def test_parameters_of_a_file_are_numbers_of_the_nodes(self):
         text = ("cnrg: 1\nparameters: {R: 2, h: \"${R / 4}\"}\nnodes:\n"
                 "  \"ball ${R}\": {sphere: {center: [0, 0, \"${h}\"], radius: \"${R}\"}}\nresult: ball ${R}\n")

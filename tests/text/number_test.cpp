@@ -21,6 +21,18 @@ TEST_CASE("a number is read, or its fault is told") {
   }
 }
 
+TEST_CASE("a number for people is a decimal first, and exact") {
+  CHECK(number_text(Rational(1253, 5), "") == "250.6");
+  CHECK(number_text(7, "") == "7");
+  CHECK(number_text(Rational(1, 6), "") == "0.166666666667 (1/6)");
+  CHECK(number_text(Rational(-28, 3), "") == "-9.33333333333 (-28/3)");
+  CHECK(number_text(Rational(1, 1'000'000'000), "") == "0.000000001");
+  CHECK(number_text(parse_rational("1999999999e-9").value(), "") == "1.999999999");
+  CHECK(number_text(parse_rational("1234567890123456789").value(), "") == "1234567890123456789");
+  CHECK(number_text(parse_rational("0.1234567890123456").value(), "") ==
+        "0.123456789012 (" + to_string(parse_rational("0.1234567890123456").value()) + ")");
+}
+
 TEST_CASE("digits of a fraction that is not shown are counted, not written") {
   for (const unsigned long power : {250ul, 251ul, 1000ul}) {
     Integer big;

@@ -46,6 +46,35 @@ TEST_CASE("a missing tree file is a FileError with its path", "[tree][errors]") 
   CHECK_THROWS_WITH(read_tree("."), Catch::Contains("directory"));
 }
 
+TEST_CASE("all faults of a file are told, each at its value", "[tree][errors]") {
+  const std::optional<TreeError> error = fault(
+      "cnrg: 2\nmaterials: {rock: {colour: 1}}\nnodes:\n"
+      "  a: {box: {min: [0, 0, x], max: [1, 1, y]}, size: 0}\n"
+      "  b: {sphere: {center: [0, 0, 0], radiu: 1}}\n"
+      "  c: {union: [a, bb, {boks: 1}, {prism: {bas: 1, vektor: 2}}], material: clay}\n"
+      "result: d\nweld: -1\n");
+  REQUIRE(error);
+  std::vector<std::string> told;
+  for (const Fault& f : error->faults())
+    told.push_back(std::to_string(f.at.line) + ":" + std::to_string(f.at.column) + " " + f.message.substr(0, 24));
+  CHECK(told == std::vector<std::string>{"1:7 this program reads versi", "2:20 unknown key `colour` in ",
+                                         "4:25 `min` of box: `x` is no ", "4:41 `max` of box: `y` is no ",
+                                         "4:52 `size` is how long edges", "5:35 unknown key `radiu` in s",
+                                         "6:18 there is no node called ", "6:23 unknown key `boks` in th",
+                                         "6:42 unknown key `bas` in pri", "6:50 unknown key `vektor` in ",
+                                         "6:74 the material `clay` is n", "7:9 there is no node called ",
+                                         "8:7 `weld` of a tree file mu"});
+  CHECK(error->what() == error->faults()[0].text());
+}
+
+TEST_CASE("a fault that is met twice is told once", "[tree][errors]") {
+  const std::optional<TreeError> error = fault(
+      "cnrg: 1\nnodes:\n  a: &a {box: {min: [0, 0, 0], max: [1, 1, x]}}\n  b: *a\n  r: {union: [a, b]}\nresult: "
+      "r\n");
+  REQUIRE(error);
+  CHECK(error->faults().size() == 1);
+}
+
 TEST_CASE("what was probably meant is said", "[tree][errors]") {
   expect("{\n\"format\": \"cnrg result\",\n\"version\": 1}\n", 1, 1,
          {"this is a result, not a tree", "with the leaf `part: {cnrg: t.yaml}`"});
@@ -82,7 +111,7 @@ TEST_CASE("what was probably meant is said", "[tree][errors]") {
               {"`rotate` must be a map, such as {axis: [0, 0, 1], degrees: 90}, not a list of 3"});
   expect_node("simplify: p, mirror: 1", 22,
               {"`mirror` must be a map, such as {normal: [1, 0, 0], point: [0, 0, 0]}"});
-  expect_node("cnrg: x.msh", 7, {"`x.msh` is none; write the result by `cnrg eval -o` as .json"});
+  expect_node("cnrg: x.inp", 7, {"`x.inp` is none; write the result by `cnrg eval -o` as .json"});
   expect_node("cnrg: x.vtu", 7, {"{mesh: {file: x.vtu}}"});
   expect_node("cnrg: part.PLY", 7, {"{mesh: {file: part.PLY}}"});
   expect_node("cnrg: part.stp", 7, {"{step: {file: part.stp}}"});

@@ -33,7 +33,7 @@ UNSAID = [
     # bounds of what is written as a text, and what an expression is
     r"must be above 0", r"must be a positive length", r"a weight must be positive", r"must be 0 or more", r"at most 360",
     r"must be a whole number from", r"is negative", r"error: the parameter `", r"an expression is written", r"`\$\{.*`: ", r"since its denominator is 0",
-    r"begins like a number", r"`size` is how long",
+    r"begins like a number", r"`size` is how long", r"one more than surfaces",
     # lists that may be empty for the sake of others
     r"is empty; (add|give)", r"give at least two (corners|rows)",
 ]
@@ -147,7 +147,7 @@ nodes:
     curves: [{points: [[0, 0, 0], [1, 0, 0]], weights: [1, 2], degree: 1, knots: [0, 0, 1, 1]}], segments: 4}}
   coons: {coons: {patches: [[[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [1, 1, 1]], [[1, 1, 1], [0, 1, 0]], [[0, 1, 0], [0, 0, 0]]]],
     fill: none, chord: 0.1}}
-  heightfield: {heightfield: {heights: [[0, 1], [2, 3]], origin: [1, 2]}}
+  heightfield: {heightfield: {heights: [[0, 1], [2, 3]], origin: [1, 2], within: 1/8}}
   grid: {heightfield: {file: none.asc, base: -1}}
   mesh: {mesh: {file: none.off, fill: winding, coordinates: decimal, weld: 1e-6}}
   step: {step: {file: none.step, chord: 0.1, unit: mm, fill: solids, solids: [1, bolt], seams: true, weld: 1e-6}}
@@ -165,6 +165,8 @@ nodes:
   regular: {regularize: box, each: true, simplify: features}
   simple: {simplify: {of: box, mode: points, within: 1/8}}
   many: {repeat: {of: {simplify: box, translate: ["${3 * i}", 0, 0]}, count: 2, index: i}}
+  layers: {layers: {within: box, surfaces: [dots, {points: [[0, 0, 0]]}], names: [low, mid, top],
+    materials: [steel, ceramic, steel]}}
   select: {select: {of: box, dimension: [0, 1], name: box, material: [steel, ceramic], attributes: {diameter: [25, 30]},
     region: [1, "2"], front of: box, behind: [box], from: box, source face: [0, 1], between: [[box, null]], inside: box,
     touching: [box, {points: [[0, 0, 0]]}]}}

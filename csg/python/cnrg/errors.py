@@ -13,7 +13,10 @@ class Error(Exception):
     file, line, column: where the fault is, counted from 1: in a file that was read, or in the script, at the call
         that made the node; None where it has no place.
     message: the same without the place.
+    more: errors like this one for the other faults of the same tree.
     """
+
+    more: tuple[Error, ...] = ()
 
     def __init__(self, message: str, file: str | None = None, line: int | None = None, column: int | None = None):
         placed = _PLACED.match(message) if file is None else None
@@ -31,7 +34,8 @@ class Error(Exception):
 
     def __str__(self) -> str:
         place = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
-        return f"{place}: {self.message}" if place else self.message
+        line = f"{place}: {self.message}" if place else self.message
+        return "\n".join((line, *map(str, self.more)))
 
 
 class InputError(Error, ValueError):

@@ -649,6 +649,34 @@ def above(surface: Node, within: Node, **attributes: Any) -> Node:
     return made("above", as_nodes("above", (surface, within)), attributes=_attributes(attributes))
 
 
+def layers(
+    within: Node,
+    surfaces: Iterable[Node],
+    *,
+    names: Iterable[str] | None = None,
+    materials: Iterable[Material] | None = None,
+    **attributes: Any,
+) -> Node:
+    """What surfaces, from the lowest up, part the solid `within` into: each layer is below its surface in what the layers
+    before it leave, the last one all that is left. names, materials: of the layers, one more than surfaces."""
+    listed = tuple(surfaces)
+    given: list[dict[str, Any]] = [{} for _ in range(len(listed) + 1)]
+    for key, values in (("name", names), ("material", materials)):
+        if values is None:
+            continue
+        of_layers = tuple(values)
+        if len(of_layers) != len(given):
+            raise InputError(f"layers: {len(given)} {key}s are needed, one more than surfaces, not {len(of_layers)}")
+        for of_layer, value in zip(given, of_layers):
+            of_layer[key] = value
+    parts, rest = [], within
+    for surface, of_layer in zip(listed, given):
+        parts.append(below(surface, rest, **of_layer))
+        rest = above(surface, rest)
+    parts.append(made("simplify", (rest,), attributes=_attributes(given[-1])))
+    return union(*parts, dominance="left", **attributes)
+
+
 def complement(node: Node) -> Node:
     """All of space that is not in it."""
     return as_nodes("complement", (node,))[0].complement()

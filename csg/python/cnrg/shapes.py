@@ -309,12 +309,14 @@ def heightfield(
     origin: Sequence[Number] | None = None,
     spacing: Sequence[Number] | None = None,
     base: Number | None = None,
+    within: Number | None = None,
     **attributes: Any,
 ) -> Node:
     """A terrain from rows of heights (rows along y, entries along x; an array of shape (ny, nx)), or from an ESRI
-    ASCII grid. base: the solid down to that level; without it a surface."""
+    ASCII grid. base: the solid down to that level; without it a surface. within: fewer points and larger triangles,
+    nowhere farther than that above or below the surface over all points (units of the model)."""
     keys = {"heights": _optional(heights), "file": _path(file), "origin": _optional(origin)}
-    return leaf("heightfield", {**keys, "spacing": _optional(spacing), "base": _optional(base)}, attributes)
+    return leaf("heightfield", {**keys, "spacing": _optional(spacing), "base": _optional(base), "within": _optional(within)}, attributes)
 
 
 def _path(path: Any) -> str | None:
@@ -405,7 +407,7 @@ _NUMBERS = ("chord", "segments", "weld", "fit", "base")
 
 
 def load(path: str | os.PathLike[str], **keys: Any) -> Node:
-    """A leaf from a file, by its extension: meshes (.off .obj .stl .ply .vtp .vtu .vtk .ts .pl .wl), CAD models (.step .stp
+    """A leaf from a file, by its extension: meshes (.off .obj .stl .ply .vtp .vtu .vtk .msh .glb .3mf .ts .pl .wl), CAD models (.step .stp
     .brep), grids of heights (.asc), results (.json of `Result.write`), OpenSCAD (.csg). The path is relative to the current folder. keys:
     those of the leaf in a tree file (fill, weld, fit, chord, segments, unit, solids, seams, coordinates, base), and
     attributes."""

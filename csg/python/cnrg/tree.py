@@ -466,8 +466,12 @@ class _Placed:
 
     def __exit__(self, kind: Any, error: BaseException | None, trace: Any) -> None:
         if isinstance(error, Error) and self._tree._text is not None:
-            place = self._tree.site(error.file, error.line, error.column)
-            raise type(error)(self._tree.translated(error.message), *place) from None
+            placed = self._placed(error)
+            placed.more = tuple(map(self._placed, error.more))
+            raise placed from None
+
+    def _placed(self, error: Error) -> Error:
+        return type(error)(self._tree.translated(error.message), *self._tree.site(error.file, error.line, error.column))
 
 
 def read(

@@ -43,6 +43,9 @@ void run_ply(std::string_view bytes) { run_mesh("mesh.ply", bytes); }
 void run_stl(std::string_view bytes) { run_mesh("mesh.stl", bytes); }
 void run_vtp(std::string_view bytes) { run_mesh("mesh.vtp", bytes); }
 void run_vtk(std::string_view bytes) { run_mesh("mesh.vtk", bytes); }
+void run_msh(std::string_view bytes) { run_mesh("mesh.msh", bytes); }
+void run_glb(std::string_view bytes) { run_mesh("mesh.glb", bytes); }
+void run_3mf(std::string_view bytes) { run_mesh("mesh.3mf", bytes); }
 void run_gocad(std::string_view bytes) { run_mesh("mesh.ts", bytes); }
 
 void run_csg(std::string_view bytes) {

@@ -1,0 +1,87 @@
+// One attribute after the other; what two of them say together is checked when all are read.
+#include "csg/tree/read_attribute.h"
+
+#include <map>
+
+#include "csg/text/number.h"
+#include "csg/tree/operator_names.h"
+#include "csg/tree/read_properties.h"
+#include "csg/tree/read_transform.h"
+#include "csg/tree/sizes.h"
+
+namespace cnrg {
+namespace {
+
+void read_dominance(Node& node, const Value::Entry& e) {
+  const std::string text = e.value.text("`dominance`");
+  static const std::map<std::string, DominantOperand> kSides{
+      {"left", DominantOperand::left}, {"right", DominantOperand::right}, {"equal", DominantOperand::equal}};
+  if (const auto side = kSides.find(text); side != kSides.end()) {
+    if (!has_sides(node.op)) {
+      e.value.fail("`dominance: " + text + "` is for union, intersection, difference, sum and product; give `" +
+                   node.operator_name + "` a number, such as `dominance: 2`");
+    }
+    node.dominant = side->second;
+  } else if (read_number(text).value || text.find_first_not_of("0123456789+-.eE/") == std::string::npos) {
+    node.dominance = e.value.number("`dominance`");
+  } else {
+    e.value.fail_type("`dominance`", has_sides(node.op) ? "left, right, equal or a number" : "a number");
+  }
+}
+
+void read_blend(Node& node, const Value::Entry& e) {
+  if (e.value.text("`blend`") != "linear") e.value.fail_type("`blend`", "linear");
+  if (node.op != Operator::unite || node.operator_name == "layers") {
+    e.value.document().fail(e.key_at, "`blend` is for union; remove it from `" + node.operator_name + "`");
+  }
+  node.blend = true;
+}
+
+}  // namespace
+
+void read_attribute(Node& node, const Value::Entry& e, const LeafContext& context) {
+  if (is_of_others(e.key)) return;
+  if (e.key == "material") {
+    node.material = e.value.text("`material`");
+    context.check_material(e.value);
+  } else if (e.key == "name") {
+    node.label = e.value.text("`name`");
+  } else if (e.key == "attributes") {
+    node.properties = read_properties(e.value);
+  } else if (e.key == "size") {
+    node.size = read_size(e.value);
+  } else if (e.key == "regularize") {
+    node.regularize = *e.value.as_bool();
+  } else if (e.key == "each") {
+    const std::optional<bool> each = e.value.as_bool();
+    if (!each) e.value.fail_type("`each`", "true or false");
+    if (*each && !is_topological(node.op)) {
+      e.value.document().fail(
+          e.key_at,
+          "`each` is for interior, closure, boundary and regularize; remove it from `" + node.operator_name + "`");
+    }
+    node.each = *each;
+  } else if (e.key == "simplify") {
+    node.forget_features = e.value.raw() == "points";
+  } else if (e.key == "dominance") {
+    read_dominance(node, e);
+  } else if (e.key == "blend") {
+    read_blend(node, e);
+  } else {
+    const Transform step = read_transform(e);
+    node.transform = node.transform ? step * *node.transform : step;
+  }
+}
+
+void check_blend(const Node& node, const std::vector<Value::Entry>& entries) {
+  if (!node.blend || !node.dominant) return;
+  for (const Value::Entry& e : entries) {
+    if (e.key == "dominance") {
+      e.value.document().fail(e.key_at, "`" + node.name +
+                                            "` blends its operands, so none of them dominates; leave out " +
+                                            "`dominance: " + e.value.raw() + "` or `blend`");
+    }
+  }
+}
+
+}  // namespace cnrg

@@ -1,0 +1,17 @@
+// Attributes of a node in a tree file (csg/FORMATS.md#attributes).
+#pragma once
+
+#include <vector>
+
+#include "csg/tree/read_leaf.h"
+#include "csg/tree/tree.h"
+
+namespace cnrg {
+
+/// Reads one attribute into a node whose operator is known.
+void read_attribute(Node& node, const Value::Entry& e, const LeafContext& context);
+
+/// Where operands blend, none of them dominates.
+void check_blend(const Node& node, const std::vector<Value::Entry>& entries);
+
+}  // namespace cnrg
