@@ -16,7 +16,7 @@
 #include "csg/app/program_text.h"
 #include "csg/app/run_program.h"
 #include "csg/app/versions.h"
-#include "csg/result/rounding.h"
+#include "csg/text/digits.h"
 #include "csg/text/file.h"
 #include "csg/text/number.h"
 #include "csg/tree/expression.h"
@@ -93,8 +93,7 @@ CLI::Validator number_check(double above, double below, const std::string& wante
         const NumberText number = read_number(text);
         const double value = number.value ? to_double(*number.value) : above;
         if (!(value > above && value < below)) return "`" + text + "` is not " + wanted;
-        text.clear();
-        append(text, value);
+        text = digits_of(value);
         return std::string();
       },
       "");
@@ -246,10 +245,11 @@ int run(int argc, char** argv) {
       ->check(name_fault)
       ->expected(1)
       ->take_all();
-  sub->add_option("-o,--output", eval.files,
-                  "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
-                  ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png "
-                  ".pdf; of a .csg the tree: .yaml")
+  sub->add_option(
+         "-o,--output", eval.files,
+         "Write this file, in the format of its extension: .json .vtu .msh .msh2 .mesh .smesh .poly .inp .bdf "
+         ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png "
+         ".pdf; of a .csg the tree: .yaml")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)
@@ -286,6 +286,8 @@ int run(int argc, char** argv) {
   CLI::Option* const snap = sub->add_flag("--snap", eval.snap, kSnap);
   sub->add_flag("--no-snap", eval.no_snap, std::string(kNoSnap) + "write the file, and warn")->excludes(snap);
   sub->add_flag("--binary", eval.binary, "Of .stl (numbers of 24 bits) and .ply (doubles): the binary form");
+  constexpr const char* kOneGroup = "Of .msh: each element in the first of its groups alone; others are left out";
+  sub->add_flag("--one-group", eval.one_group, kOneGroup);
   constexpr const char* kCertify =
       "Where it is not proven that curved surfaces meet as their facets do: ask with a hundred times the steps, "
       "and make an error of what is left";
@@ -385,9 +387,10 @@ int run(int argc, char** argv) {
       "and wires alone. Nothing has to be asked for: shapes are as good as some thousand points more make them");
   add_tree(sub, mesh);
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N")->check(name_fault);
-  sub->add_option("-o,--output", mesh.files,
-                  "Write this file, in the format of its extension: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf; "
-                  ".html is a report with pictures")
+  sub->add_option(
+         "-o,--output", mesh.files,
+         "Write this file, in the format of its extension: .msh .msh2 .mesh .vtu .inp .bdf .h5m .med .xdmf; "
+         ".html is a report with pictures")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)
@@ -467,6 +470,7 @@ int run(int argc, char** argv) {
                 "degrees, as many as can be")
       ->needs(surface)
       ->excludes(order);
+  sub->add_flag("--one-group", mesh.one_group, kOneGroup);
   CLI::Option* const snaps = sub->add_flag("--snap", mesh.snap, kSnap)->excludes(curved);
   sub->add_flag("--no-snap", mesh.no_snap, std::string(kNoSnap) + "refuse it")->excludes(snaps);
   add_threads(sub, mesh.threads);

@@ -22,6 +22,7 @@ class SurfaceMesher {
       : flat_(flat), rounded_(points), tagger_(view, flat), groups_(mesh_groups(view, flat)) {
     mesh_.node = view.node;
     mesh_.flat = true;
+    mesh_.one_group = view.one_group;
     mesh_.groups = groups_.names;
     mesh_.sources = groups_.sources;
   }
