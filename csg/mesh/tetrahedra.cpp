@@ -73,12 +73,9 @@ class TetrahedraMaker {
     to_sizes_ = filled_ && !sizes_.empty() && !options_.keep_boundary;  // halves beside kept faces are flat
     if (options_.constrained || !refused.empty()) {
       surface_first_ = options_.surface_first;
-      if (keeps_boundary()) throw InputError(refused);  // constrained tetrahedra need points on it
-      plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
-      watch_.begin("mesh: constrained tetrahedra");
-      out_ = run_constrained(plc_, flat_, watch_);
-      take(watch_);
-      to_sizes_ = !sizes_.empty();
+      if (surface_first_) throw InputError(refused);
+      make_constrained(rounded, refused);
+      to_sizes_ = !sizes_.empty() && !options_.keep_boundary;
       if (!refused.empty()) {  // without its advice
         result_.notice = without_remedy(refused) + "; these are constrained tetrahedra, improved";
       }
@@ -340,6 +337,19 @@ class TetrahedraMaker {
     const MeshSizes& said = said_sizes(rounded);
     return refined_plc(
         flat_, rounded.points(), asked, [&](const Vector& p) { return kLongestEdge * said.field.at(p); }, narrow);
+  }
+
+  /// Few need points on the boundary; with those that do it is not kept, and what TetGen said is thrown.
+  void make_constrained(const RoundedResult& rounded, const std::string& refused) {
+    plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
+    watch_.begin("mesh: constrained tetrahedra");
+    out_ = run_constrained(plc_, flat_, watch_);
+    try {
+      take(watch_);
+    } catch (const InputError&) {
+      if (options_.keep_boundary) throw InputError(refused);
+      throw;
+    }
   }
 
   /// Empty once there is a mesh; else why there is none.

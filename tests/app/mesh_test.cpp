@@ -503,6 +503,31 @@ result: model
   CHECK_THAT(o.out, Contains("2.000376"));
 }
 
+TEST_CASE("-Y where TetGen fails: constrained tetrahedra that need no point on the boundary", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  base: {box: {min: [0, 0, 0], max: [10, 10, 6]}}
+  bolt: {polyline: [[5, 5, 1], [5, 5, 5.99999]]}
+  all:  {union: [bolt, base], dominance: left}
+result: all
+)");
+  const Outcome o = w.run("mesh t.yaml -Y -o t.msh");
+  INFO(o.err);
+  REQUIRE(o.status == 0);
+  const test::MeshFile mesh = test::read_msh(w.read("t.msh"));
+  CHECK(mesh.volume("base") == 600);
+  CHECK(mesh.count(2) == 12);
+  CHECK(mesh.count(1) == 13);
+  for (const auto& element : mesh.elements) {
+    if (element.dimension != 2) continue;
+    for (const int node : element.nodes) {
+      const auto& [x, y, z] = mesh.nodes.at(node);
+      CHECK(((x == 0 || x == 10) && (y == 0 || y == 10) && (z == 0 || z == 6)));
+    }
+  }
+}
+
 TEST_CASE("where TetGen does not end or fails there are constrained tetrahedra, and bounds must be numbers",
           "[app][mesh]") {
   const Workshop w;
