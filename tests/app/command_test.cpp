@@ -217,7 +217,7 @@ TEST_CASE("a file beyond the limit of its size says so, whoever makes it", "[app
   }
 }
 
-TEST_CASE("--one-group is for files in which elements have several", "[app][errors]") {
+TEST_CASE("only files in which elements have several groups take --one-group", "[app][errors]") {
   const Workshop w;
   w.write("t.yaml", "cnrg: 1\nnodes:\n  b: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\nresult: b\n");
   for (const std::string command : {"eval", "mesh", "mesh --surface"}) {

@@ -51,7 +51,7 @@ TEST_CASE("doubles are the shortest texts that read back", "[text]") {
     REQUIRE(std::strtod(text.c_str(), nullptr) == x);
     REQUIRE((x != 0 || text == "0"));
     const std::size_t digits = digits_in(text);
-    if (digits < 2) continue;
+    if (digits < 2 || text.find_first_of(".e") == std::string::npos) continue;  // all digits of a whole number
     char fewer[64];
     std::snprintf(fewer, sizeof fewer, "%.*e", int(digits) - 2, x);
     REQUIRE(std::strtod(fewer, nullptr) != x);
