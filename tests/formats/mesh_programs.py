@@ -153,7 +153,10 @@ def msh():
         again = in_gmsh("t.msh")
         assert len(again.points) == len(mesh.points)
         assert {b.type for b in mesh.cells} == {b.type for b in again.cells}
-        old = meshio.read(FOLDER / "t.msh2", file_format="gmsh")
+        text = (FOLDER / "t.msh2").read_text()
+        assert text.count("$ElementData\n") == 3  # which meshio reads in no file of this version
+        (FOLDER / "old.msh").write_text(re.sub(r"\$ElementData\n.*?\$EndElementData\n", "", text, flags=re.S))
+        old = meshio.read(FOLDER / "old.msh")
         check_counts(in_gmsh("t.msh2"), counts, ".msh2 in Gmsh")
         assert check_counts(old, counts, ".msh2") == counts
         check_first(by_reference(old, "gmsh:physical", numbered(old)), ".msh2")
