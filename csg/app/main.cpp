@@ -93,7 +93,7 @@ CLI::Validator number_check(double above, double below, const std::string& wante
         const NumberText number = read_number(text);
         const double value = number.value ? to_double(*number.value) : above;
         if (!(value > above && value < below)) return "`" + text + "` is not " + wanted;
-        text = digits_of(value);
+        text = double_text(value);
         return std::string();
       },
       "");

@@ -126,7 +126,7 @@ std::string rows_json(const Evaluation& evaluation, const StageRows& stages, boo
   static constexpr const char* kCells[] = {"vertices", "edges", "faces", "3-cells"};
   const auto add_number = [](JsonObject& object, const char* key, const std::optional<double>& number) {
     std::string& text = object.key(key);
-    text += number ? digits_of(*number) : "null";
+    text += number ? double_text(*number) : "null";
   };
   std::string text;
   {

@@ -477,7 +477,7 @@ std::string JoinReport::text(const Rational& within) const {
   if (rounds == 0) return "nothing is nearer than " + d + " that does not touch; nothing was joined";
   std::string text = "joined " + counted(merged.size(), "pair", "pairs") + " nearer than " + to_decimal(reach, 6) +
                      ", in " + counted(std::size_t(rounds), "round", "rounds") + "; nothing moved by more than " +
-                     digits_of(displacement) + vanished_text(lost_faces, lost_wires, lost_regions.size());
+                     double_text(displacement) + vanished_text(lost_faces, lost_wires, lost_regions.size());
   if (regions_before != regions_after) {
     text += "; there were " + counted(regions_before, "region", "regions") + " and are " +
             std::to_string(regions_after);
@@ -490,7 +490,7 @@ std::vector<std::string> JoinReport::warnings(const Rational& within) const {
   std::vector<std::string> out = vanished_warnings(lost_regions, d);
   if (remaining > 0) {
     out.push_back(counted(remaining, "pair is", "pairs are") + " still nearer than " + d + " after " +
-                  counted(std::size_t(rounds), "round", "rounds") + ", the nearest " + digits_of(nearest) +
+                  counted(std::size_t(rounds), "round", "rounds") + ", the nearest " + double_text(nearest) +
                   " apart; give another distance");
   }
   return out;

@@ -61,6 +61,6 @@ std::string coordinates(const RationalPoint& p) {
   return "(" + coordinate(p[0]) + ", " + coordinate(p[1]) + ", " + coordinate(p[2]) + ")";
 }
 
-std::string distance_text(const Rational& squared) { return digits_of(nearest_root(squared)); }
+std::string distance_text(const Rational& squared) { return double_text(nearest_root(squared)); }
 
 }  // namespace cnrg

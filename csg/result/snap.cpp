@@ -64,14 +64,14 @@ Result snap(const Result& result, SnapReport* report, const Watch& watch) {
 
 std::string SnapReport::text() const {
   std::string text = "snapped " + std::to_string(moved) + " of " + std::to_string(points) + " vertices, by " +
-                     digits_of(displacement) + " at most, in " + counted(std::size_t(rounds), "round", "rounds");
+                     double_text(displacement) + " at most, in " + counted(std::size_t(rounds), "round", "rounds");
   if (added > 0) text += "; " + counted(added, "vertex is", "vertices are") + " new";
   return text + vanished_text(faces, wires, lost_regions.size());
 }
 
 std::vector<std::string> SnapReport::warnings() const {
   // What holds a larger ball keeps its middle.
-  std::vector<std::string> out = vanished_warnings(lost_regions, digits_of(2 * displacement));
+  std::vector<std::string> out = vanished_warnings(lost_regions, double_text(2 * displacement));
   out.insert(out.end(), parted_regions.begin(), parted_regions.end());
   return out;
 }

@@ -111,7 +111,7 @@ class Snapper {
       }
     }
     throw InputError("rounding to doubles makes facets cross, and drawing together what lies within " +
-                     digits_of(cell / kSnapGrowth) +
+                     double_text(cell / kSnapGrowth) +
                      " still does; join what nearly touches by --join, move the model nearer to the origin, write "
                      ".json, which is exact, or give --no-snap");
   }

@@ -68,7 +68,7 @@ class Line {
   }
 };
 
-inline std::string digits_of(double number) {
+inline std::string double_text(double number) {
   std::string text;
   Line(text) << number;
   return text;

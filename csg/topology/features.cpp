@@ -273,7 +273,7 @@ std::string features_text(const Result& result, const std::vector<Feature>& feat
     std::string value, cells, at, from;
     const bool angle = feature.kind >= Feature::Kind::dihedral_angle;
     if (angle) value = to_decimal(from_double(feature.value), 6) + " degrees";
-    else value = digits_of(feature.value);
+    else value = double_text(feature.value);
     for (const Parts::Cell& cell : feature.cells) {
       cells += (cells.empty() ? "" : " ") + name_of(cell);
       from += (from.empty() ? "" : " | ") + names_of_leaves(view, origin_of(flat, cell));

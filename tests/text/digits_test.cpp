@@ -47,7 +47,7 @@ std::size_t digits_in(const std::string& text) {
 
 TEST_CASE("doubles are the shortest texts that read back", "[text]") {
   for (const double x : doubles(20'000)) {
-    const std::string text = digits_of(x);
+    const std::string text = double_text(x);
     REQUIRE(std::strtod(text.c_str(), nullptr) == x);
     REQUIRE((x != 0 || text == "0"));
     const std::size_t digits = digits_in(text);
@@ -83,8 +83,8 @@ TEST_CASE("points as texts, and lines in blocks, are what lines one by one are",
   for (std::size_t p = 0; p < points.size(); ++p) {
     std::string xyz;
     for (std::size_t k = 0; k < 3; ++k) {
-      REQUIRE(texts.coordinate(p, k) == digits_of(points[p][k]));
-      xyz += (k == 0 ? "" : " ") + digits_of(points[p][k]);
+      REQUIRE(texts.coordinate(p, k) == double_text(points[p][k]));
+      xyz += (k == 0 ? "" : " ") + double_text(points[p][k]);
     }
     REQUIRE(texts[p] == xyz);
     one_by_one += xyz + "\n";
