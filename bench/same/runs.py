@@ -15,8 +15,8 @@ CURVED = re.compile(r"\b(sphere|cylinder|cone|torus|extrude|revolve|bezier|bspli
 # What takes long: nodes that are asked for once only, leaves that are.
 LARGE = {"papers/keyser2004/chords.yaml": re.compile("_(60|360)$")}
 FINE = re.compile(r"chord: \"?1/\d{3,}|segments: \d{3}")
-SURFACE_FILES = ("off", "stl", "ply", "3mf")  # of solids alone: the first one that is refused ends the run
-FILES = ("json", "vtu", "obj", "dot", "regions.dot", "msh", "mesh", "inp", "bdf", "h5m", "med", "poly", "smesh", "glb")
+FILES = ("json", "vtu", "obj", "dot", "regions.dot", "msh", "msh2", "mesh", "inp", "bdf", "h5m", "med", "poly", "smesh", "glb",
+         "off", "stl", "ply", "3mf")
 LIBRARY_FILES = (".h5m", ".med")  # by plug-ins
 LIBRARY_LEAVES = re.compile(r"\b(step|brep|vtp|stp)\b")
 STOPPED = b"stopped: it ran too long"
@@ -45,9 +45,7 @@ def each_node(kind, tree, nodes, *options):
 
 def files_of(tree, *options):
     """Every format, of the result."""
-    turn = tree.turn % len(SURFACE_FILES)
-    endings = FILES + SURFACE_FILES[turn:] + SURFACE_FILES[:turn]
-    return run_of("eval", tree.path, *options, files=[f"result.{ending}" for ending in endings])
+    return run_of("eval", tree.path, *options, files=[f"result.{ending}" for ending in FILES])
 
 
 def runs_of(tree):

@@ -25,6 +25,7 @@ struct EvalArguments {
   bool snap = false;        ///< said, though it is the rule
   bool no_snap = false;     ///< files of doubles as they are rounded
   bool binary = false;      ///< .stl and .ply in their binary forms
+  bool one_group = false;   ///< .msh with the first group of each element alone
   bool parameters = false;  ///< .json and .vtu with the parameters of patches
   bool certify = false;     ///< uncertain crossings of curved patches are an error
   bool no_certify = false;  ///< nothing is asked of them
@@ -83,6 +84,7 @@ struct MeshArguments {
   bool curved = false;                                   ///< points on the true surfaces, elements of second order
   bool surface = false;                                  ///< triangles on faces, segments on edges, no tetrahedra
   bool quads = false;                                    ///< of `surface`: triangles merged by pairs
+  bool one_group = false;                                ///< as of `eval`
   std::size_t max_points = SurfaceOptions{}.max_points;  ///< of `surface`
   std::string join;                                      ///< as of `eval`
   int threads = 0, finer = 1;

@@ -120,7 +120,8 @@ class FileWriter {
       if (shows_dag(path)) {
         write(path, evaluation_);
       } else {
-        const FileOptions options{arguments_.parameters, !arguments_.no_snap, arguments_.binary, &snapped_[node]};
+        const FileOptions options{arguments_.parameters, !arguments_.no_snap, arguments_.binary,
+                                  arguments_.one_group, &snapped_[node]};
         report = at_node(tree_, node, [&] { return write(path, results_(node), options); });
       }
     }
@@ -223,6 +224,7 @@ int run_eval(const EvalArguments& arguments) {
       check_file_name(path, " .svg .png .pdf .yaml");
     }
     if (arguments.binary) check_binary_file_name(path);
+    if (arguments.one_group) check_one_group_file_name(path);
   }
   PictureRequest picture = picture_request(arguments.picture);
   if (picture.given && !pictures) {
@@ -286,7 +288,7 @@ int run_eval(const EvalArguments& arguments) {
     writer.tell_all();
   };
   try {
-    for (const FileRequest& file : files) writer.write_file(file, picture.size);
+    write_each(files, [&](const FileRequest& file) { writer.write_file(file, picture.size); });
   } catch (...) {  // the rows are right all the same
     print_all(false);
     throw;

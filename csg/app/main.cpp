@@ -17,7 +17,7 @@
 #include "csg/app/program_text.h"
 #include "csg/app/run_program.h"
 #include "csg/app/versions.h"
-#include "csg/result/rounding.h"
+#include "csg/text/digits.h"
 #include "csg/text/file.h"
 #include "csg/text/number.h"
 #include "csg/tree/expression.h"
@@ -94,8 +94,7 @@ CLI::Validator number_check(double above, double below, const std::string& wante
         const NumberText number = read_number(text);
         const double value = number.value ? to_double(*number.value) : above;
         if (!(value > above && value < below)) return "`" + text + "` is not " + wanted;
-        text.clear();
-        append(text, value);
+        text = double_text(value);
         return std::string();
       },
       "");
@@ -228,6 +227,7 @@ constexpr const char* kSnap =
     "What is done without --no-snap: where rounding to doubles would break the result, move vertices until it "
     "does not, and say how far";
 constexpr const char* kNoSnap = "Do not move vertices where rounding to doubles breaks the result: ";
+constexpr const char* kOneGroup = "Of .msh: each element in the first of its groups alone; others are left out";
 constexpr const char* kCertify =
     "Where it is not proven that curved surfaces meet as their facets do: ask with a hundred times the steps, "
     "and make an error of what is left";
@@ -271,7 +271,7 @@ void add_eval(CLI::App& program, Command& command) {
                 "Evaluate this node too; files show it instead of the result: one node for all, or one for each "
                 "-o");
   add_all_names(sub, "-o,--output", given->files, "FILE",
-                "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
+                "Write this file, in the format of its extension: .json .vtu .msh .msh2 .mesh .smesh .poly .inp .bdf "
                 ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png "
                 ".pdf; of a .csg the tree: .yaml");
   sub->add_flag("--trace", given->trace, "Under each row: what each table row removed, volumes of regions");
@@ -301,6 +301,7 @@ void add_eval(CLI::App& program, Command& command) {
   CLI::Option* const snap = add_either(sub, "--snap", given->snap, kSnap, "--no-snap", given->no_snap,
                                        std::string(kNoSnap) + "write the file, and warn");
   sub->add_flag("--binary", given->binary, "Of .stl (numbers of 24 bits) and .ply (doubles): the binary form");
+  sub->add_flag("--one-group", given->one_group, kOneGroup);
   add_either(sub, "--certify", given->certify, kCertify, "--no-certify", given->no_certify, kNoCertify);
   sub->add_flag("--parameters", given->parameters,
                 "In .json and .vtu: the parameters u, v of faces on curved patches")
@@ -422,7 +423,7 @@ void add_mesh(CLI::App& program, Command& command) {
   add_tree(sub, *given);
   add_name(sub, "--node", given->node, "N", "Node to mesh; the result without it");
   add_all_names(sub, "-o,--output", given->files, "FILE",
-                "Write this file, in the format of its extension: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf; "
+                "Write this file, in the format of its extension: .msh .msh2 .mesh .vtu .inp .bdf .h5m .med .xdmf; "
                 ".html is a report with pictures")
       ->required();
   add_bounds(sub, given->options);
@@ -472,6 +473,7 @@ void add_mesh(CLI::App& program, Command& command) {
                 "degrees, as many as can be")
       ->needs(surface)
       ->excludes(order);
+  sub->add_flag("--one-group", given->one_group, kOneGroup);
   add_either(sub, "--snap", given->snap, kSnap, "--no-snap", given->no_snap, std::string(kNoSnap) + "refuse it")
       ->excludes(curved);
   add_threads(sub, given->threads);

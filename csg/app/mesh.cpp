@@ -272,7 +272,7 @@ void write_files(const MeshArguments& arguments, const Result& result, const Mes
   }
   std::vector<std::string> told = notices;
   told.insert(told.end(), warnings.begin(), warnings.end());
-  for (const std::string& path : arguments.files) {
+  write_each(arguments.files, [&](const std::string& path) {
     {
       ProgressBar bar(arguments.quiet);
       bar.show("write " + path);
@@ -287,7 +287,7 @@ void write_files(const MeshArguments& arguments, const Result& result, const Mes
     }
     for (const std::string& text : warnings) tell(path + ": warning: " + text);
     if (!arguments.quiet) tell_left_out(path, arguments.files, mesh);
-  }
+  });
 }
 
 int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, Result result) {
@@ -309,6 +309,7 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
                                : snapped_surface_triangles(result, asked, snapped);
     });
   }
+  made.mesh.one_group = arguments.one_group;
   if (!arguments.quiet) std::cout << table_of(made, arguments.quads) << std::flush;
   tell_nearly_touching(arguments, tree, node, result);
   std::string notice = made.notice;
@@ -341,6 +342,7 @@ int run_mesh(const MeshArguments& arguments) {
       require_plugin(kPaperPlugin, path, "leave the page out");
       continue;
     }
+    if (arguments.one_group) check_one_group_file_name(path);
     if (arguments.curved || arguments.options.order == 2) check_second_order_file_name(path, kPage);
     else if (arguments.quads) check_quads_file_name(path, kPage);
     else check_mesh_file_name(path, kPage);
@@ -394,6 +396,7 @@ int run_mesh(const MeshArguments& arguments) {
                    [&] { return snaps ? snapped_tetrahedra(result, asked, snapped) : tetrahedra(result, asked); });
     if (arguments.curved) bent = at_node(tree, node, [&] { return curve(result, made, asked.watch); });
   }
+  made.mesh.one_group = arguments.one_group;
   if (!arguments.quiet) {
     std::cout << table_of(made, bent ? &*bent : nullptr);
     if (bent) std::cout << text_of(*bent);

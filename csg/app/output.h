@@ -6,14 +6,33 @@
 #pragma once
 
 #include <exception>
+#include <optional>
 #include <streambuf>
 #include <string>
 #include <string_view>
+
+#include "kernel/base/error.h"
 
 namespace cnrg::app {
 
 /// Prints a message on standard error as one line, whatever is in it.
 void tell(std::string_view message);
+
+/// `write(file)` for each: a format that refuses a result does not keep other files from being written. Throws the
+/// last refusal; those before it are told.
+template <class Files, class Write>
+void write_each(const Files& files, const Write& write) {
+  std::optional<InputError> refused;
+  for (const auto& file : files) {
+    try {
+      write(file);
+    } catch (const InputError& error) {
+      if (refused) tell(refused->what());
+      refused = error;
+    }
+  }
+  if (refused) throw *refused;
+}
 
 /// Prints an error: its own line or, of one with places (csg/tree/position.h), each fault with the line of the
 /// file and a mark below the column.

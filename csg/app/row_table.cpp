@@ -7,7 +7,7 @@
 #include <ios>
 #include <sstream>
 
-#include "csg/result/rounding.h"
+#include "csg/text/digits.h"
 #include "csg/text/escape.h"
 #include "csg/text/json_text.h"
 #include "csg/text/number.h"
@@ -126,8 +126,7 @@ std::string rows_json(const Evaluation& evaluation, const StageRows& stages, boo
   static constexpr const char* kCells[] = {"vertices", "edges", "faces", "3-cells"};
   const auto add_number = [](JsonObject& object, const char* key, const std::optional<double>& number) {
     std::string& text = object.key(key);
-    if (number) append(text, *number);
-    else text += "null";
+    text += number ? double_text(*number) : "null";
   };
   std::string text;
   {

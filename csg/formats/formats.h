@@ -36,6 +36,7 @@ FileText brep_text(const ResultView& view);
 
 // What meshers read: the surface mesh of a result, or with a Mesh what it holds.
 FileText msh_text(const ResultView& view);
+FileText msh2_text(const ResultView& view);
 FileText medit_text(const ResultView& view);
 FileText smesh_text(const ResultView& view);
 FileText poly_text(const ResultView& view);
@@ -44,6 +45,7 @@ FileText nastran_text(const ResultView& view);
 FileText h5m_bytes(const ResultView& view);
 FileText med_bytes(const ResultView& view);
 std::string msh_text(const Mesh& mesh);
+std::string msh2_text(const Mesh& mesh);
 std::string medit_text(const Mesh& mesh);
 std::string abaqus_text(const Mesh& mesh);
 std::string nastran_text(const Mesh& mesh);

@@ -1,4 +1,10 @@
 // The caller's part: a child that opens no plug-in, for another thread may hold the loader's lock at the fork.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
 #include <new>
 
 #include "csg/formats/hdf5_file.h"
@@ -7,6 +13,16 @@
 #include "kernel/base/error.h"
 
 namespace cnrg {
+namespace {
+
+/// What `ulimit -f` leaves for a list of bytes: it holds for files in memory, too.
+std::size_t largest_file() {
+  rlimit limit;
+  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::string::npos;
+  return limit.rlim_cur - std::min<rlim_t>(limit.rlim_cur, sizeof(std::uint64_t));
+}
+
+}  // namespace
 
 std::unique_ptr<Hdf5File> new_hdf5_file() {
   return std::unique_ptr<Hdf5File>(CNRG_PLUGIN_FUNCTION(kHdf5Plugin, cnrg_hdf5_file)());
@@ -15,10 +31,12 @@ std::unique_ptr<Hdf5File> new_hdf5_file() {
 std::string hdf5_bytes(const std::string& format, const std::function<std::string()>& make) {
   plugin_symbol(kHdf5Plugin, "cnrg_hdf5_file");  // before the fork
   const MemoryFile made("HDF5");
-  constexpr int kWhole = 0, kRefused = 1;
+  constexpr int kWhole = 0, kRefused = 1, kTooLarge = 2;
   const ChildEnd end = run_in_child("HDF5", {}, [&] {
     try {
-      made.write_list(make());
+      const std::string bytes = make();
+      if (bytes.size() > largest_file()) return kTooLarge;
+      made.write_list(bytes);
       return kWhole;
     } catch (const InputError& error) {
       made.write_list(std::string(error.what()));
@@ -32,6 +50,7 @@ std::string hdf5_bytes(const std::string& format, const std::function<std::strin
     throw FileError("HDF5, which writes " + format + ", " + how + std::to_string(end.number) +
                     "), as it does where memory runs out: free some, or choose another format");
   }
+  if (end.number == kTooLarge) throw FileError(std::string("cannot be written: ") + std::strerror(EFBIG));
   made.rewind();
   std::string text;
   made.read_list(text);

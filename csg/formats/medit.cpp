@@ -8,6 +8,7 @@
 #include "csg/formats/formats.h"
 #include "csg/formats/group_names.h"
 #include "csg/mesh/mesh.h"
+#include "csg/text/digits.h"
 
 namespace cnrg {
 namespace {
@@ -20,7 +21,7 @@ Index reference(const Mesh::Entity& entity) { return entity.groups.empty() ? 0 :
 void append_list(std::string& text, const char* name, const std::vector<std::size_t>& numbers) {
   if (numbers.empty()) return;
   text += std::string(name) + "\n" + std::to_string(numbers.size()) + "\n";
-  for (const std::size_t n : numbers) text += std::to_string(n) + "\n";
+  append_lines(text, numbers.size(), [&](std::string& out, std::size_t i) { Line(out) << numbers[i] << '\n'; });
 }
 
 template <class Simplices>
@@ -28,10 +29,11 @@ void append_simplices(std::string& text, const char* name, const Simplices& simp
                       const std::vector<Mesh::Entity>& entities) {
   if (simplices.empty()) return;
   text += std::string(name) + "\n" + std::to_string(simplices.size()) + "\n";
-  for (const auto& s : simplices) {
-    for (const Index p : s.points) text += std::to_string(p + 1) + " ";
-    text += std::to_string(reference(entities[s.entity])) + "\n";
-  }
+  append_lines(text, simplices.size(), [&](std::string& out, std::size_t i) {
+    Line line(out);
+    for (const Index p : simplices[i].points) line << p + 1 << ' ';
+    line << reference(entities[simplices[i].entity]) << '\n';
+  });
 }
 
 }  // namespace
@@ -56,10 +58,9 @@ std::string medit_text(const Mesh& mesh) {
     references[v.points[0]] = reference(entity);
     corners.push_back(v.points[0] + 1);
   }
-  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-    append(text, mesh.points[p]);
-    text += " " + std::to_string(references[p]) + "\n";
-  }
+  append_lines(text, mesh.points.size(), [&](std::string& out, std::size_t p) {
+    Line(out) << mesh.points[p] << ' ' << references[p] << '\n';
+  });
   std::vector<Mesh::Simplex<2>> edges;
   for (const auto& s : mesh.segments) {
     const auto& entity = mesh.entities[1][s.entity];

@@ -1,5 +1,5 @@
 // Gmsh's format 4.1 in text: entities with what bounds them, groups by name in every dimension, and by entity
-// nodes and elements.
+// nodes and elements. Format 2.2 has nodes and elements alone, each element with its first group.
 //
 // Of a surface mesh Gmsh can make a mesh of its own (`gmsh -3 FILE`): every piece of an edge and every facet has
 // its parametrization in the file, which is affine, and every region its boundary. A dangling face inside of a
@@ -18,16 +18,20 @@
 #include "csg/formats/gmsh_order.h"
 #include "csg/formats/group_names.h"
 #include "csg/mesh/mesh.h"
+#include "csg/text/digits.h"
 #include "csg/text/escape.h"
+#include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
-#include "kernel/refine/box.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Mesh::Index;
 using Vector = DoubleVector;
+/// Around an entity: by axis a point that is least there, and one that is greatest.
+using Extent = std::array<std::array<Index, 3>, 2>;
+constexpr Extent kNowhere{{{kNone, kNone, kNone}, {kNone, kNone, kNone}}};
 
 constexpr std::size_t kLongestName = 100;  // Gmsh has room for 127 bytes
 
@@ -40,10 +44,16 @@ std::string gmsh_name(std::string_view text) {
   return cut(name, kLongestName);
 }
 
+enum class Version : std::uint8_t { two, four };
+
 class MshWriter {
  public:
-  explicit MshWriter(const Mesh& mesh)
-      : mesh_(mesh), names_(distinct_names(mesh, {gmsh_name, kLongestName, " (", ")", true})) {
+  MshWriter(const Mesh& mesh, Version version)
+      : one_group_(version == Version::two || mesh.one_group),
+        version_(version),
+        mesh_(mesh),
+        texts_(mesh.points),
+        names_(distinct_names(mesh, {gmsh_name, kLongestName, " (", ")", true})) {
     for (const auto& names : names_) given_.insert(names.begin(), names.end());
     for (std::size_t d = 4; d-- > 0;) name_groups(d);
   }
@@ -51,23 +61,30 @@ class MshWriter {
   std::string run() {
     std::string comment = shown(mesh_.node);
     std::replace(comment.begin(), comment.end(), '$', ' ');  // it begins a section
-    text_ =
-        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nnode " + comment + ", written by cnrg\n$EndComments\n";
+    text_ = "$MeshFormat\n" + std::string(version_ == Version::two ? "2.2" : "4.1") +
+            " 0 8\n$EndMeshFormat\n$Comments\nnode " + comment + ", written by cnrg\n$EndComments\n";
     add_names();
-    find_boxes();
-    add_entities();
-    add_nodes();
+    if (version_ == Version::two) {
+      add_mere_nodes();
+    } else {
+      find_boxes();
+      add_entities();
+      add_nodes();
+    }
     add_elements();
-    if (mesh_.flat) add_parametrizations();
+    if (mesh_.flat && version_ == Version::four) add_parametrizations();
     add_fields();
     add_properties();
     return std::move(text_);
   }
 
  private:
+  const bool one_group_;
+  const Version version_;
   const Mesh& mesh_;
   std::string text_;
-  std::array<std::vector<Box>, 4> boxes_;
+  const PointTexts texts_;
+  std::array<std::vector<Extent>, 4> boxes_;
   std::array<std::vector<std::string>, 4> names_;          ///< of groups
   std::array<std::vector<std::vector<Index>>, 4> groups_;  ///< of entities
   std::set<std::string> given_;
@@ -85,6 +102,7 @@ class MshWriter {
     std::array<Index, 2> rest{};
     for (const auto& entity : mesh_.entities[d]) {
       groups_[d].push_back(entity.groups);
+      if (one_group_ && !entity.groups.empty()) groups_[d].back().resize(1);
       if (!entity.groups.empty()) continue;
       Index& group = rest[entity.feature];
       if (group == 0) {
@@ -95,38 +113,47 @@ class MshWriter {
     }
   }
 
-  void add(std::int64_t number) { text_ += std::to_string(number); }
-
   void add_names() {
     std::size_t n = 0;
-    for (const auto& names : names_) n += names.size();
-    if (n == 0) return;
-    text_ += "$PhysicalNames\n" + std::to_string(n) + "\n";
+    std::string lines;
     for (std::size_t d = 0; d < 4; ++d) {
+      std::vector<char> used(names_[d].size(), !one_group_);
+      for (const auto& groups : groups_[d])
+        for (const Index g : groups) used[g - 1] = 1;
       for (std::size_t g = 0; g < names_[d].size(); ++g) {
-        text_ += std::to_string(d) + " " + std::to_string(g + 1) + " \"" + names_[d][g] + "\"\n";
+        if (!used[g]) continue;
+        Line(lines) << d << ' ' << g + 1 << " \"" << names_[d][g] << "\"\n";
+        ++n;
       }
     }
-    text_ += "$EndPhysicalNames\n";
+    if (n > 0) text_ += "$PhysicalNames\n" + std::to_string(n) + "\n" + lines + "$EndPhysicalNames\n";
   }
 
+  /// Of the points of lists of indices, `low` and `high` ones.
+  void extend(Extent& box, const std::array<Index, 3>& low, const std::array<Index, 3>& high) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Index &lo = box[0][k], &hi = box[1][k];
+      if (lo == kNone || mesh_.points[low[k]][k] < mesh_.points[lo][k]) lo = low[k];
+      if (hi == kNone || mesh_.points[high[k]][k] > mesh_.points[hi][k]) hi = high[k];
+    }
+  }
   template <class Simplices, class Edges>
   void extend(std::size_t dimension, const Simplices& simplices, const Edges& edges) {
-    for (const auto& s : simplices) {
-      for (const Index p : mesh_.nodes(s, edges))
-        boxes_[dimension][s.entity].extend(mesh_.points[p], mesh_.points[p]);
-    }
+    for (const auto& s : simplices)
+      mesh_.for_each_node(s, edges, [&](Index p) { extend(boxes_[dimension][s.entity], {p, p, p}, {p, p, p}); });
   }
   /// The box of each entity; that of a region is the box of what bounds it.
   void find_boxes() {
-    for (std::size_t d = 0; d < 4; ++d) boxes_[d].resize(mesh_.entities[d].size());
+    for (std::size_t d = 0; d < 4; ++d) boxes_[d].assign(mesh_.entities[d].size(), kNowhere);
     extend(0, mesh_.vertices, kEdges0);
     extend(1, mesh_.segments, kEdges1);
     extend(2, mesh_.triangles, kEdges2);
     extend(2, mesh_.quads, kEdges0);
     for (std::size_t i = 0; i < boxes_[3].size(); ++i) {
-      for (const std::int32_t b : mesh_.entities[3][i].boundary)
-        boxes_[3][i].extend(boxes_[2][std::size_t(std::abs(b)) - 1]);
+      for (const std::int32_t b : mesh_.entities[3][i].boundary) {
+        const auto& [low, high] = boxes_[2][std::size_t(std::abs(b)) - 1];
+        extend(boxes_[3][i], low, high);
+      }
     }
   }
 
@@ -135,26 +162,30 @@ class MshWriter {
     for (std::size_t d = 0; d < 4; ++d) text_ += (d == 0 ? "" : " ") + std::to_string(mesh_.entities[d].size());
     text_ += '\n';
     for (std::size_t d = 0; d < 4; ++d) {
-      for (std::size_t i = 0; i < mesh_.entities[d].size(); ++i) {
-        const auto& entity = mesh_.entities[d][i];
-        add(std::int64_t(i + 1));
-        text_ += ' ';
-        append(text_, boxes_[d][i].lo);
-        if (d > 0) {
-          text_ += ' ';
-          append(text_, boxes_[d][i].hi);
+      append_lines(text_, mesh_.entities[d].size(), [&](std::string& out, std::size_t i) {
+        Line line(out);
+        line << i + 1;
+        for (std::size_t end = 0; end < (d == 0 ? 1 : 2); ++end) {
+          for (std::size_t k = 0; k < 3; ++k) line << ' ' << texts_.coordinate(boxes_[d][i][end][k], k);
         }
-        const std::vector<Index>& groups = groups_[d][i];
-        text_ += ' ' + std::to_string(groups.size()) + ' ';
-        for (const Index g : groups) text_ += std::to_string(g) + ' ';
-        if (d > 0) {
-          text_ += std::to_string(entity.boundary.size()) + ' ';
-          for (const std::int32_t b : entity.boundary) text_ += std::to_string(b) + ' ';
-        }
-        text_ += '\n';
-      }
+        const auto add = [&](const auto& numbers) {
+          line << ' ' << numbers.size();
+          for (const auto n : numbers) line << ' ' << n;
+        };
+        add(groups_[d][i]);
+        if (d > 0) add(mesh_.entities[d][i].boundary);
+        line << " \n";
+      });
     }
     text_ += "$EndEntities\n";
+  }
+
+  /// Of version 2.2, which has no entities.
+  void add_mere_nodes() {
+    text_ += "$Nodes\n" + std::to_string(mesh_.points.size()) + "\n";
+    append_lines(text_, mesh_.points.size(),
+                 [&](std::string& out, std::size_t p) { Line(out) << p + 1 << ' ' << texts_[p] << '\n'; });
+    text_ += "$EndNodes\n";
   }
 
   /// A node belongs to the entity of least dimension that has it.
@@ -166,10 +197,11 @@ class MshWriter {
     std::vector<Place> places(mesh_.points.size());
     for (Index p = 0; p < places.size(); ++p) places[p].point = p;
     const auto claim = [&](std::uint32_t d, const auto& simplices, const auto& edges) {
-      for (const auto& s : simplices)
-        for (const Index p : mesh_.nodes(s, edges)) {
+      for (const auto& s : simplices) {
+        mesh_.for_each_node(s, edges, [&](Index p) {
           if (places[p].dimension != d) places[p] = {d, s.entity, p};
-        }
+        });
+      }
     };
     claim(3, mesh_.tetrahedra, kEdges3);
     claim(2, mesh_.triangles, kEdges2);
@@ -184,16 +216,16 @@ class MshWriter {
     for (std::size_t i = 0; i < places.size(); ++i) blocks += i == 0 || !same(i, i - 1);
     const std::string n = std::to_string(places.size());
     text_ += "$Nodes\n" + std::to_string(blocks) + " " + n + (places.empty() ? " 0 " : " 1 ") + n + "\n";
-    for (std::size_t i = 0, end = 0; i < places.size(); i = end) {
-      while (end < places.size() && same(i, end)) ++end;
-      text_ += std::to_string(places[i].dimension) + " " + std::to_string(places[i].entity + 1) + " 0 " +
-               std::to_string(end - i) + "\n";
-      for (std::size_t k = i; k < end; ++k) text_ += std::to_string(places[k].point + 1) + "\n";
-      for (std::size_t k = i; k < end; ++k) {
-        append(text_, mesh_.points[places[k].point]);
-        text_ += '\n';
+    append_lines(text_, places.size(), [&](std::string& out, std::size_t i) {
+      Line line(out);
+      if (i == 0 || !same(i, i - 1)) {
+        std::size_t end = i;
+        while (end < places.size() && same(i, end)) ++end;
+        line << places[i].dimension << ' ' << places[i].entity + 1 << " 0 " << end - i << '\n';
+        for (std::size_t k = i; k < end; ++k) line << places[k].point + 1 << '\n';
       }
-    }
+      line << texts_[places[i].point] << '\n';
+    });
     text_ += "$EndNodes\n";
   }
 
@@ -206,17 +238,24 @@ class MshWriter {
     return n;
   }
   template <class Simplices, class Edges>
-  void add_blocks(int dimension, int type, const Simplices& simplices, const Edges& edges, std::size_t& number) {
-    for (std::size_t i = 0, end = 0; i < simplices.size(); i = end) {
-      while (end < simplices.size() && simplices[end].entity == simplices[i].entity) ++end;
-      text_ += std::to_string(dimension) + " " + std::to_string(simplices[i].entity + 1) + " " +
-               std::to_string(type) + " " + std::to_string(end - i) + "\n";
-      for (std::size_t k = i; k < end; ++k) {
-        text_ += std::to_string(++number);
-        for (const Index p : mesh_.nodes(simplices[k], edges)) text_ += " " + std::to_string(p + 1);
-        text_ += '\n';
+  void add_blocks(std::size_t dimension, int type, const Simplices& simplices, const Edges& edges,
+                  std::size_t& number) {
+    append_lines(text_, simplices.size(), [&](std::string& out, std::size_t i) {
+      Line line(out);
+      const Index entity = simplices[i].entity;
+      const bool first = i == 0 || simplices[i - 1].entity != entity;
+      if (first && version_ == Version::four) {
+        std::size_t end = i;
+        while (end < simplices.size() && simplices[end].entity == entity) ++end;
+        line << dimension << ' ' << entity + 1 << ' ' << type << ' ' << end - i << '\n';
       }
-    }
+      line << number + i + 1;
+      if (version_ == Version::two)
+        line << ' ' << type << " 2 " << groups_[dimension][entity][0] << ' ' << entity + 1;
+      mesh_.for_each_node(simplices[i], edges, [&](Index p) { line << ' ' << p + 1; });
+      line << '\n';
+    });
+    number += simplices.size();
   }
   std::size_t count() const {
     return mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size() + mesh_.quads.size() +
@@ -226,8 +265,9 @@ class MshWriter {
     const std::size_t blocks = blocks_of(mesh_.vertices) + blocks_of(mesh_.segments) + blocks_of(mesh_.triangles) +
                                blocks_of(mesh_.quads) + blocks_of(mesh_.tetrahedra);
     const std::size_t n = count();
-    text_ += "$Elements\n" + std::to_string(blocks) + " " + std::to_string(n) + (n == 0 ? " 0 " : " 1 ") +
-             std::to_string(n) + "\n";
+    text_ += "$Elements\n";
+    if (version_ == Version::two) Line(text_) << n << '\n';
+    else Line(text_) << blocks << ' ' << n << (n == 0 ? " 0 " : " 1 ") << n << '\n';
     std::size_t number = 0;
     const bool straight = mesh_.middles.empty();
     add_blocks(0, 15, mesh_.vertices, kEdges0, number);
@@ -250,12 +290,10 @@ class MshWriter {
         if (!mesh_.middles.empty()) {
           for (const auto& [i, j] : kEdges3) values.push_back((values[i] + values[j]) / 2);
         }
-        text_ += std::to_string(before + t + 1) + " " + std::to_string(values.size());
-        for (const double value : values) {
-          text_ += ' ';
-          append(text_, value);
-        }
-        text_ += '\n';
+        Line line(text_);
+        line << before + t + 1 << ' ' << values.size();
+        for (const double value : values) line << ' ' << value;
+        line << '\n';
       }
       text_ += "$EndElementNodeData\n";
     }
@@ -271,10 +309,10 @@ class MshWriter {
       const auto add_all = [&](std::size_t dimension, const auto& simplices) {
         for (const auto& s : simplices) {
           const double value = property.values[dimension][s.entity];
-          text_ += std::to_string(++number) + ' ';
-          if (std::isnan(value)) text_ += "nan";
-          else append(text_, value);
-          text_ += '\n';
+          Line line(text_);
+          line << ++number << ' ';
+          if (std::isnan(value)) line << "nan\n";
+          else line << value << '\n';
         }
       };
       add_all(0, mesh_.vertices), add_all(1, mesh_.segments);
@@ -288,21 +326,21 @@ class MshWriter {
   void add_parametrizations() {
     text_ += "$Parametrizations\n" + std::to_string(mesh_.segments.size()) + " " +
              std::to_string(mesh_.entities[2].size()) + "\n";
-    for (const auto& s : mesh_.segments) {
-      text_ += std::to_string(s.entity + 1) + "\n2\n";
-      append(text_, mesh_.points[s.points[0]]);
-      text_ += " 0\n";
-      append(text_, mesh_.points[s.points[1]]);
-      text_ += " 1\n";
-    }
-    for (std::size_t i = 0, end = 0; i < mesh_.triangles.size(); i = end) {
-      while (end < mesh_.triangles.size() && mesh_.triangles[end].entity == mesh_.triangles[i].entity) ++end;
-      add_facet(i, end);
-    }
+    append_lines(text_, mesh_.segments.size(), [&](std::string& out, std::size_t i) {
+      const auto& s = mesh_.segments[i];
+      Line(out) << s.entity + 1 << "\n2\n" << texts_[s.points[0]] << " 0\n" << texts_[s.points[1]] << " 1\n";
+    });
+    append_lines(text_, mesh_.triangles.size(), [&](std::string& out, std::size_t i) {
+      const Index entity = mesh_.triangles[i].entity;
+      if (i > 0 && mesh_.triangles[i - 1].entity == entity) return;
+      std::size_t end = i;
+      while (end < mesh_.triangles.size() && mesh_.triangles[end].entity == entity) ++end;
+      add_facet(out, i, end);
+    });
     text_ += "$EndParametrizations\n";
   }
 
-  void add_facet(std::size_t begin, std::size_t end) {
+  void add_facet(std::string& out, std::size_t begin, std::size_t end) const {
     std::vector<Index> points;
     Vector normal{}, along{};
     double most = -1;
@@ -320,21 +358,16 @@ class MshWriter {
     // Rounding may have laid all triangles on a line or a point.
     const auto direction = [](const Vector& x) { return dot(x, x) > 0 ? unit(x) : Vector{}; };
     const Vector u = direction(along), v = cross(direction(normal), u), origin = mesh_.points[points[0]];
-    text_ += std::to_string(mesh_.triangles[begin].entity + 1) + "\n" + std::to_string(points.size()) + " " +
-             std::to_string(end - begin) + "\n";
+    Line line(out);
+    line << mesh_.triangles[begin].entity + 1 << '\n' << points.size() << ' ' << end - begin << '\n';
     for (const Index p : points) {
-      append(text_, mesh_.points[p]);
       const Vector d = minus(mesh_.points[p], origin);
-      for (const double coordinate : {dot(d, u), dot(d, v)}) {
-        text_ += ' ';
-        append(text_, coordinate);
-      }
-      text_ += " 0 0 0 0 0 0\n";
+      line << texts_[p] << ' ' << dot(d, u) << ' ' << dot(d, v) << " 0 0 0 0 0 0\n";
     }
     for (std::size_t t = begin; t < end; ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto place = std::lower_bound(points.begin(), points.end(), mesh_.triangles[t].points[k]);
-        text_ += std::to_string(place - points.begin()) + (k < 2 ? ' ' : '\n');
+        line << place - points.begin() << (k < 2 ? ' ' : '\n');
       }
     }
   }
@@ -342,6 +375,7 @@ class MshWriter {
 
 }  // namespace
 
-std::string msh_text(const Mesh& mesh) { return MshWriter(mesh).run(); }
+std::string msh_text(const Mesh& mesh) { return MshWriter(mesh, Version::four).run(); }
+std::string msh2_text(const Mesh& mesh) { return MshWriter(mesh, Version::two).run(); }
 
 }  // namespace cnrg

@@ -3,6 +3,7 @@
 #include "csg/formats/formats.h"
 #include "csg/result/rounding.h"
 #include "csg/result/solid.h"
+#include "csg/text/digits.h"
 #include "csg/text/escape.h"
 
 namespace cnrg {
@@ -30,24 +31,26 @@ FileText obj_text(const ResultView& view) {
   const RoundedPoints points = round_points(view, flat);
   Drawing drawing;
   std::string text = "# Groups of faces: number, region behind, region in front\n";
-  for (const auto& p : points.xyz) {
-    text += "v ";
-    append(text, p);
-    text += '\n';
-  }
-  const auto number = [](FlatComplex::Index p) { return " " + std::to_string(p + 1); };
+  append_lines(text, points.xyz.size(),
+               [&](std::string& out, std::size_t p) { Line(out) << "v " << points.xyz[p] << '\n'; });
+  std::vector<std::string> words(flat.regions.size());
+  for (FlatComplex::Index r = 0; r < words.size(); ++r) words[r] = word_of(view, flat, r);
+  const auto word = [&](FlatComplex::Index r) { return r == FlatComplex::kNone ? "none" : words[r]; };
   // Faces between the cells of one component are not drawn.
   const auto place = [&](FlatComplex::Index region) {
     return flat.active(region) ? std::uint32_t(flat.regions[region].component) : 0;
   };
   std::vector<char> drawn(flat.points.size(), 0);
-  for (std::size_t i = 0; i < flat.faces.size(); ++i) {
+  append_lines(text, flat.faces.size(), [&](std::string& out, std::size_t i) {
     const auto& face = flat.faces[i];
+    if (!face.own) return;
+    Line line(out);
+    line << "g face" << i << ' ' << word(face.regions[1]) << ' ' << word(face.regions[0]) << '\n';
+    for (const auto& [a, b, c] : face.triangles) line << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+  });
+  for (const auto& face : flat.faces) {
     if (!face.own) continue;
-    text += "g face" + std::to_string(i) + " " + word_of(view, flat, face.regions[1]) + " " +
-            word_of(view, flat, face.regions[0]) + "\n";
     for (const auto& t : face.triangles) {
-      text += "f" + number(t[0]) + number(t[1]) + number(t[2]) + "\n";
       drawing.triangles.push_back(t);
       drawing.sides.push_back({place(face.regions[0]), place(face.regions[1])});
       for (const auto p : t) drawn[p] = 1;
@@ -56,10 +59,11 @@ FileText obj_text(const ResultView& view) {
   for (std::size_t i = 0; i < flat.edges.size(); ++i) {
     const auto& edge = flat.edges[i];
     if (!edge.own || !(edge.wire || edge.slit)) continue;
-    text += "g edge" + std::to_string(i) + "\nl";
-    for (const auto p : edge.points) text += number(p);
-    if (edge.closed) text += number(edge.points[0]);
-    text += '\n';
+    Line line(text);
+    line << "g edge" << i << "\nl";
+    for (const auto p : edge.points) line << ' ' << p + 1;
+    if (edge.closed) line << ' ' << edge.points[0] + 1;
+    line << '\n';
     for (std::size_t k = 0; k < edge.points.size(); ++k) {
       drawn[edge.points[k]] = 1;
       if (k + 1 == edge.points.size() && !edge.closed) break;
@@ -71,7 +75,7 @@ FileText obj_text(const ResultView& view) {
   for (std::size_t i = 0; i < flat.vertices.size(); ++i) {
     const auto& vertex = flat.vertices[i];
     if (!vertex.own || !vertex.free) continue;
-    text += "g vertex" + std::to_string(i) + "\np" + number(vertex.point) + "\n";
+    Line(text) << "g vertex" << i << "\np " << vertex.point + 1 << '\n';
     if (drawn[vertex.point]) continue;
     drawing.points.push_back(vertex.point);
     drawing.around_points.push_back(place(vertex.region));

@@ -41,8 +41,9 @@ std::string make(const std::string&, const ResultView&, const Mesh& mesh) {
   return text(mesh);
 }
 
-constexpr std::array<MeshFormat, 8> kMeshFormats{
+constexpr std::array<MeshFormat, 9> kMeshFormats{
     {{".msh", true, true, make<msh_text>},
+     {".msh2", true, true, make<msh2_text>},
      {".mesh", false, true, make<medit_text>},
      {".vtu", true, true,
       [](const std::string&, const ResultView& view, const Mesh& mesh) { return vtu_text(view, mesh); }},
@@ -105,6 +106,11 @@ bool is_exact(const std::string& path) {
 
 void check_binary_file_name(const std::string& path) { check_binary(path); }
 
+void check_one_group_file_name(const std::string& path) {
+  if (extension_of(path) == ".msh") return;
+  throw InputError(path + ": --one-group is for .msh, in which an element is in all its groups; leave it out");
+}
+
 FileReport write(const std::string& path, const Result& result, const FileOptions& options) {
   FileReport report;
   if (shows_regions(path)) {
@@ -115,8 +121,13 @@ FileReport write(const std::string& path, const Result& result, const FileOption
   const bool snaps = options.snap && !is_cad_file(path) && !(options.parameters && extension_of(path) == ".vtu");
   FileText file;
   bool broken = false;
+  const auto text_of = [&](const Result& of, bool parameters) {
+    ResultView view = of.data().view(parameters);
+    view.one_group = options.one_group;
+    return file_text(path, view, options.binary);
+  };
   try {
-    file = file_text(path, result.data().view(options.parameters || shows_surfaces(path)), options.binary);
+    file = text_of(result, options.parameters || shows_surfaces(path));
     broken = !file.rounding.embedded;
   } catch (const RoundingFault&) {
     if (!snaps) throw;
@@ -126,7 +137,7 @@ FileReport write(const std::string& path, const Result& result, const FileOption
     SnappedResultOnce once;
     SnappedResultOnce& snapped = options.snapped != nullptr ? *options.snapped : once;
     if (!snapped.result) snapped.result = snap(result, &snapped.report);
-    file = file_text(path, snapped.result->data().view(), options.binary);
+    file = text_of(*snapped.result, false);
     report.snapped = snapped.report;
   }
   replace_file(path, file.text, options.stop);
@@ -200,6 +211,8 @@ void write(const std::string& path, const Result& result, const Mesh& mesh, cons
     content = mesh_format_of(path).make(path, result.data().view(), mesh);
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
+  } catch (const FileError& error) {
+    throw FileError(path + ": " + error.what());
   }
   replace_file(path, content, stop);
 }

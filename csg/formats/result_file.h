@@ -23,6 +23,9 @@ bool is_exact(const std::string& path);
 /// Throws InputError if the format of `path` has no binary form to ask for: .stl and .ply have.
 void check_binary_file_name(const std::string& path);
 
+/// Throws InputError unless `path` is a .msh, where FileOptions::one_group changes something.
+void check_one_group_file_name(const std::string& path);
+
 /// The same result on doubles, kept from file to file: made when a file first needs it.
 struct SnappedResultOnce {
   std::optional<Result> result;
@@ -38,6 +41,7 @@ struct FileOptions {
   /// refuse it.
   bool snap = true;
   bool binary = false;                   ///< of .stl and .ply
+  bool one_group = false;                ///< of .msh: each element is in its first group alone
   SnappedResultOnce* snapped = nullptr;  ///< of this result, for the files after this one; nullptr: not kept
   std::stop_token stop{};                ///< may end the writing (Stopped): then the old file is untouched
 };
@@ -47,8 +51,8 @@ struct FileReport : RoundingReport {
   SnapReport snapped;  ///< `rounds` is 0 unless the result was snapped
 };
 
-/// Writes a result: .json .vtu .msh .mesh .smesh .poly .inp .bdf .h5m .med .obj .off .stl .ply .3mf .glb .step
-/// .stp
+/// Writes a result: .json .vtu .msh .msh2 .mesh .smesh .poly .inp .bdf .h5m .med .obj .off .stl .ply .3mf .glb
+/// .step .stp
 ///   .brep, and
 ///   .regions.dot  which of its regions touch
 /// Throws InputError for an unknown extension or a result that the format cannot represent (the message says
@@ -62,7 +66,7 @@ Result read_result(const std::string& path);
 /// The same of the text of a .json; `names.result` is the name in messages.
 Result result_of_text(const std::string& json, ResultNames names);
 
-/// The formats of tetrahedra: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf. Throws InputError for any other
+/// The formats of tetrahedra: .msh .msh2 .mesh .vtu .inp .bdf .h5m .med .xdmf. Throws InputError for any other
 /// extension; the message names `others`, which the caller writes itself (` .html`), too.
 void check_mesh_file_name(const std::string& path, const std::string& others = {});
 

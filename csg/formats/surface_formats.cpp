@@ -11,6 +11,7 @@
 #include "csg/formats/formats.h"
 #include "csg/result/rounding.h"
 #include "csg/result/solid.h"
+#include "csg/text/digits.h"
 #include "csg/text/escape.h"
 
 namespace cnrg {
@@ -66,17 +67,14 @@ RoundedSolid rounded_solid(const ResultView& view, const std::string& format, bo
   return {std::move(points.xyz), std::move(boundary.triangles), rounding};
 }
 
-void append_triangles(std::string& text, const RoundedSolid& solid) {
-  for (const auto& t : solid.triangles) {
-    text += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
-  }
-}
-
-void append_points(std::string& text, const RoundedSolid& solid) {
-  for (const auto& p : solid.points) {
-    append(text, p);
-    text += '\n';
-  }
+/// Points, then triangles, one to a line.
+void append_all(std::string& text, const RoundedSolid& solid) {
+  append_lines(text, solid.points.size(),
+               [&](std::string& out, std::size_t p) { Line(out) << solid.points[p] << '\n'; });
+  append_lines(text, solid.triangles.size(), [&](std::string& out, std::size_t i) {
+    const auto& [a, b, c] = solid.triangles[i];
+    Line(out) << "3 " << a << ' ' << b << ' ' << c << '\n';
+  });
 }
 
 std::string ply_header(const RoundedSolid& solid, const std::string& format) {
@@ -111,16 +109,14 @@ FileText off_text(const ResultView& view) {
   const RoundedSolid solid = rounded_solid(view, "OFF");
   std::string text =
       "OFF\n" + std::to_string(solid.points.size()) + " " + std::to_string(solid.triangles.size()) + " 0\n";
-  append_points(text, solid);
-  append_triangles(text, solid);
+  append_all(text, solid);
   return {std::move(text), solid.rounding};
 }
 
 FileText ply_text(const ResultView& view) {
   const RoundedSolid solid = rounded_solid(view, "PLY");
   std::string text = ply_header(solid, "ascii");
-  append_points(text, solid);
-  append_triangles(text, solid);
+  append_all(text, solid);
   return {std::move(text), solid.rounding};
 }
 
@@ -160,17 +156,14 @@ FileText stl_text(const ResultView& view) {
   const RoundedSolid solid = rounded_solid(view, "STL");
   const std::string name = shown(view.node);
   std::string text = "solid " + name + "\n";
-  for (const auto& t : solid.triangles) {
-    text += "facet normal ";
-    append(text, normal(solid, t));
-    text += "\nouter loop\n";
-    for (const auto p : t) {
-      text += "vertex ";
-      append(text, solid.points[p]);
-      text += '\n';
-    }
-    text += "endloop\nendfacet\n";
-  }
+  const PointTexts points(solid.points);
+  append_lines(text, solid.triangles.size(), [&](std::string& out, std::size_t i) {
+    const auto& t = solid.triangles[i];
+    Line line(out);
+    line << "facet normal " << normal(solid, t) << "\nouter loop\n";
+    for (const auto p : t) line << "vertex " << points[p] << '\n';
+    line << "endloop\nendfacet\n";
+  });
   text += "endsolid " + name + "\n";
   return {std::move(text), solid.rounding};
 }

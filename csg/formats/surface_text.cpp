@@ -30,6 +30,7 @@ FileText surface_text(const ResultView& view, const std::string& format, std::st
 }  // namespace
 
 FileText msh_text(const ResultView& view) { return surface_text(view, "MSH", msh_text); }
+FileText msh2_text(const ResultView& view) { return surface_text(view, "MSH", msh2_text); }
 FileText medit_text(const ResultView& view) { return surface_text(view, "MESH", medit_text); }
 FileText abaqus_text(const ResultView& view) { return surface_text(view, "INP", abaqus_text); }
 FileText nastran_text(const ResultView& view) { return surface_text(view, "BDF", nastran_text); }

@@ -14,6 +14,7 @@
 #include "csg/mesh/mesh.h"
 #include "csg/mesh/plc.h"
 #include "csg/result/solid.h"
+#include "csg/text/digits.h"
 #include "csg/text/escape.h"
 #include "kernel/base/error.h"
 
@@ -23,8 +24,7 @@ namespace {
 using Index = Plc::Index;
 
 void append_point(std::string& text, std::size_t number, const std::array<double, 3>& point) {
-  text += std::to_string(number) + " ";
-  append(text, point);
+  Line(text) << number << ' ' << point;
 }
 
 FileText tetgen_text(const ResultView& view, const std::string& format, bool poly) {
@@ -68,8 +68,9 @@ FileText tetgen_text(const ResultView& view, const std::string& format, bool pol
   for (const auto& s : plc.segments) wires += s.wire;
   text += std::to_string(plc.facets.size() + wires) + " 1\n";
   const auto add_polygon = [&](const auto& points) {
-    text += std::to_string(points.size());
-    for (const Index p : points) text += " " + std::to_string(p + 1);
+    Line line(text);
+    line << points.size();
+    for (const Index p : points) line << ' ' << p + 1;
   };
   for (const auto& facet : plc.facets) {
     const std::string number = std::to_string(group(2, facet.face));

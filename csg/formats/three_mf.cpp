@@ -13,6 +13,7 @@
 #include "csg/mesh/mesh.h"
 #include "csg/result/palette.h"
 #include "csg/result/solid.h"
+#include "csg/text/digits.h"
 #include "csg/text/xml.h"
 #include "csg/text/zip.h"
 
@@ -80,15 +81,16 @@ class Model {
   void add_object(std::size_t i, const std::string& name) {
     text_ += "<object id=" + quoted(kFirstObject + i) + " type=\"model\" name=" + quoted(name) +
              " pid=" + quoted(kMaterials) + " pindex=" + quoted(materials_[i]) + ">\n<mesh>\n<vertices>\n";
-    for (const auto p : parts_[i].points) {
-      constexpr std::string_view kAxes[] = {"<vertex x=\"", "\" y=\"", "\" z=\""};
-      for (std::size_t k = 0; k < 3; ++k) append(text_ += kAxes[k], points_.xyz[p][k]);
-      text_ += "\"/>\n";
-    }
+    const auto& [region, points, triangles] = parts_[i];
+    append_lines(text_, points.size(), [&](std::string& out, std::size_t p) {
+      const auto& [x, y, z] = points_.xyz[points[p]];
+      Line(out) << "<vertex x=\"" << x << "\" y=\"" << y << "\" z=\"" << z << "\"/>\n";
+    });
     text_ += "</vertices>\n<triangles>\n";
-    for (const auto& [a, b, c] : parts_[i].triangles) {
-      text_ += "<triangle v1=" + quoted(a) + " v2=" + quoted(b) + " v3=" + quoted(c) + "/>\n";
-    }
+    append_lines(text_, triangles.size(), [&](std::string& out, std::size_t t) {
+      const auto& [a, b, c] = triangles[t];
+      Line(out) << "<triangle v1=\"" << a << "\" v2=\"" << b << "\" v3=\"" << c << "\"/>\n";
+    });
     text_ += "</triangles>\n</mesh>\n</object>\n";
   }
 

@@ -20,16 +20,18 @@ namespace {
 
 void append_base64(std::string& text, const std::string& bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const std::size_t start = text.size(), groups = (bytes.size() + 2) / 3;
-  text.resize(start + 4 * groups, '=');
-  for_each_index(groups, [&](std::size_t g) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - 3 * g);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[3 * g + k]) : 0u);
-    }
-    for (std::size_t k = 0; k <= n; ++k) text[start + 4 * g + k] = kDigits[group >> (18 - 6 * k) & 63];
-  });
+  const std::size_t start = text.size(), groups = bytes.size() / 3, rest = bytes.size() % 3;
+  text.resize(start + 4 * (groups + (rest > 0)), '=');
+  const auto put = [&](std::size_t g, std::size_t n) {
+    const auto at = [&](std::size_t k) {
+      return k < n ? std::uint32_t{static_cast<unsigned char>(bytes[3 * g + k])} : 0;
+    };
+    const std::uint32_t group = at(0) << 16 | at(1) << 8 | at(2);
+    char* const to = &text[start + 4 * g];
+    for (std::size_t k = 0; k <= n; ++k) to[k] = kDigits[group >> (18 - 6 * k) & 63];
+  };
+  for_each_index(groups, [&](std::size_t g) { put(g, 3); });
+  if (rest > 0) put(groups, rest);
 }
 
 template <class T>

@@ -22,9 +22,10 @@ struct Format {
   FileText (*make_binary)(const ResultView&) = nullptr;  ///< on request
 };
 
-constexpr std::array<Format, 19> kFormats{{{".json", json_text},
+constexpr std::array<Format, 20> kFormats{{{".json", json_text},
                                            {".vtu", vtu_text},
                                            {".msh", msh_text},
+                                           {".msh2", msh2_text},
                                            {".mesh", medit_text},
                                            {".smesh", smesh_text},
                                            {".poly", poly_text},
@@ -88,6 +89,8 @@ FileText file_text(const std::string& path, const ResultView& view, bool binary)
     throw RoundingFault(path + ": " + fault.what());
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
+  } catch (const FileError& error) {
+    throw FileError(path + ": " + error.what());
   }
 }
 

@@ -18,7 +18,7 @@ bool is_cad_file(const std::string& path);
 /// True for the formats that want `view` with parameters, for its true surfaces: CAD models and .glb.
 bool shows_surfaces(const std::string& path);
 
-/// Writes `view` to `path` in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf .h5m
+/// Writes `view` to `path` in the format of its extension: .json .vtu .msh .msh2 .mesh .smesh .poly .inp .bdf .h5m
 /// .med .obj .off .stl .ply .3mf .glb .step .stp .brep. The file appears whole or not at all (csg/text/file.h).
 /// Throws InputError for an unknown extension or a result that the format cannot represent (the message says
 /// why and what to use instead), FileError if the file cannot be written; the old file is then untouched.

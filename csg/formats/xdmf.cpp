@@ -17,7 +17,7 @@
 #include "csg/formats/mesh_file.h"
 #include "csg/mesh/mesh.h"
 #include "csg/mesh/second_order.h"
-#include "csg/result/rounding.h"
+#include "csg/text/digits.h"
 #include "csg/text/escape.h"
 #include "csg/text/file.h"
 #include "csg/text/table.h"
@@ -99,10 +99,8 @@ class XdmfWriter {
   void add_geometry() {
     text_ += "<Geometry GeometryType=\"XYZ\">\n";
     begin_item("Float", std::to_string(points_.size()) + " 3");
-    for (const Index p : points_) {
-      append(text_, mesh_.points[p]);
-      text_ += '\n';
-    }
+    append_lines(text_, points_.size(),
+                 [&](std::string& out, std::size_t i) { Line(out) << mesh_.points[points_[i]] << '\n'; });
     end_item();
     text_ += "</Geometry>\n";
   }
@@ -190,7 +188,7 @@ class XdmfWriter {
     add_array(array_name(property.key), "Float", [&](const Mesh::Entity& entity) {
       const double value = values[static_cast<std::size_t>(&entity - mesh_.entities[dimension_].data())];
       if (std::isnan(value)) text_ += "nan";
-      else append(text_, value);
+      else Line(text_) << value;
     });
   }
 };

@@ -43,8 +43,9 @@ struct Mesh {
     Index entity = 0;
   };
 
-  std::string node;   ///< its name
-  bool flat = false;  ///< entities are straight pieces and facets: the surface mesh
+  std::string node;        ///< its name
+  bool one_group = false;  ///< .msh says the first group of each element alone
+  bool flat = false;       ///< entities are straight pieces and facets: the surface mesh
   std::vector<std::array<double, 3>> points;
   std::array<std::vector<std::string>, 4> groups;  ///< names by dimension; group g is at g - 1
   std::size_t sources = 0;  ///< how many groups of faces by their leaves there are: the last ones
@@ -66,10 +67,16 @@ struct Mesh {
   template <std::size_t N, std::size_t M>
   std::vector<Index> nodes(const Simplex<N>& simplex,
                            const std::array<std::array<std::size_t, 2>, M>& edges) const {
-    std::vector<Index> result(simplex.points.begin(), simplex.points.end());
-    if (middles.empty()) return result;
-    for (const auto& [i, j] : edges) result.push_back(middle(simplex.points[i], simplex.points[j]));
+    std::vector<Index> result;
+    for_each_node(simplex, edges, [&](Index p) { result.push_back(p); });
     return result;
+  }
+  template <std::size_t N, std::size_t M, class See>
+  void for_each_node(const Simplex<N>& simplex, const std::array<std::array<std::size_t, 2>, M>& edges,
+                     const See& see) const {
+    for (const Index p : simplex.points) see(p);
+    if (middles.empty()) return;
+    for (const auto& [i, j] : edges) see(middle(simplex.points[i], simplex.points[j]));
   }
 
   /// Properties that are numbers: of each entity by dimension, not a number where nothing is said.

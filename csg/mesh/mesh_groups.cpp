@@ -59,10 +59,10 @@ class Grouper {
     group_regions();
     group(2, flat_.faces, [&](const auto& f) { return keys_of_face(f); });
     group(1, flat_.edges, [&](const auto& e) {
-      return e.wire ? Keys{{1, "wire" + of_leaf(e.origin, 1)}} : Keys{};
+      return e.wire ? shared({{1, "wire" + of_leaf(e.origin, 1)}}) : &none_;
     });
     group(0, flat_.vertices, [&](const auto& v) {
-      return v.free ? Keys{{1, "point" + of_leaf(v.origin, 0)}} : Keys{};
+      return v.free ? shared({{1, "point" + of_leaf(v.origin, 0)}}) : &none_;
     });
     group_by_attributes(0, flat_.vertices), group_by_attributes(1, flat_.edges);
     group_by_attributes(2, flat_.faces), group_by_attributes(3, flat_.regions);
@@ -78,6 +78,12 @@ class Grouper {
   const std::map<Component, RegionName> regions_;
   MeshGroups groups_;
   std::array<std::set<std::string>, 4> used_;
+  // Cells share their keys: strings for each would cost more than all else.
+  const Keys none_;
+  std::set<Keys> keys_;
+  std::map<std::array<Component, 2>, const Keys*> keys_beside_;  // by the components on the sides of a face
+
+  const Keys* shared(Keys keys) { return &*keys_.insert(std::move(keys)).first; }
 
   /// Regions by component, then by the names of several components, then by the sides that part these.
   void group_regions() {
@@ -160,23 +166,31 @@ class Grouper {
   void group(std::size_t dimension, const Cells& cells, const KeysOf& keys_of) {
     std::map<std::string, Index> given;               // names that people gave
     std::map<typename Keys::value_type, Index> made;  // and the others, by rank and text
-    std::vector<Keys> keys;
+    std::vector<const Keys*> keys;
+    std::map<const Keys*, std::vector<Index>> numbers;  // of their groups
     for (const auto& cell : cells) {
-      keys.push_back(cell.component == 0 ? Keys{} : keys_of(cell));
+      keys.push_back(cell.component == 0 ? &none_ : keys_of(cell));
       const Attributes* of = said(cell);
       if (of != nullptr && !of->name.empty()) {
         given[shown_in_quotes(of->name.text())] = 0;
-        if (!is_wall(cell)) keys.back().clear();  // of a wall with a name one may ask for both
+        if (!is_wall(cell)) keys.back() = &none_;  // of a wall with a name one may ask for both
       }
-      for (const auto& key : keys.back()) made[key] = 0;
+      numbers[keys.back()];
+    }
+    for (const auto& [list, unused] : numbers) {
+      for (const auto& key : *list) made[key] = 0;
     }
     for (auto& [name, number] : given) number = add_group(dimension, name);
     for (auto& [key, number] : made) number = add_group(dimension, key.second);
+    for (auto& [list, of] : numbers) {
+      for (const auto& key : *list) of.push_back(made.at(key));
+    }
     for (std::size_t i = 0; i < cells.size(); ++i) {
       auto& of = groups_.of[dimension].emplace_back();
       const Attributes* what = said(cells[i]);
       if (what != nullptr && !what->name.empty()) of.push_back(given.at(shown_in_quotes(what->name.text())));
-      for (const auto& key : keys[i]) of.push_back(made.at(key));
+      const std::vector<Index>& further = numbers.at(keys[i]);
+      of.insert(of.end(), further.begin(), further.end());
     }
   }
 
@@ -220,13 +234,23 @@ class Grouper {
 
   /// Boundaries by component, walls by their two components, and both once more by names of several components;
   /// dangling faces by leaf.
-  Keys keys_of_face(const FlatComplex::Face& face) const {
-    std::vector<Component> beside;
-    for (const auto region : face.regions) {
-      if (flat_.active(region)) beside.push_back(flat_.regions[region].component);
-    }
+  const Keys* keys_of_face(const FlatComplex::Face& face) {
     const std::size_t n = view_.value->component_count() + 1;
-    if (flat_.regions_bounded(face) == 0) return {{2 * n * n, "face" + of_leaf(face.origin, 2)}};
+    if (flat_.regions_bounded(face) == 0) return shared({{2 * n * n, "face" + of_leaf(face.origin, 2)}});
+    std::array<Component, 2> beside{};
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (flat_.active(face.regions[side])) beside[side] = flat_.regions[face.regions[side]].component;
+    }
+    const Keys*& keys = keys_beside_[beside];
+    if (keys == nullptr) keys = shared(keys_of_sides(beside));
+    return keys;
+  }
+
+  /// 0: no component.
+  Keys keys_of_sides(const std::array<Component, 2>& of) const {
+    std::vector<Component> beside(of.begin(), of.end());
+    std::erase(beside, Component{0});
+    const std::size_t n = view_.value->component_count() + 1;
     const bool pieces =
         std::any_of(beside.begin(), beside.end(), [&](Component c) { return !regions_.at(c).name.empty(); });
     Keys keys{key_of_sides(0, beside, [&](Component c) { return std::pair(c, regions_.at(c).piece); })};

@@ -9,7 +9,7 @@
 
 #include "csg/mesh/input_lines.h"
 #include "csg/mesh/reach.h"
-#include "csg/result/rounding.h"
+#include "csg/text/digits.h"
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
@@ -519,7 +519,7 @@ class Refiner {
   void require_size(Index a, Index b, bool fixed) const {
     if (!is_too_long(a, b) || (!is_full() && !is_longer(a, b, said_))) return;
     std::string text = "near (";
-    append(text, at(a));
+    Line(text) << at(a);
     text += ") the surface mesh is coarser than asked for, since ";
     if (is_full()) {
       text += "it may have " + std::to_string(options_.max_points) +

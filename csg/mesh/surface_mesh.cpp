@@ -1,7 +1,6 @@
 // The surface mesh: points, straight pieces of edges, facets and regions as entities with what bounds them.
 #include <algorithm>
 #include <map>
-#include <set>
 #include <unordered_map>
 
 #include "csg/mesh/material_field.h"
@@ -22,6 +21,7 @@ class SurfaceMesher {
       : flat_(flat), rounded_(points), tagger_(view, flat), groups_(mesh_groups(view, flat)) {
     mesh_.node = view.node;
     mesh_.flat = true;
+    mesh_.one_group = view.one_group;
     mesh_.groups = groups_.names;
     mesh_.sources = groups_.sources;
   }
@@ -115,14 +115,15 @@ class SurfaceMesher {
   /// One entity; or a triangle each, where an edge or a point lies inside that a mesher would not see otherwise.
   void add_facet(Index face, const std::vector<FlatComplex::Loop>& loops, bool isolated, Index begin, Index end) {
     std::vector<std::array<Index, 2>> steps;
-    std::set<std::uint64_t> walked;
-    bool inside = isolated;
+    std::vector<std::uint64_t> walked;
     for (const auto& loop : loops) {
       for (std::size_t k = 0; k < loop.size(); ++k) {
         steps.push_back({loop[k], loop[(k + 1) % loop.size()]});
-        inside = !walked.insert(edge_key(steps.back()[0], steps.back()[1])).second || inside;
+        walked.push_back(edge_key(steps.back()[0], steps.back()[1]));
       }
     }
+    std::sort(walked.begin(), walked.end());
+    const bool inside = isolated || std::adjacent_find(walked.begin(), walked.end()) != walked.end();
     if (!inside) return add_entity(face, steps, begin, end);
     for (Index t = begin; t < end; ++t) {
       const auto& p = flat_.faces[face].triangles[t];

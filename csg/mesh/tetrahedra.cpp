@@ -210,11 +210,17 @@ class TetrahedralMesher {
   /// `refused`: empty, or why TetGen has made no mesh.
   void make_constrained(const std::string& refused) {
     plan_.mesh_surface_as_asked();
-    if (plan_.keeps_boundary()) throw InputError(refused);  // constrained tetrahedra need points on it
+    if (options_.surface_first) throw InputError(refused);
     plc_ = plc_of(view_, flat_, rounded_, PlcFacets::triangles);
     watch_.begin("mesh: constrained tetrahedra");
     out_ = run_constrained(plc_, flat_, watch_);
-    take(watch_);
+    try {
+      take(watch_);
+    } catch (const InputError&) {
+      // Few need points on the boundary; with those that do it is not kept.
+      if (options_.keep_boundary) throw InputError(refused);
+      throw;
+    }
     if (!refused.empty())  // without its advice
       result_.notice = without_remedy(refused) + "; these are constrained tetrahedra, improved";
   }
@@ -224,7 +230,7 @@ class TetrahedralMesher {
     if (plan_.leaves_flat()) return plan_.sized();
     if (made == MadeBy::tetgen_filled)
       return !plan_.sizes().empty() && !options_.keep_boundary;  // else flat halves
-    return made == MadeBy::constrained && !plan_.sizes().empty();
+    return made == MadeBy::constrained && !plan_.sizes().empty() && !options_.keep_boundary;
   }
 
   /// By places in regions of the complex, which are those of the mesh in their order.

@@ -14,6 +14,7 @@
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
 #include "csg/result/vanished.h"
+#include "csg/text/digits.h"
 #include "csg/text/table.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/part_watch.h"
@@ -474,11 +475,9 @@ Result join(const Result& result, const Rational& within, JoinReport* report, co
 std::string JoinReport::text(const Rational& within) const {
   const std::string d = to_decimal(within, 6);
   if (rounds == 0) return "nothing is nearer than " + d + " that does not touch; nothing was joined";
-  std::string far;
-  append(far, displacement);
   std::string text = "joined " + counted(merged.size(), "pair", "pairs") + " nearer than " + to_decimal(reach, 6) +
                      ", in " + counted(std::size_t(rounds), "round", "rounds") + "; nothing moved by more than " +
-                     far + vanished_text(lost_faces, lost_wires, lost_regions.size());
+                     double_text(displacement) + vanished_text(lost_faces, lost_wires, lost_regions.size());
   if (regions_before != regions_after) {
     text += "; there were " + counted(regions_before, "region", "regions") + " and are " +
             std::to_string(regions_after);
@@ -490,10 +489,8 @@ std::vector<std::string> JoinReport::warnings(const Rational& within) const {
   const std::string d = to_decimal(within, 6);
   std::vector<std::string> out = vanished_warnings(lost_regions, d);
   if (remaining > 0) {
-    std::string far;
-    append(far, nearest);
     out.push_back(counted(remaining, "pair is", "pairs are") + " still nearer than " + d + " after " +
-                  counted(std::size_t(rounds), "round", "rounds") + ", the nearest " + far +
+                  counted(std::size_t(rounds), "round", "rounds") + ", the nearest " + double_text(nearest) +
                   " apart; give another distance");
   }
   return out;

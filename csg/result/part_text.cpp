@@ -1,6 +1,6 @@
 #include "csg/result/part_text.h"
 
-#include "csg/result/rounding.h"
+#include "csg/text/digits.h"
 #include "csg/text/escape.h"
 #include "kernel/exact/distance.h"
 
@@ -61,10 +61,6 @@ std::string coordinates(const RationalPoint& p) {
   return "(" + coordinate(p[0]) + ", " + coordinate(p[1]) + ", " + coordinate(p[2]) + ")";
 }
 
-std::string distance_text(const Rational& squared) {
-  std::string text;
-  append(text, nearest_root(squared));
-  return text;
-}
+std::string distance_text(const Rational& squared) { return double_text(nearest_root(squared)); }
 
 }  // namespace cnrg

@@ -8,8 +8,9 @@
 // That parts two boxes, but not two cavities that share an edge: their surfaces go on through the solid at both
 // ends of the edge, which would still have four triangles. There what lies between wedges of the region makes
 // neighbours, as if the region were a little thicker, and the cavities part.
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 #include <unordered_map>
@@ -44,6 +45,7 @@ class Boundary {
     for (const auto& shell : flat.regions[region].shells) {
       for (const Index side : shell) add_side(side);
     }
+    tbb::parallel_sort(uses_.begin(), uses_.end());
   }
 
   RegionBoundary run(const std::string& format) {
@@ -64,24 +66,42 @@ class Boundary {
   /// The sides of triangles between two points, each by the corner where it begins: from the lesser to the greater
   /// point, and back.
   using Uses = std::array<std::vector<Index>, 2>;
+  struct Use {
+    Pair ends;
+    std::size_t way;
+    Index corner;
+    friend auto operator<=>(const Use&, const Use&) = default;
+  };
 
   const FlatComplex& flat_;
   const std::unordered_map<std::uint64_t, Index>& pieces_;
   RegionBoundary made_;
   std::vector<std::array<Index, 3>> triangles_;  // points of the flattened result
   std::vector<Index> sides_;                     // of each triangle: face * 2 + side
-  std::map<Pair, Uses> uses_;                    // by the two points
+  std::vector<Use> uses_;                        // by the two points
   std::set<Pair> thicker_;                       // where neighbours are across what is not the region
+
+  /// see(ends, uses) for each two points that sides of triangles run between.
+  template <class See>
+  void for_each_ends(const See& see) const {
+    Uses uses;
+    for (std::size_t i = 0, end = 0; i < uses_.size(); i = end) {
+      for (auto& of : uses) of.clear();
+      for (; end < uses_.size() && uses_[end].ends == uses_[i].ends; ++end)
+        uses[uses_[end].way].push_back(uses_[end].corner);
+      see(uses_[i].ends, uses);
+    }
+  }
 
   /// Makes vertices. Returns where two of them still have more than two triangles.
   std::set<Pair> number() {
     UnionFind corners(3 * triangles_.size());
-    for (const auto& [ends, uses] : uses_) {
+    for_each_ends([&](const Pair& ends, const Uses& uses) {
       for (const auto& [along, against] : neighbours(ends, uses)) {
         corners.unite(along, next(against));
         corners.unite(next(along), against);
       }
-    }
+    });
     made_.points.clear();
     made_.triangles.clear();
     std::vector<Index> vertex(corners.size(), FlatComplex::kNone);
@@ -98,12 +118,13 @@ class Boundary {
       made_.triangles.push_back({vertex[c], vertex[c + 1], vertex[c + 2]});
     }
     std::set<Pair> crowded;
-    for (const auto& [ends, uses] : uses_) {
+    for_each_ends([&](const Pair& ends, const Uses& uses) {
+      if (uses[0].size() < 2) return;
       std::set<Pair> sides;
       for (const Index c : uses[0]) {
         if (!sides.insert({vertex[c], vertex[next(c)]}).second) crowded.insert(ends);
       }
-    }
+    });
     return crowded;
   }
 
@@ -118,7 +139,7 @@ class Boundary {
       const Index first = Index(3 * triangles_.size());
       for (Index k = 0; k < 3; ++k) {
         const Index a = t[k], b = t[(k + 1) % 3];
-        uses_[{std::min(a, b), std::max(a, b)}][a < b ? 0 : 1].push_back(first + k);
+        uses_.push_back({{std::min(a, b), std::max(a, b)}, a < b ? std::size_t{0} : 1, first + k});
       }
       triangles_.push_back(t);
       sides_.push_back(side);

@@ -44,9 +44,8 @@
 // regions count from 1.
 #include "csg/result/result_json.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <span>
@@ -75,15 +74,13 @@ void append_quoted(std::string& text, double value) {
   int exponent = 0;
   auto numerator = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
   exponent -= 53;
-  while (numerator != 0 && numerator % 2 == 0) numerator /= 2, ++exponent;
+  const int zeros = numerator == 0 ? 0 : std::countr_zero(static_cast<std::uint64_t>(numerator));
+  numerator >>= zeros, exponent += zeros;
   if (numerator != 0 && (exponent > 0 || exponent < -63)) return append_quoted(text, from_double(value));
-  text += '"';
-  append_json(text, numerator);
-  if (numerator != 0 && exponent < 0) {
-    text += '/';
-    append_json(text, std::uint64_t{1} << -exponent);
-  }
-  text += '"';
+  Line line(text);
+  line << '"' << numerator;
+  if (numerator != 0 && exponent < 0) line << '/' << (std::uint64_t{1} << -exponent);
+  line << '"';
 }
 
 class JsonWriter {
@@ -157,13 +154,9 @@ class JsonWriter {
   /// A long list; blocks of lines are made on all threads.
   template <class T, class Append>
   void lines(const char* key, const std::vector<T>& items, Append append) {
-    constexpr std::size_t kBlock = 4096;
-    std::vector<std::string> blocks((items.size() + kBlock - 1) / kBlock);
-    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-      for (std::size_t i = b * kBlock; i < std::min(items.size(), (b + 1) * kBlock); ++i) {
-        blocks[b] += i == 0 ? "\n" : ",\n";
-        append(blocks[b], items[i]);
-      }
+    std::vector<std::string> blocks = blocks_of_lines(items.size(), [&](std::string& out, std::size_t i) {
+      out += i == 0 ? "\n" : ",\n";
+      append(out, items[i]);
     });
     text_ += ",\n\"" + std::string(key) + "\": [";
     parts_.push_back(std::move(text_));
@@ -394,8 +387,7 @@ class JsonWriter {
     else append_quoted(out, volume(*view_.complex, r.cells).value());
     append_json(object.key("shells"), r.shells, [&](const std::vector<Index>& shell) {
       append_json(out, shell, [&](Index side) {
-        append_json(out += "{\"face\":", side >> 1);
-        out += side & 1 ? ",\"side\":\"back\"}" : ",\"side\":\"front\"}";
+        Line(out) << "{\"face\":" << (side >> 1) << ",\"side\":" << (side & 1 ? "\"back\"}" : "\"front\"}");
       });
     });
     if (r.component != 0) add_origin(object, r.origin);

@@ -54,6 +54,7 @@ struct ResultView {
   /// Of a snapped or joined result: by RegionId what it was made of. Empty: nobody says sizes. nullptr: the leaves
   /// that hold a 3-cell tell.
   const std::vector<LeafParts>* region_parts = nullptr;
+  bool one_group = false;                                 ///< as FileOptions have it
   std::function<std::optional<double>()> volume_bound{};  ///< as of Result::Data
 };
 

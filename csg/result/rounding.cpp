@@ -5,15 +5,11 @@
 #include "csg/result/rounding.h"
 
 #include <algorithm>
-#include <bit>
-#include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "csg/result/slight_moves.h"
 #include "kernel/base/error.h"
-#include "kernel/base/per_thread.h"
 
 namespace cnrg {
 
@@ -168,35 +164,6 @@ RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawi
   const bool embedded =
       points.moved == 0 || is_surely_faithful(points, drawing) || is_faithful(points, drawing, stop);
   return {points.moved, embedded};
-}
-
-// Files say the same coordinates again and again, mostly soon after: those met last are kept as texts.
-void append(std::string& text, double value) {
-  struct Known {
-    double value = 0;
-    std::uint8_t size = 0;  // 0: nothing is known
-    char digits[24];
-  };
-  struct Table {
-    std::vector<Known> known = std::vector<Known>(1 << 12);
-  };
-  auto& known = PerThread<Table>::own().known;
-  if (value == 0) value = 0.0;  // without a sign
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  Known& entry = known[bits * 0x9e3779b97f4a7c15u >> 52];
-  if (entry.size == 0 || std::bit_cast<std::uint64_t>(entry.value) != bits) {
-    entry.value = value;
-    entry.size = static_cast<std::uint8_t>(
-        std::to_chars(entry.digits, entry.digits + sizeof entry.digits, value).ptr - entry.digits);
-  }
-  text.append(entry.digits, entry.size);
-}
-
-void append(std::string& text, const std::array<double, 3>& xyz) {
-  for (int k = 0; k < 3; ++k) {
-    if (k > 0) text += ' ';
-    append(text, xyz[k]);
-  }
 }
 
 }  // namespace cnrg

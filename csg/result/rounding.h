@@ -63,8 +63,4 @@ bool is_faithful(const RoundedPoints& points, const Drawing& drawing, const std:
 RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing,
                                const std::stop_token& stop = {});
 
-/// Appends the shortest text that reads back as the same double.
-void append(std::string& text, double value);
-void append(std::string& text, const std::array<double, 3>& xyz);  ///< separated by spaces
-
 }  // namespace cnrg

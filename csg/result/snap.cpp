@@ -8,6 +8,7 @@
 #include "csg/result/rounding.h"
 #include "csg/result/snap_drawing.h"
 #include "csg/result/vanished.h"
+#include "csg/text/digits.h"
 #include "csg/text/table.h"
 
 namespace cnrg {
@@ -62,18 +63,15 @@ Result snap(const Result& result, SnapReport* report, const Watch& watch) {
 }
 
 std::string SnapReport::text() const {
-  std::string distance;
-  append(distance, displacement);
   std::string text = "snapped " + std::to_string(moved) + " of " + std::to_string(points) + " vertices, by " +
-                     distance + " at most, in " + counted(std::size_t(rounds), "round", "rounds");
+                     double_text(displacement) + " at most, in " + counted(std::size_t(rounds), "round", "rounds");
   if (added > 0) text += "; " + counted(added, "vertex is", "vertices are") + " new";
   return text + vanished_text(faces, wires, lost_regions.size());
 }
 
 std::vector<std::string> SnapReport::warnings() const {
-  std::string distance;
-  append(distance, 2 * displacement);  // what holds a larger ball keeps its middle
-  std::vector<std::string> out = vanished_warnings(lost_regions, distance);
+  // What holds a larger ball keeps its middle.
+  std::vector<std::string> out = vanished_warnings(lost_regions, double_text(2 * displacement));
   out.insert(out.end(), parted_regions.begin(), parted_regions.end());
   return out;
 }

@@ -12,6 +12,7 @@
 
 #include "csg/result/hot_routes.h"
 #include "csg/result/rounding.h"
+#include "csg/text/digits.h"
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
@@ -109,9 +110,8 @@ class Snapper {
         state = routed(state, refined, false, cell);
       }
     }
-    std::string last;
-    append(last, cell / kSnapGrowth);
-    throw InputError("rounding to doubles makes facets cross, and drawing together what lies within " + last +
+    throw InputError("rounding to doubles makes facets cross, and drawing together what lies within " +
+                     double_text(cell / kSnapGrowth) +
                      " still does; join what nearly touches by --join, move the model nearer to the origin, write "
                      ".json, which is exact, or give --no-snap");
   }

@@ -2,27 +2,18 @@
 // JSON library would take most of the time of writing it.
 #pragma once
 
-#include <algorithm>
-#include <charconv>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
-#include "kernel/base/error.h"
+#include "csg/text/digits.h"
 
 namespace cnrg {
 
 template <class T>
 requires std::is_integral_v<T>
-void append_json(std::string& text, T value) {
-  if constexpr (std::is_same_v<T, bool>) {
-    text += value ? "true" : "false";
-  } else {
-    char digits[20];
-    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-  }
-}
+void append_json(std::string& text, T value) { Line(text) << value; }
 
 /// A text in quotation marks, hostile characters (escape.h) as escapes; U+FFFD stands for a byte that is no UTF-8.
 void append_json(std::string& text, std::string_view value);
@@ -47,7 +38,14 @@ void append_json(std::string& text, const List& list, Write write) {
 template <class List>
 requires requires(const List& list) { list.begin(); }
 void append_json(std::string& text, const List& list) {
-  append_json(text, list, [&](const auto& item) { append_json(text, item); });
+  if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(*list.begin())>>) {
+    Line line(text);
+    char before = '[';
+    for (const auto item : list) line << std::exchange(before, ',') << item;
+    line << (before == '[' ? "[]" : "]");
+  } else {
+    append_json(text, list, [&](const auto& item) { append_json(text, item); });
+  }
 }
 
 /// An object at the end of a text, closed when this goes.
@@ -60,15 +58,9 @@ class JsonObject {
 
   /// Adds a key, a word of letters; its value is to be appended to the text returned.
   std::string& key(std::string_view name) {
-    char piece[32];  // one piece costs a quarter of four
-    char* end = piece;
-    if (text_.back() != '{') *end++ = ',';
-    *end++ = '"';
-    require(name.size() + 4 <= sizeof piece, "JSON: a long key");
-    end = std::copy(name.begin(), name.end(), end);
-    *end++ = '"';
-    *end++ = ':';
-    return text_.append(piece, end);
+    Line line(text_);
+    put(line, name);
+    return text_;
   }
   /// The same for a key of any letters and length.
   std::string& named(std::string_view name) {
@@ -78,11 +70,20 @@ class JsonObject {
   }
   template <class T>
   JsonObject& add(std::string_view name, const T& value) {
-    append_json(key(name), value);
+    if constexpr (std::is_integral_v<T>) {
+      Line line(text_);
+      put(line, name);
+      line << value;
+    } else {
+      append_json(key(name), value);
+    }
     return *this;
   }
 
  private:
+  void put(Line& line, std::string_view name) const {
+    line << (text_.back() == '{' ? "\"" : ",\"") << name << "\":";
+  }
   std::string& text_;
 };
 

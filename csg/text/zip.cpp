@@ -13,6 +13,7 @@
 namespace cnrg {
 namespace {
 
+constexpr int kLevel = 4;  // a tenth of the time of the best one, an eighth more bytes
 constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
 
 void append(std::string& text, std::uint32_t number, int bytes) {
@@ -25,7 +26,7 @@ void require_size(std::size_t size) {
 
 std::string deflated(std::string_view content) {
   z_stream stream{};
-  int done = deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY);
+  int done = deflateInit2(&stream, kLevel, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY);
   if (done == Z_MEM_ERROR) throw std::bad_alloc();
   require(done == Z_OK, "zip: zlib refuses its options");
   std::string bytes;

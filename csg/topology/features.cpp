@@ -9,7 +9,7 @@
 #include "csg/result/flat_drawing.h"
 #include "csg/result/part_text.h"
 #include "csg/result/result_data.h"
-#include "csg/result/rounding.h"
+#include "csg/text/digits.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
@@ -303,7 +303,7 @@ std::string features_text(const Result& result, const std::vector<Feature>& feat
     std::string value, cells, at, from;
     const bool angle = feature.kind >= Feature::Kind::dihedral_angle;
     if (angle) value = to_decimal(from_double(feature.value), 6) + " degrees";
-    else append(value, feature.value);
+    else value = double_text(feature.value);
     for (const Parts::Cell& cell : feature.cells) {
       cells += (cells.empty() ? "" : " ") + name_of(cell);
       from += (from.empty() ? "" : " | ") + names_of_leaves(view, origin_of(flat, cell));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <compare>
 #include <cstddef>
@@ -46,9 +47,9 @@ class ShortList {
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  T* begin() { return size_ > N ? far() : reinterpret_cast<T*>(near_); }
+  T* begin() { return size_ > N ? far() : reinterpret_cast<T*>(near_.data()); }
   T* end() { return begin() + size_; }
-  const T* begin() const { return size_ > N ? far() : reinterpret_cast<const T*>(near_); }
+  const T* begin() const { return size_ > N ? far() : reinterpret_cast<const T*>(near_.data()); }
   const T* end() const { return begin() + size_; }
   T& operator[](std::size_t i) { return begin()[i]; }
   const T& operator[](std::size_t i) const { return begin()[i]; }
@@ -77,7 +78,7 @@ class ShortList {
   std::size_t capacity() const { return std::max(N, std::bit_ceil(std::size_t{size_})); }
   T* far() const {
     T* data;
-    std::memcpy(&data, near_, sizeof data);
+    std::memcpy(&data, near_.data(), sizeof data);
     return data;
   }
   // The elements move to memory of their own, with room for `size`.
@@ -85,16 +86,18 @@ class ShortList {
     T* data = std::allocator<T>().allocate(std::bit_ceil(std::size_t{size}));
     std::copy(begin(), end(), data);
     if (size_ > N) std::allocator<T>().deallocate(far(), capacity());
-    std::memcpy(near_, &data, sizeof data);
+    std::memcpy(near_.data(), &data, sizeof data);
     size_ = size;
   }
   void swap(ShortList& other) noexcept {
     std::swap(size_, other.size_);
-    std::swap(near_, other.near_);
+    const std::array near = near_;  // as a whole: std::swap would take byte after byte
+    near_ = other.near_;
+    other.near_ = near;
   }
 
   std::uint32_t size_ = 0;
-  alignas(4) std::byte near_[N * sizeof(T)] = {};  // the elements, or the address of more than N
+  alignas(4) std::array<std::byte, N * sizeof(T)> near_{};  // the elements, or the address of more than N
 };
 
 /// A list of lists of T, in one piece.

@@ -193,6 +193,45 @@ TEST_CASE("results that cannot be written are no success", "[app][errors]") {
   CHECK_THAT(o.err, Contains("standard output"));
 }
 
+TEST_CASE("a format that refuses a result does not keep the others from being written", "[app][errors]") {
+  const Workshop w;
+  w.write("t.yaml",
+          "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
+          "  b: {box: {min: [1, 0, 0], max: [2, 1, 1]}}\n  u: {union: [a, b], dominance: left}\nresult: u\n");
+  const Outcome o = w.run("eval t.yaml -o r.off -o r.json -o r.ply -o r.obj");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.out, Contains("\nu "));
+  CHECK_THAT(o.err, StartsWith("t.yaml:5:3: error: r.off: OFF holds ") && Contains("error: r.ply: PLY holds "));
+  CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 2);
+  for (const char* file : {"r.off", "r.ply"}) CHECK_FALSE(std::filesystem::exists(w.path(file)));
+  CHECK_FALSE(w.read("r.json").empty());
+  CHECK_THAT(w.read("r.obj"), Contains("\nf "));
+}
+
+TEST_CASE("a file beyond the limit of its size says so, whoever makes it", "[app][errors]") {
+  const Workshop w;
+  w.write("t.yaml", "cnrg: 1\nnodes:\n  b: {sphere: {center: [0, 0, 0], radius: 1, segments: 64}}\nresult: b\n");
+  for (const std::string file : {"r.msh", "r.h5m", "r.med"}) {
+    if (w.run("eval t.yaml --quiet -o whole-" + file).status == 3) continue;  // without its library
+    const Outcome o = w.shell("ulimit -f 16; '" CNRG_PROGRAM "' eval t.yaml --quiet -o " + file + " >.out 2>.err");
+    CHECK(o.status == 3);
+    CHECK_THAT(o.err, Contains(file + ": cannot be written: File too large"));
+    CHECK_FALSE(std::filesystem::exists(w.path(file)));
+  }
+}
+
+TEST_CASE("only files in which elements have several groups take --one-group", "[app][errors]") {
+  const Workshop w;
+  w.write("t.yaml", "cnrg: 1\nnodes:\n  b: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\nresult: b\n");
+  for (const std::string command : {"eval", "mesh", "mesh --surface"}) {
+    const Outcome o = w.run(command + " t.yaml --one-group -o r.inp");
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err, Contains("r.inp: --one-group is for .msh"));
+    CHECK(w.run(command + " t.yaml --quiet --one-group -o r.msh").status == 0);
+    CHECK_THAT(w.read("r.msh"), Contains("\"boundary of b\"") && !Contains("\"from b\""));
+  }
+}
+
 TEST_CASE("when memory runs out the status is 3, whoever asked for it", "[app][errors]") {
   const Workshop w;
   std::string nodes, names;

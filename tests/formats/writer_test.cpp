@@ -434,7 +434,7 @@ TEST_CASE("an unknown extension names the known ones") {
   const Case c = two_overlapping_boxes();
   const ScratchFolder dir;
   CHECK(has(message_of(dir / "m.xyz", c.view()),
-            "`.xyz`; use one of .json .vtu .msh .mesh .smesh .poly .inp .bdf .h5m .med .obj"));
+            "`.xyz`; use one of .json .vtu .msh .msh2 .mesh .smesh .poly .inp .bdf .h5m .med .obj"));
   CHECK(has(message_of(dir / "model", c.view()), "no writer"));
   write(dir / "M.OFF", c.view());
 }

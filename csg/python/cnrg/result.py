@@ -443,7 +443,7 @@ class Result(Operand, Sizes, Exported):
 
     def write(self, path: str | os.PathLike[str], *, parameters: bool = False, snap: bool = True,
               binary: bool = False) -> list[str]:
-        """Writes a file in the format of its extension: .json, exactly, or .vtu .msh .mesh .smesh .poly .inp .bdf
+        """Writes a file in the format of its extension: .json, exactly, or .vtu .msh .msh2 .mesh .smesh .poly .inp .bdf
         .h5m .med .obj .off .stl .ply .3mf .glb .step .stp .brep .regions.dot. Returns, and warns of (cnrg.Notice), what is to be
         said of it: vertices that are elsewhere as doubles, faces that a CAD file has as facets.
 
