@@ -179,7 +179,7 @@ TEST_CASE("arcs are drawn alike in sweeps and extrusions, and fit at the ends", 
     check_skin(elbow);
     CHECK(end_points(elbow, 1) == end_points(swept, 1));
     CHECK(end_points(elbow, 0) == put_at(end_points(swept, 1), Transform::translation({10, 9, 0}) *
-                                                                  Transform::rotation({0, 0, 1}, 90, {0, 0, 0})));
+                                                                   Transform::rotation({0, 0, 1}, 90, {0, 0, 0})));
   }
 }
 

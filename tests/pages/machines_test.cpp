@@ -1,5 +1,6 @@
 // No machine decides what a result is: functions of the C library that differ from one to another are called in
 // the places alone that the page lists.
+#include <filesystem>
 #include <regex>
 #include <set>
 #include <string>
