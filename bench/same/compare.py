@@ -228,8 +228,7 @@ def parse():
     parser.add_argument("--answers", metavar="FOLDER",
                         help="digests of what base answers are kept here, so that it is asked once only")
     parser.add_argument("--bare", action="store_true",
-                        help="only what builds without optional libraries answer alike: no CAD files, .vtp, .h5m, .med, "
-                             "mesh, --parameters")
+                        help="only what builds without optional libraries answer alike: no CAD files, .vtp, .h5m, .med, mesh")
     parser.add_argument("--print", action="store_true", help="print the trees instead of comparing anything")
     options = parser.parse_args()
     if not all(text.partition("=")[2] for text in options.reword):

@@ -10,6 +10,7 @@
 #include "csg/carriers/point_lattice.h"
 #include "csg/geometry/circle.h"
 #include "csg/leaves/geometry_leaf.h"
+#include "kernel/base/hypotenuse.h"
 #include "kernel/exact/convex_hull.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
@@ -153,9 +154,9 @@ std::unique_ptr<PreparedLeaf> tessellate(const Ball& ball, const BallHull& hull,
   for (const RationalPoint& p : hull.points) {
     ids.push_back(builder.point(p));
     const RationalPoint off = p - ball.center;
-    const double up = std::atan2(to_double(off[2]), std::hypot(to_double(off[0]), to_double(off[1])));
+    const double up = rounded::arc_tangent(to_double(off[2]), hypotenuse(to_double(off[0]), to_double(off[1])));
     pole.push_back(off[0] == 0 && off[1] == 0);
-    Rational u = from_double(std::atan2(to_double(off[1]), to_double(off[0])) / (2 * std::numbers::pi));
+    Rational u = from_double(rounded::arc_tangent(to_double(off[1]), to_double(off[0])) / (2 * std::numbers::pi));
     if (u < 0) u += 1;
     at.push_back({u, from_double(up / std::numbers::pi + 0.5)});
   }

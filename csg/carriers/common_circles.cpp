@@ -8,6 +8,7 @@
 
 #include "csg/geometry/circle.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 
@@ -82,7 +83,7 @@ bool CommonCircles::grade(Circle& circle) const {
     if (part.direction) continue;
     const MeridianPoint middle{0, part.family->axis().place_of(circle.place.center)};
     for (const MeridianPoint& p : part.family->vertices(middle, circle.place.radius, false)) {
-      if (p.t != middle.t) row = std::min(row, std::acos(std::min(1.0, to_double(p.r) / tube)));
+      if (p.t != middle.t) row = std::min(row, rounded::arc_cosine(std::min(1.0, to_double(p.r) / tube)));
     }
   }
   if (row == HUGE_VAL) return false;
@@ -98,7 +99,7 @@ bool CommonCircles::grade(Circle& circle) const {
     const auto along = [&](const RationalPoint& e) {
       return to_double(dot(off, e)) / std::sqrt(to_double(dot(e, e)));
     };
-    turns.push_back(std::atan2(along(frame.second()), along(frame.first())));
+    turns.push_back(rounded::arc_tangent(along(frame.second()), along(frame.first())));
   }
   std::sort(turns.begin(), turns.end());
   double narrow = 2 * std::numbers::pi, wide = 0;
@@ -115,15 +116,16 @@ bool CommonCircles::grade(Circle& circle) const {
     if (!part.direction) continue;
     const AxisLine& axis = part.family->axis();
     const double out = to_double(dot(circle.place.center - axis.foot, *part.direction));
-    const double margin = tube * ((out + tube) * std::cos(wide / 2) - tube);
+    const double margin = tube * ((out + tube) * rounded::cosine(wide / 2) - tube);
     if (margin <= 0) continue;
-    const double most = 2 * std::sqrt(margin) / (out + tube), reach = std::asin(tube / out);
+    const double most = 2 * std::sqrt(margin) / (out + tube), reach = rounded::arc_sine(tube / out);
     const RationalPoint across = cross(axis.direction, *part.direction);
     const Rational unit = root(1 / dot(across, across));
     for (double angle = 0; angle < reach;) {
-      const double latitude = std::max(row, std::asin(std::min(1.0, out * std::tan(angle) / tube)));
+      const double latitude =
+          std::max(row, rounded::arc_sine(std::min(1.0, out * rounded::tangent(angle) / tube)));
       angle += most * latitude / 2;
-      const Rational half = from_double(std::tan(angle / 2)), whole = 1 + half * half;
+      const Rational half = from_double(rounded::tangent(angle / 2)), whole = 1 + half * half;
       for (const int sign : {1, -1}) {
         part.family->add_other_direction(Rational((1 - half * half) / whole) * *part.direction +
                                          Rational(sign * 2 * half * unit / whole) * across);

@@ -6,6 +6,7 @@
 
 #include "csg/geometry/circle.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
@@ -58,7 +59,7 @@ std::optional<ExtrudedArc> arc_of(const BezierCurve& curve, const RationalPoint&
   ruling.from = {*radius, arc.placed.axis.place_of(center)};
   ruling.to = {*radius, arc.placed.axis.place_of(center + vector)};
   arc.placed.lines = {{ruling}};
-  const double half = std::acos(std::sqrt(to_double(1 - 1 / *reach)));
+  const double half = rounded::arc_cosine(std::sqrt(to_double(1 - 1 / *reach)));
   arc.degrees = from_double(half * 360 / std::numbers::pi);
   return arc;
 }

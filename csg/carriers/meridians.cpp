@@ -8,6 +8,7 @@
 
 #include "csg/geometry/circle.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
@@ -21,8 +22,9 @@ Rational meridian_dot(const Point& a, const Point& b, const Rational& square) {
 }
 
 double degrees_of(const Point& p, const Point& middle, const Rational& square) {
-  return std::atan2(to_double(p.t - middle.t) * std::sqrt(to_double(square)), to_double(p.r - middle.r)) * 180 /
-         std::numbers::pi;
+  return rounded::arc_tangent(to_double(p.t - middle.t) * std::sqrt(to_double(square)),
+                              to_double(p.r - middle.r)) *
+         180 / std::numbers::pi;
 }
 
 /// How far an angle is along an arc, in degrees from its start in the direction of its sweep, 0 to 360.

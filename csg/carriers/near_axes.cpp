@@ -6,6 +6,7 @@
 #include "csg/carriers/banded_leaves.h"
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/revolved_families.h"
+#include "kernel/base/hypotenuse.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -23,7 +24,7 @@ struct RoughAxis {
   RoughAxis(const ExtrudedArc& arc, const Transform& transform)
       : point(to_doubles(transform.apply(arc.placed.axis.foot))),
         along(to_doubles(transform.apply_to_vector(arc.placed.axis.direction))) {
-    const double length = std::hypot(along[0], along[1], along[2]);
+    const double length = hypotenuse(along[0], along[1], along[2]);
     for (double& x : along) x /= length;
     size = to_double(arc.placed.lines[0][0].from.r);
     for (const double x : point) size = std::max(size, std::abs(x));
@@ -32,12 +33,12 @@ struct RoughAxis {
       : point(to_doubles(transform.apply(form.center))),
         along(to_doubles(transform.apply_to_vector(form.axis))),
         sphere(form.is_sphere()) {
-    const double length = std::hypot(along[0], along[1], along[2]);
+    const double length = hypotenuse(along[0], along[1], along[2]);
     for (double& x : along) x /= length;
     size = length;
     if (sphere) {
       const std::array<double, 3> own = to_doubles(form.axis);
-      radius = to_double(form.lines[0][0].radius) * length / std::hypot(own[0], own[1], own[2]);
+      radius = to_double(form.lines[0][0].radius) * length / hypotenuse(own[0], own[1], own[2]);
     }
     for (const auto& line : form.lines) {
       for (const MeridianPiece& piece : line)
@@ -57,7 +58,7 @@ struct RoughAxis {
     constexpr double kNear = 1e-6;
     const double limit = kNear * (size + b.size);
     if (sphere && b.sphere) {
-      const double apart = std::hypot(point[0] - b.point[0], point[1] - b.point[1], point[2] - b.point[2]);
+      const double apart = hypotenuse(point[0] - b.point[0], point[1] - b.point[1], point[2] - b.point[2]);
       return apart <= limit + kNearBalls * (radius + b.radius);
     }
     if (sphere) return !(b.distance(point) > limit);

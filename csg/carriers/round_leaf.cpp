@@ -7,6 +7,7 @@
 #include "csg/carriers/meridians.h"
 #include "csg/carriers/sectors.h"
 #include "csg/curves/surface_math.h"
+#include "kernel/base/hypotenuse.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -126,7 +127,7 @@ bool RoundLeaf::may_touch_beside(const RoundLeaf& b) const {
     for (const auto& [q, s] : b.balls_) {
       const Point3 off = difference(q, p);
       const double up = surface_math::dot(off, along_), out = length(surface_math::cross(off, along_));
-      if (apart(std::hypot(out - r, up), tube + s, p)) return true;
+      if (apart(hypotenuse(out - r, up), tube + s, p)) return true;
     }
     for (const auto& [q, s] : b.tubes_) {
       const Point3 off = difference(q, p), turn = surface_math::cross(along_, b.along_);
@@ -156,7 +157,7 @@ bool RoundLeaf::may_touch_beside(const RoundLeaf& b) const {
       const Point3 off = difference(q, from.first);
       const double up = surface_math::dot(off, along_),
                    out = length(surface_math::cross(off, along_)) - from.second;
-      if (apart(std::abs(out * rise - up * wide) / std::hypot(rise, wide), s, q)) return true;
+      if (apart(std::abs(out * rise - up * wide) / hypotenuse(rise, wide), s, q)) return true;
     }
   }
   return false;

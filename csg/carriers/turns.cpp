@@ -10,6 +10,7 @@
 #include "csg/geometry/circle.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
@@ -139,7 +140,7 @@ std::array<RationalPoint, 2> Turns::beside(const RationalPoint& direction) const
 Rational Turns::turn_of(const RationalPoint& d) const {
   const double x = to_double(dot(d, frame_.first)) / std::sqrt(to_double(dot(frame_.first, frame_.first)));
   const double y = to_double(dot(d, frame_.second)) / std::sqrt(to_double(dot(frame_.second, frame_.second)));
-  return within_one(from_double(std::atan2(y, x) / (2 * std::numbers::pi)));
+  return within_one(from_double(rounded::arc_tangent(y, x) / (2 * std::numbers::pi)));
 }
 
 std::vector<RevolvedGrid::Column> Turns::around(const Lie& lie) const {

@@ -21,26 +21,34 @@ constexpr int kMostHalvings = 20000;
 /// Away from the axis and along it.
 using Point2 = std::array<Interval, 2>;
 Interval cross2(const Point2& a, const Point2& b) { return a[0] * b[1] - a[1] * b[0]; }
-double length_of(const Point2& a) { return std::hypot(middle_of(a[0]), middle_of(a[1])); }
+Upward length_of(Upward x, Upward y) { return sqrt(x * x + y * y); }
+Upward length_of(const Point2& a) { return length_of(middle_of(a[0]), middle_of(a[1])); }
 
-/// A half-plane, in doubles.
+/// A point and a direction of length 1, nearly.
+struct Axis {
+  Guess3 center, way;
+  explicit Axis(const Revolution& turn)
+      : center{turn.center[0], turn.center[1], turn.center[2]}, way{turn.axis[0], turn.axis[1], turn.axis[2]} {}
+};
+
 struct HalfPlane {
-  Vector3<double> center, away, axis;
-  Point2 way(const Interval3& v) const { return {dot(thin(away), v), dot(thin(axis), v)}; }
-  Point2 at(const Interval3& p) const { return way(difference(p, thin(center))); }
+  Axis axis;
+  Guess3 away;
+  Point2 way(const Interval3& v) const { return {dot(thin(away), v), dot(thin(axis.way), v)}; }
+  Point2 at(const Interval3& p) const { return way(difference(p, thin(axis.center))); }
 };
 
 /// A cell in one of its two half-planes.
 struct Meridian {
-  const Piece* piece = nullptr;
-  HalfPlane plane{};
-  std::size_t along = 0;
+  const Piece* piece;
+  HalfPlane plane;
+  std::size_t along;
   double angle = 0;                               ///< the parameter that is the angle, here
   std::array<double, 2> range{};                  ///< of the other one
   std::array<Point2, 2> corners{};                ///< at its ends
   Point2 chord{};                                 ///< the derivative of F
-  double rounded = 0;                             ///< how far corners are from where they should be, at most
-  double turned = 0;                              ///< by how much that may turn it
+  Upward rounded = 0;                             ///< how far corners are from where they should be, at most
+  Upward turned = 0;                              ///< by how much that may turn it
   std::array<std::optional<Point2>, 2> beyond{};  ///< that of the next cells, at these ends
 
   Point2 on_chord(const Interval& m) const {
@@ -75,7 +83,7 @@ struct MeridianPart {
       if (range[k] == of->range[k] && of->beyond[k]) tangents[count++] = *of->beyond[k];
     }
   }
-  double length() const { return length_of(tangent) * (range[1] - range[0]); }
+  Upward length() const { return length_of(tangent) * (Upward(range[1]) - range[0]); }
   bool beside_axis() const {
     return (middle[0] + off * tangent[0]).inf() > 0 && (chord[0] + off * tangents[0][0]).inf() > 0;
   }
@@ -103,7 +111,7 @@ class MeridianQuestion {
     if (steps_++ == kMostHalvings) return false;
     const bool first = a.length() >= b.length();
     const MeridianPart& longer = first ? a : b;
-    const double middle = longer.range[0] / 2 + longer.range[1] / 2;
+    const double middle = middle_of(Interval(longer.range[0], longer.range[1]));
     if (!(longer.range[0] < middle && middle < longer.range[1]) || !(longer.length() > margin_)) return false;
     for (const std::array<double, 2>& half : {std::array{longer.range[0], middle}, {middle, longer.range[1]}}) {
       const MeridianPart part(*longer.of, half, between_);
@@ -115,15 +123,13 @@ class MeridianQuestion {
   /// By a line that turns from one direction to another while t goes from 0 to 1.
   bool parted(const MeridianPart& a, const MeridianPart& b, const Point2& first, const Point2& last) const {
     const auto across = [](const Point2& way) {
-      const double length = length_of(way);
-      return std::array{-middle_of(way[1]) / length, middle_of(way[0]) / length};
+      const Upward length = length_of(way);
+      return Point2{double(-middle_of(way[1]) / length), double(middle_of(way[0]) / length)};
     };
-    const std::array<double, 2> d = across(first), e = across(last);
-    const auto dot2 = [](const std::array<double, 2>& x, const Point2& p) {
-      return Interval(x[0]) * p[0] + Interval(x[1]) * p[1];
-    };
+    const Point2 d = across(first), e = across(last);
+    const auto dot2 = [](const Point2& x, const Point2& p) { return x[0] * p[0] + x[1] * p[1]; };
     bool before = true, behind = true;
-    const Interval margin(margin_);
+    const Interval margin = double(margin_);
     const auto compare = [&](const auto& extent) {
       const Interval of_a = extent(a), of_b = extent(b);
       before = before && (of_a + margin).sup() < of_b.inf();
@@ -142,8 +148,8 @@ class MeridianQuestion {
   /// True if tangents are at an angle, of one sign.
   bool cross(const MeridianPart& a, const MeridianPart& b) const {
     bool left = true, right = true;
-    const auto compare = [&](const Interval& x, double of) {
-      const double least = (kAngleMargin + a_.turned + b_.turned) * of;
+    const auto compare = [&](const Interval& x, Upward of) {
+      const Upward least = (kAngleMargin + a_.turned + b_.turned) * of;
       left = left && x.inf() > least;
       right = right && x.sup() < -least;
     };
@@ -162,7 +168,7 @@ class MeridianQuestion {
 
   const Meridian a_, b_;
   const Between between_;
-  const double margin_;
+  const Upward margin_;
   int steps_ = 0;
   bool some_ = false;
 };
@@ -182,7 +188,7 @@ struct Sides {
 };
 
 /// The size of coordinates.
-double size_of_corners(const Piece& piece) {
+Upward size_of_corners(const Piece& piece) {
   double size = 0;
   for (const Interval3& p : piece.corners) {
     for (const Interval& x : p) size = std::max({size, std::abs(x.inf()), std::abs(x.sup())});
@@ -190,34 +196,32 @@ double size_of_corners(const Piece& piece) {
   return size;
 }
 
-/// The way to a point from the axis through `center`, and how far along that it begins.
-std::pair<Vector3<double>, double> off_axis(const Interval3& p, const Vector3<double>& center,
-                                            const Vector3<double>& axis) {
-  const Vector3<double> way = difference(middle_of(p), center);
-  const double high = dot(way, axis);
-  return {difference(way, scaled(high, axis)), high};
+/// The way to a point from the axis, and how far along that it begins.
+std::pair<Guess3, Upward> off_axis(const Interval3& p, const Axis& axis) {
+  const Guess3 way = difference(middle_of(p), axis.center);
+  const Upward high = dot(way, axis.way);
+  return {difference(way, scaled(high, axis.way)), high};
 }
 
 /// Of its two half-planes the ways from the axis to the corner that is farther off.
-std::array<Vector3<double>, 2> ways_off(const Revolution& turn, const Piece& piece, const Sides& sides) {
+std::array<Guess3, 2> ways_off(const Axis& turn, const Piece& piece, const Sides& sides) {
   const auto farther = [&](const std::array<std::size_t, 2>& ends) {
-    const auto off = [&](std::size_t i) { return off_axis(piece.corners[i], turn.center, turn.axis).first; };
-    const Vector3<double> a = off(ends[0]), b = off(ends[1]);
+    const auto off = [&](std::size_t i) { return off_axis(piece.corners[i], turn).first; };
+    const Guess3 a = off(ends[0]), b = off(ends[1]);
     return length(a) >= length(b) ? a : b;
   };
   return {farther(sides.corners[0]), farther(sides.corners[1])};
 }
 
 /// True if the other way of two is counter-clockwise from way i.
-bool ahead(const Revolution& turn, const std::array<Vector3<double>, 2>& ways, std::size_t i) {
-  return dot(cross(ways[i], ways[1 - i]), turn.axis) > 0;
+bool ahead(const Axis& turn, const std::array<Guess3, 2>& ways, std::size_t i) {
+  return dot(cross(ways[i], ways[1 - i]), turn.way) > 0;
 }
 /// True if a half-plane of one is between those of the other.
-bool overlap(const Revolution& turn, const std::array<Vector3<double>, 2>& a,
-             const std::array<Vector3<double>, 2>& b) {
-  const auto between = [&](const std::array<Vector3<double>, 2>& ways, const Vector3<double>& x) {
+bool overlap(const Axis& turn, const std::array<Guess3, 2>& a, const std::array<Guess3, 2>& b) {
+  const auto between = [&](const std::array<Guess3, 2>& ways, const Guess3& x) {
     const std::size_t first = ahead(turn, ways, 0) ? 0 : 1;
-    return dot(cross(ways[first], x), turn.axis) > 0 && dot(cross(x, ways[1 - first]), turn.axis) > 0;
+    return dot(cross(ways[first], x), turn.way) > 0 && dot(cross(x, ways[1 - first]), turn.way) > 0;
   };
   const auto any = [&](const auto& ways, const auto& others) {
     return between(ways, others[0]) || between(ways, others[1]) || between(ways, sum(others[0], others[1]));
@@ -226,21 +230,21 @@ bool overlap(const Revolution& turn, const std::array<Vector3<double>, 2>& a,
 }
 
 /// Of cells in columns that have at most the axis in common: where this goes through each, if it does.
-Coaxial ask_on_axis(const Revolution& turn, const Piece& a, const Piece& b, double size) {
-  const auto pole = [](const Piece& piece) -> std::optional<Vector3<double>> {
+Coaxial ask_on_axis(const Axis& turn, const Piece& a, const Piece& b, Upward size) {
+  const auto pole = [](const Piece& piece) -> std::optional<Guess3> {
     for (std::size_t i = 0; i < 4; ++i) {
       if (piece.points[i] == piece.points[(i + 1) % 4]) return middle_of(piece.corners[i]);
     }
     return std::nullopt;
   };
   const auto p = pole(a), q = pole(b);
-  if (p && q && std::abs(dot(difference(*p, *q), turn.axis)) <= kMargin * kRounded * size) return Coaxial::other;
+  if (p && q && abs(dot(difference(*p, *q), turn.way)) <= kMargin * kRounded * size) return Coaxial::other;
   return Coaxial::apart;
 }
 
 /// How far one axis is from the other, within a size.
-double between_axes(const Revolution& a, const Revolution& b, double size) {
-  return length(cross(a.axis, b.axis)) * size + length(cross(difference(b.center, a.center), a.axis));
+Upward between_axes(const Axis& a, const Axis& b, Upward size) {
+  return length(cross(a.way, b.way)) * size + length(cross(difference(b.center, a.center), a.way));
 }
 
 Point2 slope(const Point2& p, const Point2& q, double from, double to) {
@@ -251,7 +255,7 @@ Point2 slope(const Point2& p, const Point2& q, double from, double to) {
 /// The slopes of the chords of the next cells of the patch in the column; `shortest` gets the length of one that
 /// is shorter.
 void find_beyond(const std::vector<Piece>& all, const Sides& sides, std::size_t side, Meridian& result,
-                 double& shortest) {
+                 Upward& shortest) {
   const Piece& piece = *result.piece;
   for (const auto& [number, bits] : piece.neighbours) {
     const Piece& next = all[number];
@@ -273,30 +277,29 @@ void find_beyond(const std::vector<Piece>& all, const Sides& sides, std::size_t 
 
 /// Nothing if the cell is not in the half-plane, or so short that its directions are rounded.
 std::optional<Meridian> meridian(const std::vector<Piece>& all, const Piece& piece, const Sides& sides,
-                                 std::size_t side, const HalfPlane& plane, double size, double between_axes) {
+                                 std::size_t side, const HalfPlane& plane, Upward size, Upward between_axes) {
   Meridian result{&piece, plane, 1 - sides.around};
   const auto &ends = sides.corners[side], &others = sides.corners[1 - side];
-  const Interval3 across = thin(cross(plane.axis, plane.away));
+  const Interval3 across = thin(cross(plane.axis.way, plane.away));
   const auto beside = [&](const Interval3& p) {
-    const Interval off = dot(across, difference(p, thin(plane.center)));
-    return std::max(off.sup(), -off.inf());
+    const Interval off = dot(across, difference(p, thin(plane.axis.center)));
+    return Upward(std::max(off.sup(), -off.inf()));
   };
   result.angle = piece.at[ends[0]][sides.around];
   for (std::size_t k = 0; k < 2; ++k) {
     result.range[k] = piece.at[ends[k]][result.along];
     result.corners[k] = plane.at(piece.corners[ends[k]]);
     // In the other half-plane it is where it is in this one.
-    const auto [off, high] = off_axis(piece.corners[others[k]], plane.center, plane.axis);
-    const std::array<double, 2> from{length(off) - middle_of(result.corners[k][0]),
-                                     high - middle_of(result.corners[k][1])};
+    const auto [off, high] = off_axis(piece.corners[others[k]], plane.axis);
     result.rounded = std::max({result.rounded, beside(piece.corners[ends[k]]),
                                beside(result.jet(Interval(result.range[k])).point),
-                               std::sqrt(from[0] * from[0] + from[1] * from[1])});
+                               length_of(length(off) - middle_of(result.corners[k][0]),
+                                         high - middle_of(result.corners[k][1]))});
   }
   if (!(result.rounded <= kRounded * size)) return std::nullopt;
-  result.rounded += kOfOwn * size + between_axes;
+  result.rounded = result.rounded + kOfOwn * size + between_axes;
   result.chord = slope(result.corners[0], result.corners[1], result.range[0], result.range[1]);
-  double shortest = length_of(result.chord) * (result.range[1] - result.range[0]);
+  Upward shortest = length_of(result.chord) * (Upward(result.range[1]) - result.range[0]);
   find_beyond(all, sides, side, result, shortest);
   if (!(shortest > kLeastLength * size)) return std::nullopt;
   result.turned = kMargin * result.rounded / shortest;
@@ -309,17 +312,17 @@ Coaxial ask_coaxial(const std::vector<Piece>& all, const Piece& a, const Piece& 
   for (const Piece* const one : {&a, &b}) {
     if (one->kind != Piece::Kind::cell || !one->column || !one->foreign.empty()) return Coaxial::other;
   }
-  const Revolution turn = *a.surface->revolution();
-  const double size = std::max(size_of_corners(a), size_of_corners(b));
-  const double off = between_axes(turn, *b.surface->revolution(), size);
+  const Axis turn(*a.surface->revolution()), other_turn(*b.surface->revolution());
+  const Upward size = std::max(size_of_corners(a), size_of_corners(b));
+  const Upward off = between_axes(turn, other_turn, size);
   if (!(off <= 2 * kRounded * size)) return Coaxial::other;
   const Sides of_a(a), of_b(b);
   const auto ways = ways_off(turn, a, of_a), others = ways_off(turn, b, of_b);
   if (!(length(difference(ways[1], ways[0])) > kLeastLength * size) ||
       !(length(difference(others[1], others[0])) > kLeastLength * size))
     return Coaxial::other;
-  const double most = kRounded * size;
-  const auto same = [&](const Vector3<double>& x, const Vector3<double>& y) {
+  const Upward most = kRounded * size;
+  const auto same = [&](const Guess3& x, const Guess3& y) {
     return dot(x, y) > 0 && length(cross(x, y)) <= most * std::max(length(x), length(y));
   };
   std::size_t count = 0, i = 0, j = 0;
@@ -331,7 +334,7 @@ Coaxial ask_coaxial(const std::vector<Piece>& all, const Piece& a, const Piece& 
   if (count == 0) return ask_on_axis(turn, a, b, size);
   const auto away = direction(ways[i]);
   if (!away) return Coaxial::other;
-  const HalfPlane plane{turn.center, *away, turn.axis};
+  const HalfPlane plane{turn, *away};
   const auto one = meridian(all, a, of_a, i, plane, size, off),
              other = meridian(all, b, of_b, j, plane, size, off);
   if (!one || !other) return Coaxial::other;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "csg/geometry/circle.h"
+#include "kernel/exact/enclosure.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/integers.h"
 
@@ -204,12 +205,14 @@ RationalPoint point_of(const Matrix& columns, std::size_t k) {
 std::vector<Rational> turning_points(const Polynomial& p) {
   const Polynomial exact = derivative(p);
   if (exact.size() < 2) return {};
-  std::vector<std::complex<double>> roots, c;
-  for (const Rational& x : exact) c.emplace_back(to_double(x / exact.back()));
+  const enclosure::RoundNearest nearest;
+  std::vector<double> c;
+  for (const Rational& x : exact) c.push_back(to_double(x / exact.back()));
   const std::size_t n = c.size() - 1;
   double bound = 1;
-  for (const auto& x : c) bound = std::max(bound, 1 + std::abs(x));
-  for (std::size_t i = 0; i < n; ++i) roots.push_back(std::polar(bound, 0.4 + 2.4 * static_cast<double>(i)));
+  for (const double x : c) bound = std::max(bound, 1 + std::abs(x));
+  std::vector<std::complex<double>> roots{bound};
+  while (roots.size() < n) roots.push_back(roots.back() * std::complex<double>(0.4, 0.9));
   for (int step = 0; step < 200; ++step) {  // Durand and Kerner's
     for (std::size_t i = 0; i < n; ++i) {
       std::complex<double> value = 0, others = 1;
@@ -217,7 +220,8 @@ std::vector<Rational> turning_points(const Polynomial& p) {
       for (std::size_t j = 0; j < n; ++j) {
         if (j != i) others *= roots[i] - roots[j];
       }
-      if (others != 0.0) roots[i] -= value / others;
+      // The library's quotients differ from machine to machine.
+      if (const double square = std::norm(others); square > 0) roots[i] -= value * std::conj(others) / square;
     }
   }
   std::vector<Rational> result;

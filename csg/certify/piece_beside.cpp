@@ -147,26 +147,26 @@ class Opened {
   bool by_side_ = false;
 };
 
-bool all_above(const Vector3<double>& d, const std::vector<Interval3>& ways, double sign) {
+bool all_above(const Guess3& d, const std::vector<Interval3>& ways, double sign) {
   return std::ranges::all_of(ways,
                              [&](const Interval3& w) { return (Interval(sign) * dot(thin(d), w)).inf() > 0; });
 }
 
 /// True if a plane is between the directions of one and of the other.
 bool between(const std::vector<Interval3>& a, const std::vector<Interval3>& b) {
-  std::vector<Vector3<double>> all;
-  for (const Interval3& w : a) all.push_back(direction(middle_of(w)).value_or(Vector3<double>{}));
-  for (const Interval3& w : b) all.push_back(scaled(-1.0, direction(middle_of(w)).value_or(Vector3<double>{})));
-  const auto parts = [&](const Vector3<double>& d) { return all_above(d, a, 1) && all_above(d, b, -1); };
-  Vector3<double> mean{};
-  for (const Vector3<double>& w : all) mean = sum(mean, w);
+  std::vector<Guess3> all;
+  for (const Interval3& w : a) all.push_back(direction(middle_of(w)).value_or(Guess3{}));
+  for (const Interval3& w : b) all.push_back(scaled(Upward(-1), direction(middle_of(w)).value_or(Guess3{})));
+  const auto parts = [&](const Guess3& d) { return all_above(d, a, 1) && all_above(d, b, -1); };
+  Guess3 mean{};
+  for (const Guess3& w : all) mean = sum(mean, w);
   if (parts(mean)) return true;
   // At one angle to three of them.
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       for (std::size_t k = 0; k < j; ++k) {
-        const Vector3<double> d = sum(cross(all[i], all[j]), sum(cross(all[j], all[k]), cross(all[k], all[i])));
-        if (parts(d) || parts(scaled(-1.0, d))) return true;
+        const Guess3 d = sum(cross(all[i], all[j]), sum(cross(all[j], all[k]), cross(all[k], all[i])));
+        if (parts(d) || parts(scaled(Upward(-1), d))) return true;
       }
     }
   }
@@ -199,11 +199,10 @@ class Beside {
 
  private:
   /// Of its piece's.
-  static double length(const PiecePart& part, std::size_t k) {
-    const Interval &of = part.range[k], &whole = part.piece->range[k];
-    return (of.sup() - of.inf()) / (whole.sup() - whole.inf());
+  static Upward length(const PiecePart& part, std::size_t k) {
+    return width_of(part.range[k]) / width_of(part.piece->range[k]);
   }
-  static double share(const PiecePart& part) {
+  static Upward share(const PiecePart& part) {
     return part.piece->kind == Piece::Kind::curve ? length(part, 0) : std::max(length(part, 0), length(part, 1));
   }
 

@@ -20,28 +20,27 @@ namespace {
 Interval tangent_of(const Interval& turns) { return sine(turns) / cosine(turns); }
 Interval from_middle(const Interval& way) { return Interval(2) * way - Interval(1); }
 
+double largest(const Interval& x) { return std::max(x.sup(), -x.inf()); }
+
 /// How far a corner is from the plane of three others, at most, and the length of the shortest side.
-std::array<double, 2> flatness(const Piece& piece) {
+std::array<Upward, 2> flatness(const Piece& piece) {
   const auto way = [&](std::size_t a, std::size_t b) { return difference(piece.corners[b], piece.corners[a]); };
   const Interval3 normal = cross(way(0, 1), way(0, 3));
   const Interval off = dot(normal, way(0, 2));
-  double shortest = HUGE_VAL;
+  Upward shortest = HUGE_VAL;
   for (std::size_t i = 0; i < 4; ++i) {
     if (piece.points[i] != piece.points[(i + 1) % 4])
       shortest = std::min(shortest, length(middle_of(way(i, (i + 1) % 4))));
   }
-  return {2 * std::max(off.sup(), -off.inf()) / length(middle_of(normal)), shortest};
+  return {2 * Upward(largest(off)) / length(middle_of(normal)), shortest};
 }
 
-double largest(const Interval& x) { return std::max(x.sup(), -x.inf()); }
-double longest(const Interval3& v) {
-  return std::sqrt(largest(v[0]) * largest(v[0]) + largest(v[1]) * largest(v[1]) + largest(v[2]) * largest(v[2])) *
-         (1 + 1e-14);
-}
+double longest(const Interval3& v) { return double(length(Guess3{largest(v[0]), largest(v[1]), largest(v[2])})); }
 
 /// The derivative of F in a half-plane of a side, and by how much that of S differs from it, at most.
 struct MeridianSlope {
-  double chord, off;
+  Interval chord;
+  double off;
 };
 MeridianSlope slope_of(const Piece& piece, std::size_t along) {
   constexpr int kParts = 4;
@@ -51,7 +50,7 @@ MeridianSlope slope_of(const Piece& piece, std::size_t along) {
   const Interval start(piece.at[from][along]), step = Interval(piece.at[to][along]) - start;
   const Interval3 chord = scaled(Interval(1) / step, difference(piece.corners[to], piece.corners[from]));
   std::array<Interval, 2> at{Interval(piece.at[from][0]), Interval(piece.at[from][1])};
-  MeridianSlope slope{length(middle_of(chord)), 0};
+  MeridianSlope slope{CGAL::sqrt(dot(chord, chord)), 0};
   for (int k = 0; k < kParts; ++k) {
     at[along] = start + step * Interval(double(k) / kParts, double(k + 1) / kParts);
     const SurfaceJet<Interval> jet = piece.surface->over(at[0], at[1]);
@@ -65,24 +64,25 @@ std::optional<Piece::Column> column_of(const Piece& piece) {
   constexpr double kMostOff = 1e-7;  // of the shortest side
   const auto turn = piece.grid && !piece.blind ? piece.surface->revolution() : std::nullopt;
   if (!turn) return std::nullopt;
-  const auto [off, shortest] = piece.bent ? flatness(piece) : std::array{0.0, 1.0};
+  const auto [off, shortest] = piece.bent ? flatness(piece) : std::array<Upward, 2>{0, 1};
   if (!(off <= kMostOff * shortest)) return std::nullopt;
   const Interval& range = piece.range[turn->around];
   const Interval half = Interval(turn->turns / 2) * (Interval(range.sup()) - Interval(range.inf()));
   if (!(half.inf() > 0) || !(half.sup() < kMostTurns / 2)) return std::nullopt;
   const std::size_t along = 1 - turn->around;
   const MeridianSlope slope = slope_of(piece, along);
-  const double least = slope.chord * cosine(half).inf() - slope.off;  // F's slope is less in the middle
+  // F's slope is less in the middle.
+  const double least = (slope.chord * cosine(half) - Interval(slope.off)).inf();
   if (!(least > 0)) return std::nullopt;
   const double wide = (Interval(piece.range[along].sup()) - Interval(piece.range[along].inf())).sup();
   return Piece::Column{.around = turn->around,
                        .half = half,
                        .tangent = tangent_of(half),
                        .flat = (Interval(1) - cosine(half)).sup(),
-                       .off = off,
-                       .turned = off > 0 ? std::max(1e-9, 10 * off / shortest) : 0,
+                       .off = double(off),
+                       .turned = off > 0 ? std::max(1e-9, double(10 * off / shortest)) : 0,
                        .chord = (Interval(slope.off) * wide).sup() / 2,
-                       .tilt = slope.off / least / 4 * (1 + 1e-12)};
+                       .tilt = double(Upward(slope.off) / least * 0.25 * (1 + 1e-12))};
 }
 
 bool goes_around(const Piece& cell, std::size_t side) {
@@ -147,7 +147,7 @@ void find_columns(std::vector<Piece>& all, std::size_t first, const PieceSides& 
     Interval3& around = column.around == 0 ? all[i].along_u : all[i].along_v;
     Interval3& along = column.around == 0 ? all[i].along_v : all[i].along_u;
     around = widened(normalized(around), column.turned);
-    along = widened(normalized(along), column.turned + column.tilt * column.flat);
+    along = widened(normalized(along), double(column.turned + Upward(column.tilt) * column.flat));
   }
 }
 

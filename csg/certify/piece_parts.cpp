@@ -263,9 +263,7 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
       cone = cross(hull(normalized(other.along_u), normalized(there.way_u)),
                    hull(normalized(other.along_v), normalized(there.way_v)));
     }
-    double same = 0;
-    for (std::size_t k = 0; k < 3; ++k) same += middle_of(cone[k]) * middle_of(part.cone[k]);
-    if (same < 0) cone = scaled(Interval(-1), cone);
+    if (dot(middle_of(cone), middle_of(part.cone)) < 0) cone = scaled(Interval(-1), cone);
     part.cone = hull(normalized(part.cone), normalized(cone));
   }
   return part;
@@ -292,25 +290,23 @@ Interval3 with_pole(const std::vector<Piece>& all, const Piece& piece, const std
 
 }  // namespace
 
-std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d) {
+std::array<Upward, 2> gains(const PiecePart& part, const Guess3& d) {
   const Piece& piece = *part.piece;
-  std::array<double, 2> result{};
+  std::array<Upward, 2> result{};
   const auto gain = [&](std::size_t k, const Interval3& along) {
-    const double width = part.range[k].sup() - part.range[k].inf(),
-                 whole = piece.range[k].sup() - piece.range[k].inf();
+    const Upward width = width_of(part.range[k]), whole = width_of(piece.range[k]);
     const double middle = middle_of(part.range[k]);
-    if (width <= 1e-15 * whole || middle <= part.range[k].inf() || middle >= part.range[k].sup())
+    if (width <= Upward(1e-15) * whole || middle <= part.range[k].inf() || middle >= part.range[k].sup())
       return;  // no halves
-    const Vector3<double> way = middle_of(along);
-    const double length = cnrg::length(way) * width;
-    result[k] = std::abs(dot(way, d)) * width + piece.turn[k] * (width / whole) * length + 1e-9 * length;
+    const Guess3 way = middle_of(along);
+    const Upward length = cnrg::length(way) * width;
+    result[k] = abs(dot(way, d)) * width + piece.turn[k] * (width / whole) * length + 1e-9 * length;
   };
   if (piece.kind == Piece::Kind::flat) return result;
   if (piece.kind == Piece::Kind::curve) {
     gain(0, piece.along_u);
     if (result[0] > 0) {  // how it bends is not known
-      const Vector3<double> way = middle_of(piece.along_u);
-      result[0] = length(way) * (part.range[0].sup() - part.range[0].inf());
+      result[0] = length(middle_of(piece.along_u)) * width_of(part.range[0]);
     }
     return result;
   }
@@ -341,17 +337,13 @@ const Interval3& PiecePart::middle() const {
 }
 
 Interval3 normalized(const Interval3& x) {
-  double square = 0;
-  for (const Interval& c : x) square += middle_of(c) * middle_of(c);
-  if (!(square > 0) || !std::isfinite(square)) return x;
-  return scaled(Interval(1 / std::sqrt(square)), x);
+  const Upward size = length(middle_of(x));
+  if (!(size > 0) || !isfinite(size)) return x;
+  return scaled(Interval(double(1 / size)), x);
 }
 
-Interval3 thin(const Vector3<double>& x) { return {Interval(x[0]), Interval(x[1]), Interval(x[2])}; }
-std::optional<Vector3<double>> direction(const Vector3<double>& x) {
-  const double size = length(x);
-  if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
-  return scaled(1 / size, x);
+Interval3 thin(const Guess3& x) {
+  return {Interval(double(x[0])), Interval(double(x[1])), Interval(double(x[2]))};
 }
 
 bool independent(const Interval3& a, const Interval3& b) {
@@ -360,18 +352,18 @@ bool independent(const Interval3& a, const Interval3& b) {
   const auto d = direction(cross(middle_of(a), middle_of(b)));
   if (!d) return false;
   // In the frame of the middle vectors the cones are as narrow as they can be.
-  const Vector3<double> x = middle_of(a), y = cross(*d, x);
+  const Guess3 x = middle_of(a), y = cross(*d, x);
   const Interval3 ex = thin(x), ey = thin(y);
   return !holds_zero(dot(ex, a) * dot(ey, b) - dot(ey, a) * dot(ex, b));
 }
 bool independent(const Interval3& a, const Interval3& b, const Interval3& c) {
   if (!holds_zero(dot(cross(a, b), c))) return true;
   // Rows of the inverse of the middle: then each cone is near to an axis.
-  const Vector3<double> x = middle_of(a), y = middle_of(b), z = middle_of(c);
-  const double det = dot(cross(x, y), z);
-  if (!(std::abs(det) > 0) || !std::isfinite(det)) return false;
-  const std::array<Vector3<double>, 3> rows{scaled(1 / det, cross(y, z)), scaled(1 / det, cross(z, x)),
-                                            scaled(1 / det, cross(x, y))};
+  const Guess3 x = middle_of(a), y = middle_of(b), z = middle_of(c);
+  const Upward det = dot(cross(x, y), z);
+  if (!(abs(det) > 0) || !isfinite(det)) return false;
+  const Upward by = 1 / det;
+  const std::array<Guess3, 3> rows{scaled(by, cross(y, z)), scaled(by, cross(z, x)), scaled(by, cross(x, y))};
   const std::array<Interval3, 3> cones{a, b, c};
   std::array<Interval3, 3> m;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -380,7 +372,7 @@ bool independent(const Interval3& a, const Interval3& b, const Interval3& c) {
   return !holds_zero(dot(m[0], cross(m[1], m[2])));
 }
 
-Extents extents(const PiecePart& part, const Vector3<double>& d, Between between) {
+Extents extents(const PiecePart& part, const Guess3& d, Between between) {
   const Piece& piece = *part.piece;
   const Interval3 along = thin(d);
   const Interval of_box = dot(along, part.box);

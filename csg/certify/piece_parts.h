@@ -36,7 +36,7 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
                   Between between = Between::facets_and_surfaces);
 /// How much a half of a part would tell, by u and by v, lengths: how far the surface goes in a direction d, and
 /// how far it bends away from a plane.
-std::array<double, 2> gains(const PiecePart& part, const Vector3<double>& d);
+std::array<Upward, 2> gains(const PiecePart& part, const Guess3& d);
 /// Two halves by u (0) or v (1).
 std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, std::size_t k,
                                 Between between);
@@ -46,7 +46,7 @@ struct Extents {
   double bulge = 0;
   Interval all() const { return hull(facets, surface) + Interval(-bulge, bulge); }
 };
-Extents extents(const PiecePart& part, const Vector3<double>& d, Between between);
+Extents extents(const PiecePart& part, const Guess3& d, Between between);
 /// True if parts with these extents have no point in common at any t: facets and surfaces are on the same sides.
 bool parted(const Extents& a, const Extents& b);
 /// True if two of the parts are on different sides of a plane across one of them.

@@ -6,7 +6,6 @@
 // divided by r, which is a mean of the mixed derivative, give those by x and y.
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "csg/certify/pieces.h"
@@ -63,30 +62,44 @@ std::vector<Wedge> wedges_about(const std::vector<Piece>& all, std::uint32_t num
   return row.size() == by_from.size() ? row : std::vector<Wedge>{};
 }
 
+using Places = std::vector<std::array<double, 2>>;
+
+/// All around, by shares of the parameter.
+Places places_of_ring(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
+  std::vector<Upward> ends{0};
+  for (const auto& [number, around, away, at_pole, from, to] : wedges)
+    ends.push_back(ends.back() + (Upward(all[number].at[to][around]) - all[number].at[from][around]));
+  Places places;
+  for (const Upward end : ends) {
+    const Interval turns(double(end / ends.back()));
+    places.push_back({middle_of(cosine(turns)), middle_of(sine(turns))});
+  }
+  places.back() = places.front();
+  return places;
+}
+
+/// One after another by the angles at the pole; none if these go all around.
+Places places_of_row(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
+  Places places{{1, 0}};
+  for (const auto& [number, around, away, at_pole, from, to] : wedges) {
+    const Piece& piece = all[number];
+    const auto way = [&, &pole = piece.corners[at_pole]](std::size_t k) {
+      return middle_of(difference(piece.corners[k], pole));
+    };
+    const Guess3 a = way(from), b = way(to);
+    const Upward c = dot(a, b), s = length(cross(a, b)), size = sqrt(c * c + s * s), x = places.back()[0],
+                 y = places.back()[1];
+    places.push_back({double((x * c - y * s) / size), double((x * s + y * c) / size)});
+    if (y < 0 && !(places.back()[1] < 0)) return {};
+  }
+  return places;
+}
+
 /// Where far corners are on the circle about (0, 0): one more than wedges.
-std::vector<std::array<double, 2>> places_of(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
+Places places_of(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
   const auto corner = [&](const Wedge& wedge, std::size_t k) { return all[wedge.piece].points[k]; };
   const bool ring = corner(wedges.front(), wedges.front().from) == corner(wedges.back(), wedges.back().to);
-  std::vector<double> ends{0};
-  for (const Wedge& wedge : wedges) {
-    const Piece& piece = all[wedge.piece];
-    double angle = piece.at[wedge.to][wedge.around] - piece.at[wedge.from][wedge.around];
-    if (!ring) {
-      const auto way = [&](std::size_t k) {
-        return middle_of(difference(piece.corners[k], piece.corners[wedge.at_pole]));
-      };
-      const Vector3<double> a = way(wedge.from), b = way(wedge.to), across = cross(a, b);
-      angle = std::atan2(length(across), dot(a, b));
-    }
-    ends.push_back(ends.back() + angle);
-  }
-  std::vector<std::array<double, 2>> places;
-  for (const double end : ends) {
-    const double angle = ring ? 2 * std::numbers::pi * (end / ends.back()) : end;
-    places.push_back({std::cos(angle), std::sin(angle)});
-  }
-  if (ring) places.back() = places.front();
-  return ring || ends.back() < 2 * std::numbers::pi ? places : std::vector<std::array<double, 2>>{};
+  return ring ? places_of_ring(all, wedges) : places_of_row(all, wedges);
 }
 
 /// Hulls of the derivatives by x and y.
@@ -109,7 +122,7 @@ Interval near_pole(const Piece& piece, const Wedge& wedge) {
 /// At right angles to all that is near the pole; nothing where it is not known.
 std::optional<Interval3> normals_about(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
   constexpr int kParts = 4;  // of a cell, around
-  const std::vector<std::array<double, 2>> places = places_of(all, wedges);
+  const Places places = places_of(all, wedges);
   if (places.empty()) return std::nullopt;
   Directions found;
   for (std::size_t i = 0; i < wedges.size(); ++i) {

@@ -56,9 +56,8 @@ class Neighbours {
 
  private:
   /// Of its cell's.
-  static double length(const PiecePart& part, std::size_t k) {
-    const Interval &of = part.range[k], &whole = part.piece->range[k];
-    return (of.sup() - of.inf()) / (whole.sup() - whole.inf());
+  static Upward length(const PiecePart& part, std::size_t k) {
+    return width_of(part.range[k]) / width_of(part.piece->range[k]);
   }
   bool independent_between(const Range& a, const Range& b) const {
     const Range both{hull(a[0], b[0]), hull(a[1], b[1])};

@@ -254,6 +254,7 @@ class PieceMaker {
   }
 
   static void measure_turn(Piece& piece) {
+    const enclosure::RoundNearest nearest;
     const double u0 = piece.range[0].inf(), u1 = piece.range[0].sup(), v0 = piece.range[1].inf(),
                  v1 = piece.range[1].sup();
     const auto normal = [&](double u, double v) {
@@ -364,16 +365,14 @@ class PieceMaker {
     const std::size_t step = (outer.size() + kMost - 1) / kMost;
     for (std::size_t i = 0; i < outer.size(); i += step) {
       const Interval3& from = place.points[outer[i]];
-      Vector3<double> out =
-          cross(middle_of(difference(place.points[outer[(i + 1) % outer.size()]], from)), middle_of(piece.normal));
-      const double length = std::sqrt(dot(out, out));
-      if (!(length > 0) || !std::isfinite(length)) continue;
-      out = scaled(1 / length, out);
-      const Interval3 along{Interval(out[0]), Interval(out[1]), Interval(out[2])};
+      const auto out = direction(cross(middle_of(difference(place.points[outer[(i + 1) % outer.size()]], from)),
+                                       middle_of(piece.normal)));
+      if (!out) continue;
+      const Interval3 along = thin(*out);
       Interval wide = dot(along, from);
       for (const std::uint32_t p : outer) wide = hull(wide, dot(along, place.points[p]));
-      for (const PiecePart& rim : rims) wide = hull(wide, extents(rim, out, Between::facets_and_surfaces).all());
-      piece.limits.emplace_back(out, wide);
+      for (const PiecePart& rim : rims) wide = hull(wide, extents(rim, *out, Between::facets_and_surfaces).all());
+      piece.limits.emplace_back(*out, wide);
     }
   }
   static std::array<Interval, 2> range_of_side(const Piece& cell, std::size_t side) {
@@ -534,7 +533,10 @@ class PieceMaker {
 
   void add_unbounded(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach) {
     if (std::ranges::none_of(instances, [](const LeafInstance& i) { return i.leaf->unbounded(); })) return;
-    const Soup soup = make_soup(instances, reach);
+    const Soup soup = [&] {
+      const enclosure::RoundNearest nearest;
+      return make_soup(instances, reach);
+    }();
     for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
       const LeafId leaf = soup.face(f).leaf;
       if (leaf.index() >= instances.size() || !instances[leaf.index()].leaf->unbounded()) continue;

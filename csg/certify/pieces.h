@@ -51,13 +51,20 @@ inline Box box_of(const Interval3& x) {
   return box;
 }
 
-inline double middle_of(const Interval& x) { return x.inf() / 2 + x.sup() / 2; }
-inline Vector3<double> middle_of(const Interval3& x) {
-  return {middle_of(x[0]), middle_of(x[1]), middle_of(x[2])};
-}
+// Guesses: what they are decides which steps a proof takes, on every machine the same ones.
+using enclosure::Upward;
+using Guess3 = Vector3<Upward>;
+using enclosure::middle_of;
+inline Guess3 middle_of(const Interval3& x) { return {middle_of(x[0]), middle_of(x[1]), middle_of(x[2])}; }
+inline Upward width_of(const Interval& x) { return Upward(x.sup()) - x.inf(); }
+inline Vector3<double> doubles(const Guess3& x) { return {double(x[0]), double(x[1]), double(x[2])}; }
 
-Interval3 thin(const Vector3<double>& x);
-inline double length(const Vector3<double>& x) { return std::sqrt(surface_math::dot(x, x)); }
+Interval3 thin(const Guess3& x);
+template <class N>
+N length(const Vector3<N>& x) {
+  using std::sqrt;
+  return sqrt(surface_math::dot(x, x));
+}
 /// By so much, each coordinate.
 inline Interval3 widened(Interval3 x, double by) {
   for (Interval& c : x) c += Interval(-by, by);
@@ -66,7 +73,13 @@ inline Interval3 widened(Interval3 x, double by) {
 /// To about length 1.
 Interval3 normalized(const Interval3& x);
 /// Of length 1; nothing if there is none.
-std::optional<Vector3<double>> direction(const Vector3<double>& x);
+template <class N>
+std::optional<Vector3<N>> direction(const Vector3<N>& x) {
+  using std::isfinite;
+  const N size = length(x);
+  if (!(size > 0) || !isfinite(size)) return std::nullopt;
+  return surface_math::scaled(N(N(1) / size), x);
+}
 /// True if the cones of normals, two or three, hold no dependent vectors.
 bool independent(const Interval3& a, const Interval3& b);
 bool independent(const Interval3& a, const Interval3& b, const Interval3& c);
@@ -107,7 +120,7 @@ struct Piece {
     double chord;            ///< how far F and S are apart in the half-plane of a side, at most
     double tilt;             ///< by how much directions along the meridian may differ from F's and S's, by `flat`
     /// How far H is from (1 - t) F + t S, at most.
-    double bulge() const { return chord * flat / 4; }
+    double bulge() const { return double(Upward(chord) * flat * 0.25); }
     /// How far a point of a straight edge is from one end to the other, by how far its angle is.
     Interval share(const Interval& way) const;
     Interval growth(const Interval& way) const;  ///< its derivative
@@ -120,7 +133,7 @@ struct Piece {
       {{0, 0}, {0, 0}}};  ///< of a curve: parameters of its ends on `surface` or `curve`
   /// Of a flat piece: its plane, and d . x for some d in it and all points x of it.
   Interval3 normal{0, 0, 0}, point{0, 0, 0};
-  std::vector<std::pair<Vector3<double>, Interval>> limits{};
+  std::vector<std::pair<Guess3, Interval>> limits{};
   std::vector<std::uint32_t> corner_numbers{};  ///< of a flat piece, ascending
   /// Of a curve: the sheets that it lies in, ascending.
   std::vector<std::uint32_t> in_sheets{};

@@ -30,9 +30,9 @@ constexpr std::size_t kMostTold =
 constexpr std::size_t kMostOpen = 1000;  // places of the same patches, after which no more are looked for
 
 double size_of(const Interval3& x) {
-  double size = 0;
-  for (const Interval& c : x) size = std::max(size, c.sup() - c.inf());
-  return size;
+  Upward size = 0;
+  for (const Interval& c : x) size = std::max(size, width_of(c));
+  return double(size);
 }
 
 /// What is asked of some pieces.
@@ -101,7 +101,7 @@ class Prover {
         if (parted(std::array{part_of(all_, all_[a], all_[a].range), part_of(all_, all_[b], all_[b].range)},
                    Between::facets_and_surfaces))
           continue;
-        if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, middle_of(all_[a].corners[0]), 0});
+        if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, doubles(middle_of(all_[a].corners[0])), 0});
         joined.emplace_back(a, b);
       } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b)) {
         const PiecePart x = part_beside(a, b), y = part_beside(b, a);
@@ -159,7 +159,7 @@ class Prover {
   void leave(Index a, Index b) {
     const PieceTuple key = key_of({a, b});
     if (!proof_.answers.contains(key))
-      add_open(key, {{a, b}, middle_of(root(a).box), size_of(root(a).box), Why::facets});
+      add_open(key, {{a, b}, doubles(middle_of(root(a).box)), size_of(root(a).box), Why::facets});
   }
   const std::vector<Index>& of_patch(const Piece& piece) {
     const auto [it, fresh] = of_patch_.try_emplace({piece.leaf, piece.patch});
@@ -265,7 +265,8 @@ class Prover {
     std::size_t& spent = proof_.spent[leaves];
     if (!little && spent >= most_steps_) {
       if (++proof_.left[leaves] == 1)
-        proof_.open.push_back({tuple, middle_of(root(tuple[0]).box), size_of(root(tuple[0]).box), Why::budget});
+        proof_.open.push_back(
+            {tuple, doubles(middle_of(root(tuple[0]).box)), size_of(root(tuple[0]).box), Why::budget});
       return false;
     }
     const std::size_t before = proof_.steps;
@@ -294,7 +295,7 @@ class Prover {
                                                                                 : kMostIfHopeless;
     if (answer(tuple, question, Between::facets_and_surfaces, steps, some, left)) return answered(key, some);
     some = true;
-    OpenPlace place{tuple, middle_of(left), size_of(left), contacts > 1 ? Why::budget : Why::facets};
+    OpenPlace place{tuple, doubles(middle_of(left)), size_of(left), contacts > 1 ? Why::budget : Why::facets};
     place.coaxial = coaxial == Coaxial::open && ask_coaxial(tuple, question, Between::surfaces) != Coaxial::open;
     ++open;
     if (contacts < 2 && !hopeless && !place.coaxial) {
@@ -305,7 +306,7 @@ class Prover {
           (open > kMostTold && answer(tuple, question, Between::surfaces, kMostOfSurfaces, any, left));
       if (!by_facets) {
         place.why = Why::near;
-        place.at = middle_of(left);
+        place.at = doubles(middle_of(left));
         place.size = size_of(left);
         hopeless_.insert(patches);
       }
@@ -401,8 +402,8 @@ class Prover {
   /// True if a plane along a side of one and a side of the other is between them.
   static bool parted_along_sides(const PiecePart& a, const PiecePart& b) {
     if (parted(std::array{a, b}, Between::facets_and_surfaces)) return true;
-    for (const Vector3<double>& x : sides_of(a)) {
-      for (const Vector3<double>& y : sides_of(b)) {
+    for (const Guess3& x : sides_of(a)) {
+      for (const Guess3& y : sides_of(b)) {
         const auto d = direction(cross(x, y));
         if (!d) continue;
         if (parted(extents(a, *d, Between::facets_and_surfaces), extents(b, *d, Between::facets_and_surfaces)))
@@ -411,7 +412,7 @@ class Prover {
     }
     return false;
   }
-  static std::vector<Vector3<double>> sides_of(const PiecePart& part) {
+  static std::vector<Guess3> sides_of(const PiecePart& part) {
     const Piece& piece = *part.piece;
     const auto way = [&](std::size_t i, std::size_t j) {
       return difference(middle_of(piece.corners[j]), middle_of(piece.corners[i]));
@@ -452,11 +453,11 @@ class Prover {
     if (parted(parts, between)) return true;
     left = common;
     std::size_t chosen = parts.size(), way = 0;
-    double most = 0;
+    Upward most = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].piece->kind == Piece::Kind::flat || !worth_halving(parts[i], between)) continue;
       const auto d = direction(middle_of(parts[i == 0 ? 1 : 0].cone));
-      const std::array<double, 2> gain = gains(parts[i], d ? *d : Vector3<double>{1, 0, 0});
+      const std::array<Upward, 2> gain = gains(parts[i], d ? *d : Guess3{1, 0, 0});
       for (std::size_t k = 0; k < 2; ++k) {
         if (gain[k] > most) most = gain[k], chosen = i, way = k;
       }
@@ -544,7 +545,7 @@ class Prover {
     double far = 0;
     for (std::size_t k = 0; k < 3; ++k)
       far = std::max({far, std::abs(piece.box.lo[k]), std::abs(piece.box.hi[k])});
-    if (size <= 1e-14 * far) return false;
+    if (size <= double(Upward(1e-14) * far)) return false;
     if (between == Between::surfaces || piece.kind == Piece::Kind::curve) return true;
     double& thickness = thickness_[number_of(part)];
     if (thickness < 0) thickness = thickness_of(part_of(all_, piece, piece.range));
@@ -553,8 +554,7 @@ class Prover {
   static double thickness_of(const PiecePart& part) {
     const auto d = part.blind ? std::nullopt : direction(middle_of(part.cone));
     if (!d) return 0;
-    const Interval wide = extents(part, *d, Between::facets_and_surfaces).all();
-    return wide.sup() - wide.inf();
+    return double(width_of(extents(part, *d, Between::facets_and_surfaces).all()));
   }
 
   static bool at_angle(const PieceParts& parts) {

@@ -34,24 +34,16 @@ double most(const Interval& x) { return std::max(std::abs(x.inf()), std::abs(x.s
 
 /// Unit vectors at right angles, the first about along `v`.
 std::array<Interval3, 3> frame_along(const Interval3& v) {
-  Vector3<double> first = middle_of(v), second{};
-  const auto unit_of = [](Vector3<double> x) {
-    const double length = std::sqrt(dot(x, x));
-    return length > 0 && std::isfinite(length) ? scaled(1 / length, x) : Vector3<double>{1, 0, 0};
-  };
-  first = unit_of(first);
+  const auto unit_of = [](const Guess3& x) { return direction(x).value_or(Guess3{1, 0, 0}); };
+  const Guess3 first = unit_of(middle_of(v));
   std::size_t least = 0;
   for (std::size_t k = 1; k < 3; ++k) {
-    if (std::abs(first[k]) < std::abs(first[least])) least = k;
+    if (abs(first[k]) < abs(first[least])) least = k;
   }
-  Vector3<double> axis{0, 0, 0};
+  Guess3 axis{0, 0, 0};
   axis[least] = 1;
-  second = unit_of(cross(first, axis));
-  const Vector3<double> third = cross(first, second);
-  std::array<Interval3, 3> frame;
-  for (std::size_t k = 0; k < 3; ++k)
-    frame[0][k] = Interval(first[k]), frame[1][k] = Interval(second[k]), frame[2][k] = Interval(third[k]);
-  return frame;
+  const Guess3 second = unit_of(cross(first, axis));
+  return {thin(first), thin(second), thin(cross(first, second))};
 }
 
 /// A part of a cell, by corners, ways x from the first to the second and y from the first to the last.
@@ -155,11 +147,12 @@ Measure measure(const PlacedSurface& surface, const Part& part) {
 
 /// Into how many parts to cut a cell along x and y: one where it is straight.
 std::array<int, 2> parts_of(const PlacedSurface& surface, const Part& part, int most_parts) {
-  const auto at = [&](std::size_t i) { return surface.at(middle_of(part.at[i][0]), middle_of(part.at[i][1])); };
-  const auto between = [&](std::size_t a, std::size_t b) {
-    const double u = (middle_of(part.at[a][0]) + middle_of(part.at[b][0])) / 2,
-                 v = (middle_of(part.at[a][1]) + middle_of(part.at[b][1])) / 2;
-    const Vector3<double> x = at(a).point, y = at(b).point, m = surface.at(u, v).point;
+  const enclosure::RoundNearest nearest;
+  const auto between = [&](std::size_t i, std::size_t j) {
+    const std::array<double, 2> a{part.at[i][0].inf(), part.at[i][1].inf()},
+        b{part.at[j][0].inf(), part.at[j][1].inf()};
+    const Vector3<double> x = surface.at(a[0], a[1]).point, y = surface.at(b[0], b[1]).point,
+                          m = surface.at((a[0] + b[0]) / 2, (a[1] + b[1]) / 2).point;
     double off = 0;
     for (std::size_t k = 0; k < 3; ++k) off += std::abs(m[k] - (x[k] + y[k]) / 2);
     return off;
@@ -401,8 +394,8 @@ double SweptLeaf::volume(const Slabs& within) const {
     }
     // Parts along the longer way.
     const auto length = [&](std::size_t a, std::size_t b) {
-      double sum = 0;
-      for (std::size_t k = 0; k < 3; ++k) sum += most(cell.corners[b][k] - cell.corners[a][k]);
+      Upward sum = 0;
+      for (std::size_t k = 0; k < 3; ++k) sum = sum + most(cell.corners[b][k] - cell.corners[a][k]);
       return sum;
     };
     const bool x = std::max(length(0, 1), length(3, 2)) >= std::max(length(0, 3), length(1, 2));

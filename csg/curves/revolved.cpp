@@ -13,6 +13,7 @@
 #include "csg/geometry/circle.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
@@ -115,7 +116,8 @@ class Sweep {
 };
 
 double angle_of(const MeridianPoint& p, const MeridianPoint& middle, double axis) {
-  return std::atan2(to_double(p.t - middle.t) * axis, to_double(p.r - middle.r)) * 180 / std::numbers::pi;
+  return rounded::arc_tangent(to_double(p.t - middle.t) * axis, to_double(p.r - middle.r)) * 180 /
+         std::numbers::pi;
 }
 
 /// Makes an arc of the piece, if its curve is one.
@@ -179,7 +181,7 @@ Rational parameter_of(const MeridianPiece& arc, const Rational& degrees) {
   const Rational way = (degrees - arc.start) / arc.sweep;
   if (arc.net.net.empty()) return in_span(arc.parameters, way);
   const double quarter = std::abs(to_double(arc.sweep)) * std::numbers::pi / 720;
-  const double even = (std::tan((2 * to_double(way) - 1) * quarter) / std::tan(quarter) + 1) / 2;
+  const double even = (rounded::tangent((2 * to_double(way) - 1) * quarter) / rounded::tangent(quarter) + 1) / 2;
   const ControlRow row = reduced(arc.net.net);
   const double ratio = std::sqrt(to_double(row[2][3] / row[0][3]));
   return in_span(arc.parameters, from_double(even / (even + ratio * (1 - even))));

@@ -7,7 +7,9 @@
 #include "csg/curves/control_nets.h"
 #include "csg/curves/revolved.h"
 #include "csg/geometry/circle.h"
+#include "kernel/base/hypotenuse.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
@@ -17,7 +19,7 @@ using Point = std::array<double, 3>;
 
 Point rounded_unit(const RationalPoint& v) {
   const Point d = to_doubles(v);
-  const double length = std::hypot(d[0], d[1], d[2]);
+  const double length = hypotenuse(d[0], d[1], d[2]);
   return {d[0] / length, d[1] / length, d[2] / length};
 }
 
@@ -47,8 +49,8 @@ SurfaceForm slanted(CadAxes axes, double from, double to, double height) {
   form.surface.radius = from;
   const bool straight = from == to;
   form.surface.kind = straight ? CadSurface::Kind::cylinder : CadSurface::Kind::cone;
-  if (!straight) form.surface.half_angle = std::atan2(to - from, height);
-  form.one = {2 * kPi, straight ? height : std::hypot(to - from, height)};
+  if (!straight) form.surface.half_angle = rounded::arc_tangent(to - from, height);
+  form.one = {2 * kPi, straight ? height : hypotenuse(to - from, height)};
   cover_unit_square(form);
   return form;
 }
@@ -102,7 +104,7 @@ SurfaceForm cone_form(const ConeShape& shape) {
   const RationalPoint way = shape.to - shape.from;
   const Point d = to_doubles(way);
   return slanted(axes_of(shape.from, way), to_double(shape.radius), to_double(shape.top),
-                 std::hypot(d[0], d[1], d[2]));
+                 hypotenuse(d[0], d[1], d[2]));
 }
 
 SurfaceForm sphere_form(const RationalPoint& center, const Rational& radius, const RationalPoint& axis) {
@@ -183,7 +185,7 @@ std::optional<SurfaceForm> extruded_form(const ExtrudeShape& shape, const Ration
     form.surface.axes.z = rounded_unit(shape.vector);
     form.surface.profile = spline_of(segment, [](const RationalPoint& p) { return to_doubles(p); });
     const Point way = to_doubles(shape.vector);
-    form.one = {1, std::hypot(way[0], way[1], way[2])};
+    form.one = {1, hypotenuse(way[0], way[1], way[2])};
     cover_unit_square(form);
     form.low[0] = form.surface.profile.first, form.high[0] = form.surface.profile.last;
     return form;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 #include "kernel/exact/exact_vectors.h"
 
@@ -33,27 +34,40 @@ constexpr std::array<double, last / 2 + 1> coefficients() {
   return all;
 }
 
-/// The same, of doubles and wider, in a tenth of the time. The rest is below (pi / 4)^18 / 18! < 1e-17. In any
+/// The same, of doubles, in a tenth of the time. The rest is below (pi / 4)^18 / 18! < 1e-17. In any
 /// rounding mode x^2 has a relative error below 5 * 2^-52; so a step adds less than 4 * 2^-52 of its coefficient,
 /// and later steps multiply that by 0.31 each, beside their own coefficients: together less than 1.3e-15. The last
 /// product by x adds less than 3 * 2^-52, and the ends 2^-52.
+template <class N>
+N taylor_of(double r, bool odd) {
+  static constexpr auto kEven = coefficients<16>(), kOdd = coefficients<17>();
+  const N x = N(turn<double>()) * N(r), square = x * x;
+  N value = 0;
+  for (const double c : odd ? std::span<const double>(kOdd) : kEven) value = value * square + N(c);
+  return odd ? value * x : value;
+}
 Interval wide_taylor(double r, bool odd) {
   constexpr double kError = 3e-15;
   if (r == 0) return odd ? 0 : 1;
-  static constexpr auto kEven = coefficients<16>(), kOdd = coefficients<17>();
-  const double x = turn<double>() * r, square = x * x;
-  double value = 0;
-  for (const double c : odd ? kOdd : kEven) value = value * square + c;
-  if (odd) value *= x;
-  return {value - kError, value + kError};
+  const enclosure::Upward value = taylor_of<enclosure::Upward>(r, odd);
+  return {double(value - kError), double(value + kError)};
 }
 
-Interval cosine_at(double turns, bool tight) {
+/// Where the cosine is that of r turns, or with `odd` the sine, or the negative one, and r at most an eighth.
+struct InEighth {
+  double r;
+  bool odd, negative;
+};
+InEighth to_eighth(double turns) {
   double r = std::abs(turns - std::floor(turns + 0.5));  // all steps are exact, in any rounding mode
   const bool negative = r > 0.25;
   if (negative) r = std::abs(0.5 - r);
   const bool odd = r > 0.125;
-  if (odd) r = 0.25 - r;
+  return {odd ? 0.25 - r : r, odd, negative};
+}
+
+Interval cosine_at(double turns, bool tight) {
+  const auto [r, odd, negative] = to_eighth(turns);
   const Interval c = tight ? taylor(r, odd) : wide_taylor(r, odd);
   return negative ? -c : c;
 }
@@ -88,17 +102,15 @@ Vector3<Constant> unit(const RationalPoint& v) {
 }
 
 double cosine(double turns) {
-  double r = std::abs(turns - std::floor(turns + 0.5));
-  const bool negative = r > 0.25;
-  if (negative) r = std::abs(0.5 - r);
-  const double c = r > 0.125 ? std::sin(turn<double>() * (0.25 - r)) : std::cos(turn<double>() * r);
+  const auto [r, odd, negative] = to_eighth(turns);
+  const double c = taylor_of<double>(r, odd);
   return negative ? -c : c;
 }
 
 namespace {
 
 Interval cosine_between(double a, double b) {
-  if (!(b - a < 1) || !(std::abs(a) < 1e9)) return {-1, 1};
+  if (!(enclosure::Upward(b) - a < 1) || !(std::abs(a) < 1e9)) return {-1, 1};
   const bool point = a == b;
   const Interval from = cosine_at(a, point), to = point ? from : cosine_at(b, false);
   double low = std::min(from.inf(), to.inf()), high = std::max(from.sup(), to.sup());

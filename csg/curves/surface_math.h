@@ -4,8 +4,8 @@
 // rational vectors, which are kept as the double in the middle and as an interval that holds the exact value.
 //
 // Angles are counted in turns, in which parameters are rational and reduction to an eighth of a turn is exact.
-// Sines and cosines of the library are neither correctly rounded nor the same on all machines, so that no width of
-// their error is certain; over intervals they are the Taylor polynomials with a bound of the rest.
+// Sines and cosines of the library are neither correctly rounded nor the same on all machines: here they are
+// Taylor polynomials, over intervals with a bound of the rest.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,8 @@ struct Constant {
 /// `value` to the nearest doubles.
 Interval enclose(const Rational& value);
 inline Constant constant(const Rational& value) { return {to_double(value), enclose(value)}; }
-inline Constant constant(const Interval& range) { return {range.inf() / 2 + range.sup() / 2, range}; }
+/// While a RoundOutward lives.
+inline Constant constant(const Interval& range) { return {enclosure::middle_of(range), range}; }
 Vector3<Constant> constants(const RationalPoint& p);
 /// The unit vector along `v`, which is not zero.
 Vector3<Constant> unit(const RationalPoint& v);

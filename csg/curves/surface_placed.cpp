@@ -56,6 +56,7 @@ std::optional<SurfaceBend> PlacedSurface::bend_over(const Interval& u, const Int
 }
 
 std::optional<Revolution> PlacedSurface::revolution() const {
+  const enclosure::RoundNearest nearest;
   std::optional<Revolution> revolution = surface_->revolution();
   if (!revolution) return revolution;
   constexpr double kRounded = 1e-13;

@@ -120,7 +120,7 @@ void recenter(Row<Interval>& row, const Vector3<Interval>& center) {
   }
 }
 double middle(double x) { return x; }
-Interval middle(const Interval& x) { return {x.inf() / 2 + x.sup() / 2}; }
+Interval middle(const Interval& x) { return enclosure::middle_of(x); }
 
 /// P_t w - P w_t, a positive multiple of the derivative of P / w.
 template <class N>

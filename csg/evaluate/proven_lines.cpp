@@ -46,7 +46,7 @@ std::array<std::optional<double>, 2> further_lines(const Piece& piece, bool coax
   if (coaxial) asked[piece.column->around] = false, asked[1 - piece.column->around] = true;
   for (std::size_t k = 0; k < 2; ++k) {
     const Interval of = side ? hull(piece.side[0][k], piece.side[1][k]) : piece.range[k];
-    if (asked[k] && of.inf() < of.sup()) lines[k] = middle_of(of);
+    if (asked[k] && of.inf() < of.sup()) lines[k] = of.inf() / 2 + of.sup() / 2;
   }
   return lines;
 }

@@ -7,6 +7,7 @@
 #include "csg/mesh/reach.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
+#include "kernel/base/hypotenuse.h"
 #include "kernel/base/vectors.h"
 
 namespace cnrg {
@@ -108,7 +109,7 @@ class Estimate {
         regions_.meets_faces(minus(middle, half), {middle[0] + half[0], middle[1] + half[1], middle[2] + half[2]});
     if (!mixed && !flat_.active(region)) return;
     const double size = size_at(middle, region);
-    const double slope = sizes_.field.growth() * std::hypot(half[0], half[1], half[2]);
+    const double slope = sizes_.field.growth() * hypotenuse(half[0], half[1], half[2]);
     const double all = count(half, size), doubt = count(half, std::max(size - slope, size / 8)) - all;
     queue_.emplace(doubt + (mixed ? all : 0), cells_.size());
     cells_.push_back({middle, half, flat_.active(region) ? all : 0});

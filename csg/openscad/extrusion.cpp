@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "csg/openscad/polyset.h"
+#include "kernel/base/hypotenuse.h"
 
 namespace cnrg::openscad {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 /// -1, 0 or 1 as the first pair of points is nearer, as near or farther than the second, seen from above. What
 /// differs by less than 1e-5 is as near.
 int compare_distances(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  const double first = std::hypot(a[0] - b[0], a[1] - b[1]), second = std::hypot(c[0] - d[0], c[1] - d[1]);
+  const double first = hypotenuse(a[0] - b[0], a[1] - b[1]), second = hypotenuse(c[0] - d[0], c[1] - d[1]);
   if (2e5 * std::abs(first - second) <= first + second) return 0;
   return first < second ? -1 : 1;
 }
@@ -53,8 +54,8 @@ int layers_of(const Area& area, const LinearExtrusion& how, const Fineness& fine
   double radius = 0, shift = 0;
   for (const Loop& loop : area.loops) {
     for (const Point2& p : loop) {
-      radius = std::max(radius, std::hypot(p[0], p[1]));
-      shift = std::max(shift, std::hypot(p[0] * (1 - how.scale[0]), p[1] * (1 - how.scale[1])));
+      radius = std::max(radius, hypotenuse(p[0], p[1]));
+      shift = std::max(shift, hypotenuse(p[0] * (1 - how.scale[0]), p[1] * (1 - how.scale[1])));
     }
   }
   const bool alike = how.scale[0] == how.scale[1];

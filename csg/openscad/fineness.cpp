@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/base/hypotenuse.h"
+
 namespace cnrg::openscad {
 namespace {
 
@@ -82,13 +84,13 @@ int Fineness::conical_layers(double radius, double height, double twist, double 
   const double end = scale > 1 ? turn * scale / (scale - 1) : turn / (1 - scale);
   const double a = radius / end;
   const double flat = spiral_length(a, end) - spiral_length(a, end - turn);
-  return count(std::min(std::ceil(twist / fa), std::ceil(std::hypot(flat, height) / fs)), least);
+  return count(std::min(std::ceil(twist / fa), std::ceil(hypotenuse(flat, height) / fs)), least);
 }
 
 int Fineness::diagonal_layers(double shift, double height) const {
   if (is_plain(shift)) return 1;
   if (fn > 0) return count(std::floor(fn), 1);
-  return count(std::hypot(shift, height) / fs, 1);
+  return count(hypotenuse(shift, height) / fs, 1);
 }
 
 }  // namespace cnrg::openscad

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "kernel/exact/integers.h"
+#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
@@ -15,7 +16,7 @@ struct Turn {
 
 Turn turn_by(double degrees) {
   const double quarters = std::nearbyint(degrees / 90);
-  const std::int64_t p = std::llround(std::tan((degrees - 90 * quarters) * M_PI / 360) * 512);
+  const std::int64_t p = std::llround(rounded::tangent((degrees - 90 * quarters) * M_PI / 360) * 512);
   Turn turn{to_integer(512 * 512 - p * p), to_integer(2 * 512 * p), to_integer(512 * 512 + p * p)};
   if (p == 0) turn = {1, 0, 1};
   for (int k = static_cast<int>(std::fmod(quarters, 4)); k != 0; k += k < 0 ? 1 : -1) {

@@ -9,6 +9,7 @@
 #include "csg/picture/visibility.h"
 #include "csg/result/result_data.h"
 #include "kernel/base/error.h"
+#include "kernel/base/hypotenuse.h"
 
 namespace cnrg {
 namespace {
@@ -174,13 +175,13 @@ class Finisher {
   static void find_middle(const std::vector<Point2>& points, std::pair<double, Figure::Label::Place>& best) {
     double length = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-      length += std::hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
+      length += hypotenuse(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
     }
     if (length <= best.first) return;
     double left = length / 2;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const auto &a = points[i - 1], &b = points[i];
-      const double step = std::hypot(b[0] - a[0], b[1] - a[1]);
+      const double step = hypotenuse(b[0] - a[0], b[1] - a[1]);
       if (left <= step) {
         const double t = step > 0 ? left / step : 0;
         best = {length, {{a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}, 0}};

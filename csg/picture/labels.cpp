@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/base/hypotenuse.h"
+
 namespace cnrg {
 namespace {
 
@@ -28,7 +30,7 @@ double length_in(const LabelBox& box, const Point2& a, const Point2& b) {
     from = std::max(from, std::min(s, t));
     to = std::min(to, std::max(s, t));
   }
-  return to > from ? (to - from) * std::hypot(b[0] - a[0], b[1] - a[1]) : 0;
+  return to > from ? (to - from) * hypotenuse(b[0] - a[0], b[1] - a[1]) : 0;
 }
 
 double covered(const LabelBox& box, const std::vector<PaperSheet::Line>& lines) {
@@ -65,7 +67,7 @@ double reach_at(const Point2& at, const std::vector<PaperSheet::Disk>& disks) {
 std::vector<LabelBox> boxes_at(const PaperLabel& label, const Figure::Label::Place& place, double reach) {
   if (place.room > 0) {
     // A text is longer than high: it may reach a little out of the disk, where the corners of its box are empty.
-    if (std::hypot(label.width, label.height * 0.7) / 2 > place.room) return {};
+    if (hypotenuse(label.width, label.height * 0.7) / 2 > place.room) return {};
     return {box_around(place.at, label.width, label.height)};
   }
   const double straight = std::max(4.5, reach + 1), slant = std::max(3.0, reach);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <queue>
 
+#include "kernel/base/hypotenuse.h"
+
 namespace cnrg {
 namespace {
 
@@ -20,7 +22,7 @@ double room_at(const Loops& loops, const Point2& p) {
       if ((ay > p[1]) != (by > p[1]) && p[0] < (bx - ax) * (p[1] - ay) / (by - ay) + ax) inside = !inside;
       const double dx = bx - ax, dy = by - ay, size = dx * dx + dy * dy;
       const double t = size == 0 ? 0 : std::clamp(((p[0] - ax) * dx + (p[1] - ay) * dy) / size, 0.0, 1.0);
-      nearest = std::min(nearest, std::hypot(ax + t * dx - p[0], ay + t * dy - p[1]));
+      nearest = std::min(nearest, hypotenuse(ax + t * dx - p[0], ay + t * dy - p[1]));
     }
   }
   return inside ? nearest : -nearest;

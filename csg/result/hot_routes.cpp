@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "csg/result/rounding.h"
+#include "kernel/base/hypotenuse.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/base/sorted.h"
@@ -244,7 +245,7 @@ class Router {
   /// At least the distance of a point whose nearest doubles are `here`.
   static double distance_to_doubles(const Xyz& here, const Xyz& to) {
     const double rounding = std::abs(here[0]) + std::abs(here[1]) + std::abs(here[2]);
-    return std::hypot(to[0] - here[0], to[1] - here[1], to[2] - here[2]) * (1 + 0x1p-50) + 0x1p-52 * rounding;
+    return hypotenuse(to[0] - here[0], to[1] - here[1], to[2] - here[2]) * (1 + 0x1p-50) + 0x1p-52 * rounding;
   }
   bool is_hot(VertexId v) const { return cell_[v.index()] != kNoCell && hot_[cell_[v.index()]]; }
 
@@ -295,7 +296,7 @@ class Router {
     const auto angle_at = [&](VertexId v) {  // its cosine and sine, times the lengths of the sides
       const auto from = [&](VertexId end) { return minus(routes_.to[end.index()], routes_.to[v.index()]); };
       const Xyz u = from(a), w = from(b), normal = accurate_cross(u, w);
-      return std::array<double, 2>{dot(u, w), std::hypot(normal[0], normal[1], normal[2])};
+      return std::array<double, 2>{dot(u, w), hypotenuse(normal[0], normal[1], normal[2])};
     };
     const auto [cos_p, sin_p] = angle_at(p);
     const auto [cos_q, sin_q] = angle_at(q);

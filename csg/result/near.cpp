@@ -8,6 +8,7 @@
 
 #include "csg/geometry/nearest.h"
 #include "kernel/base/error.h"
+#include "kernel/base/hypotenuse.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
@@ -50,7 +51,7 @@ Parts::Parts(const ResultView& view, const FlatComplex& flat) : flat_(flat) {
       64);
   Box all;
   for (std::size_t p = 0; p < n; ++p) all.extend(lo_[p], hi_[p]);
-  if (n > 0) diagonal_ = std::hypot(all.hi[0] - all.lo[0], all.hi[1] - all.lo[1], all.hi[2] - all.lo[2]);
+  if (n > 0) diagonal_ = hypotenuse(all.hi[0] - all.lo[0], all.hi[1] - all.lo[1], all.hi[2] - all.lo[2]);
 
   constexpr Cell kUnknown{3, 0};
   cell_of_point_.assign(n, kUnknown);

@@ -10,6 +10,7 @@
 
 #include "csg/result/slight_moves.h"
 #include "kernel/base/error.h"
+#include "kernel/base/hypotenuse.h"
 
 namespace cnrg {
 
@@ -28,7 +29,7 @@ double distance_above(const PointTable& points, VertexId v, const std::array<dou
   const RationalPoint from = points.rational(v);
   std::array<double, 3> d;
   for (std::size_t k = 0; k < 3; ++k) d[k] = to_double(from[k] - from_double(to[k]));
-  return std::hypot(d[0], d[1], d[2]) * (1 + 0x1p-50);
+  return hypotenuse(d[0], d[1], d[2]) * (1 + 0x1p-50);
 }
 
 RoundedPoints round_points(const ResultView& view, const FlatComplex& flat) {

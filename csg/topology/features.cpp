@@ -27,7 +27,7 @@ using Index = Parts::Index;
 double degrees(const Rational& squared_sine, const Rational& cosine) {
   const Rational squared_cosine = cosine * cosine;
   if (cosine <= 0 || squared_sine > 4 * squared_cosine) return kSharp;  // its tangent is the root of 3
-  return std::atan(nearest_root(squared_sine / squared_cosine)) * 180 / std::numbers::pi;
+  return rounded::arc_tangent(nearest_root(squared_sine / squared_cosine), 1) * 180 / std::numbers::pi;
 }
 
 class Finder {

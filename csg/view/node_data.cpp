@@ -18,6 +18,7 @@
 #include "csg/topology/topology.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
+#include "kernel/exact/trigonometry.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/manifold.h"
 #include "kernel/selection/measure.h"
@@ -239,7 +240,8 @@ Json radial_orders(const Complex& complex, const SimplifiedComplex& s, PageTable
         first = into;
         across = cross(d, into);
       }
-      double angle = is_first ? 0 : std::atan2(dot(into, across) / std::sqrt(dot(d, d)), dot(into, first));
+      double angle =
+          is_first ? 0 : rounded::arc_tangent(dot(into, across) / std::sqrt(dot(d, d)), dot(into, first));
       if (angle < 0) angle += 2 * M_PI;
       angle = std::max(angle, before);  // the order is exact, the angle is rounded
       before = angle;

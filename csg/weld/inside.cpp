@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/base/hypotenuse.h"
+
 namespace cnrg::welding {
 namespace {
 
@@ -36,7 +38,7 @@ bool parts(const std::vector<Index>& a, const std::vector<Index>& b, const std::
            int v, double d) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Vector &from = points[a[i]], &to = points[a[i + 1 < a.size() ? i + 1 : 0]];
-    const double x = to[v] - from[v], y = from[u] - to[u], length = std::hypot(x, y);
+    const double x = to[v] - from[v], y = from[u] - to[u], length = hypotenuse(x, y);
     if (length == 0) continue;
     const auto range = [&](const std::vector<Index>& loop) {
       double low = std::numeric_limits<double>::infinity(), high = -low;

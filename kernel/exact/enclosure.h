@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <compare>
 #include <limits>
 
 #include "kernel/exact/cross_filter.h"
@@ -20,6 +21,36 @@ using Interval = CGAL::Interval_nt<false>;
 using Interval3 = std::array<Interval, 3>;
 /// While one lives, intervals round outward in this thread.
 using RoundOutward = CGAL::Protect_FPU_rounding<true>;
+/// While one lives, doubles round to nearest, as anywhere else: around calls of functions of doubles.
+struct RoundNearest : CGAL::Protect_FPU_rounding<true> {
+  RoundNearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
+};
+
+using CGAL::IA_up;  // of its macros
+/// A double to compute with while a RoundOutward lives, as a bound from above or a guess: each operation rounds
+/// upward, on every machine. Those of `double` do so where the mode of the machine decides, and not in
+/// WebAssembly.
+class Upward {
+ public:
+  Upward(double value = 0) : value_(value) {}
+  explicit operator double() const { return value_; }
+
+  friend Upward operator+(Upward a, Upward b) { return CGAL_IA_ADD(a.value_, b.value_); }
+  friend Upward operator-(Upward a, Upward b) { return CGAL_IA_SUB(a.value_, b.value_); }
+  friend Upward operator*(Upward a, Upward b) { return CGAL_IA_MUL(a.value_, b.value_); }
+  friend Upward operator/(Upward a, Upward b) { return CGAL_IA_DIV(a.value_, b.value_); }
+  friend Upward operator-(Upward a) { return -a.value_; }
+  friend Upward sqrt(Upward a) { return CGAL::IA_sqrt_up(a.value_); }
+  friend Upward abs(Upward a) { return std::abs(a.value_); }
+  friend bool isfinite(Upward a) { return std::isfinite(a.value_); }
+  friend auto operator<=>(const Upward&, const Upward&) = default;
+
+ private:
+  double value_;
+};
+
+/// The middle, while a RoundOutward lives.
+inline double middle_of(const Interval& x) { return double(Upward(x.inf()) * 0.5 + Upward(x.sup()) * 0.5); }
 
 /// The sign if the interval proves it, kUndecided otherwise (NaN included).
 inline int sign_of(const Interval& x) {

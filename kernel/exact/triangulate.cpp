@@ -14,6 +14,7 @@
 #include <unordered_map>
 
 #include "kernel/base/error.h"
+#include "kernel/base/hypotenuse.h"
 #include "kernel/exact/enclosure.h"
 
 namespace cnrg {
@@ -63,7 +64,7 @@ class FacePoints {
       const auto& [low, high] = bounds(p)[static_cast<std::size_t>(k)];
       return low == high ? low : std::nextafter(low, high);
     };
-    return std::hypot(middle(a, 0) - middle(b, 0), middle(a, 1) - middle(b, 1));
+    return hypotenuse(middle(a, 0) - middle(b, 0), middle(a, 1) - middle(b, 1));
   }
 
  private:

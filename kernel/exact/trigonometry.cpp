@@ -128,6 +128,30 @@ double cosine_degrees(const Rational& degrees) {
 
 double sine_degrees(const Rational& degrees) { return cosine_degrees(90 - degrees); }
 
+namespace {
+
+constexpr mpfr_prec_t kDoublePrecision = 53;
+double of_double(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), double x) {
+  Real value(kDoublePrecision);
+  mpfr_set_d(value, x, MPFR_RNDN);
+  function(value, value, MPFR_RNDN);
+  return mpfr_get_d(value, MPFR_RNDN);
+}
+
+}  // namespace
+
+double rounded::cosine(double angle) { return of_double(mpfr_cos, angle); }
+double rounded::tangent(double angle) { return of_double(mpfr_tan, angle); }
+double rounded::arc_sine(double x) { return of_double(mpfr_asin, x); }
+double rounded::arc_cosine(double x) { return of_double(mpfr_acos, x); }
+double rounded::arc_tangent(double y, double x) {
+  Real value(kDoublePrecision), other(kDoublePrecision);
+  mpfr_set_d(value, y, MPFR_RNDN);
+  mpfr_set_d(other, x, MPFR_RNDN);
+  mpfr_atan2(value, value, other, MPFR_RNDN);
+  return mpfr_get_d(value, MPFR_RNDN);
+}
+
 Rational round_cosine(const Rational& degrees, const Rational& square, int exponent) {
   require(square >= 0, "round_cosine: negative square");
   Rational angle = degrees;

@@ -14,6 +14,17 @@ namespace cnrg {
 double sine_degrees(const Rational& degrees);
 double cosine_degrees(const Rational& degrees);
 
+/// The doubles nearest to functions of doubles, angles in radians. Those of the C library differ from machine to
+/// machine.
+namespace rounded {
+double cosine(double angle);
+double tangent(double angle);
+double arc_sine(double x);
+double arc_cosine(double x);
+/// Of y / x, in the quadrant of (x, y).
+double arc_tangent(double y, double x);
+}  // namespace rounded
+
 /// The multiple of 2^exponent nearest to sqrt(square) * cos(degrees), a tie going to the even multiple.
 /// `square` >= 0. The sine is the cosine of 90 - degrees.
 Rational round_cosine(const Rational& degrees, const Rational& square, int exponent);

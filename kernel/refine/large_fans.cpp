@@ -13,6 +13,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "kernel/base/hypotenuse.h"
+
 namespace cnrg {
 
 namespace {
@@ -35,7 +37,7 @@ class Fan {
       const std::optional<std::array<double, 3>> normal = in_.filters[f.index()].unit_normal();
       if (!in_.paired[sides[i]] || !in_.paired[sides[(i + 2) % 3]] || !normal) return false;
       const double *p = t_.lower(middle_), *q = t_.lower(in_.corners[f][(i + 1) % 3]);
-      const double length = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+      const double length = hypotenuse(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
       for (std::size_t k = 0; k < 3; ++k) {
         normals[k] += (*normal)[k];
         spokes[k] += (q[k] - p[k]) / length;

@@ -62,7 +62,7 @@ Points end_points(const Soup& soup, std::uint32_t back) {
   return result;
 }
 
-Points moved(Points points, const Transform& transform) {
+Points put_at(Points points, const Transform& transform) {
   for (RationalPoint& p : points) p = transform.apply(p);
   std::sort(points.begin(), points.end());
   return points;
@@ -178,8 +178,8 @@ TEST_CASE("arcs are drawn alike in sweeps and extrusions, and fit at the ends", 
     const Soup elbow = soup_of(bent);
     check_skin(elbow);
     CHECK(end_points(elbow, 1) == end_points(swept, 1));
-    CHECK(end_points(elbow, 0) == moved(end_points(swept, 1), Transform::translation({10, 9, 0}) *
-                                                                  Transform::rotation({0, 0, 1}, 90, {0, 0, 0})));
+    CHECK(end_points(elbow, 0) == put_at(end_points(swept, 1), Transform::translation({10, 9, 0}) *
+                                                                   Transform::rotation({0, 0, 1}, 90, {0, 0, 0})));
   }
 }
 
@@ -201,7 +201,7 @@ TEST_CASE("the end of a revolution is its start, rotated exactly", "[revolve]") 
         if (soup.face(f).leaf_face < 2) ends[soup.face(f).leaf_face] = loops(soup, f)[0];
       }
       std::sort(ends[1].begin(), ends[1].end());
-      CHECK(ends[1] == moved(ends[0], Transform::rotation(axis, shape.degrees, shape.center)));
+      CHECK(ends[1] == put_at(ends[0], Transform::rotation(axis, shape.degrees, shape.center)));
     }
   }
 }

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <random>
 
+#include "kernel/base/hypotenuse.h"
+#include "kernel/exact/integers.h"
 #include "kernel/exact/trigonometry.h"
 #include "tests/catch.h"
 
@@ -14,6 +16,51 @@ constexpr long double kPi = 3.14159265358979323846264338327950288L;
 Rational square(const Rational& x) { return x * x; }
 
 }  // namespace
+
+TEST_CASE("functions of doubles are correctly rounded") {
+  static_assert(std::numeric_limits<long double>::digits == 64);  // the oracle has 11 bits more
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int sure = 0, wrong = 0;
+  const auto check = [&](double found, long double expected) {
+    const long double unit = std::ldexp(1.0L, std::ilogb(expected) - 60);
+    const double low = static_cast<double>(expected - unit), high = static_cast<double>(expected + unit);
+    if (low != high) return;  // next to a tie
+    ++sure;
+    wrong += found != low;
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const double x = any(random), y = any(random) * std::ldexp(1.0, static_cast<int>(random() % 40) - 20);
+    check(rounded::cosine(3 * x), cosl(3 * x));
+    check(rounded::tangent(1.5 * x), tanl(1.5 * x));
+    check(rounded::arc_sine(x), asinl(x));
+    check(rounded::arc_cosine(x), acosl(x));
+    check(rounded::arc_tangent(y, x), atan2l(y, x));
+  }
+  CHECK(wrong == 0);
+  CHECK(sure > 98000);
+  CHECK(rounded::arc_tangent(0, -1) == static_cast<double>(kPi));
+  CHECK(rounded::arc_tangent(std::numeric_limits<double>::infinity(), 1) == static_cast<double>(kPi / 2));
+}
+
+TEST_CASE("lengths are right however large or small") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int wrong = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const int exponent = static_cast<int>(random() % 1900) - 950;
+    const double x = std::ldexp(any(random), exponent), y = std::ldexp(any(random), exponent),
+                 z = i % 2 == 0 ? 0 : std::ldexp(any(random), exponent), found = hypotenuse(x, y, z);
+    const Rational exact = square(from_double(x)) + square(from_double(y)) + square(from_double(z)),
+                   bound = square(fraction(1, 1) + fraction(1, std::int64_t{1} << 51));
+    const Rational of_found = square(from_double(found));
+    wrong += of_found > exact * bound || exact > of_found * bound;
+  }
+  CHECK(wrong == 0);
+  CHECK(hypotenuse(0, 0) == 0);
+  CHECK(hypotenuse(-3e300, 4e300) == 5e300);
+  CHECK(hypotenuse(2, -3, 6) == 7);
+}
 
 TEST_CASE("sines of rational degrees are correctly rounded") {
   CHECK(sine_degrees(0) == 0);

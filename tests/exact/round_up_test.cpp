@@ -5,6 +5,7 @@
 #include <cstring>
 #include <random>
 
+#include "kernel/exact/enclosure.h"
 #include "tests/catch.h"
 
 namespace cnrg {
@@ -58,6 +59,36 @@ TEST_CASE("numbers rounded upward by software are those of a machine that does s
   CHECK(round_up::add(1, 1e-300) > 1);  // to nearest it is 1
   CHECK(round_up::add(1, 2) == 3);      // what is exact stays
   CHECK(round_up::multiply(1e-300, 1e-300) > 0);
+}
+
+TEST_CASE("numbers of the scope that rounds outward are rounded upward, as by software", "[exact]") {
+  std::mt19937_64 random(8);
+  std::size_t differing = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const double a = draw(random), b = draw(random);
+    const enclosure::RoundOutward outward;
+    const enclosure::Upward x = a, y = b;
+    differing += !same(double(x + y), round_up::add(a, b)) + !same(double(x - y), round_up::add(a, -b)) +
+                 !same(double(x * y), round_up::multiply(a, b)) + !same(double(x / y), round_up::divide(a, b)) +
+                 !same(double(sqrt(x)), round_up::sqrt_up(a));
+  }
+  CHECK(differing == 0);
+}
+
+TEST_CASE("within the scope that rounds outward another one rounds to nearest", "[exact]") {
+  volatile double one = 1, tiny = 1e-300;
+  const enclosure::RoundOutward outward;
+  const double above = one + tiny;
+  double nearest = 0;
+  {
+    const enclosure::RoundNearest scope;
+    volatile double sum = one + tiny;
+    nearest = sum;
+  }
+  volatile double after = one + tiny;
+  CHECK(above > 1);
+  CHECK(nearest == 1);
+  CHECK(after > 1);
 }
 
 }  // namespace

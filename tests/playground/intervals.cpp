@@ -32,8 +32,9 @@ int run() {
   const enclosure::RoundOutward rounding;
   const Interval one = read("1"), tiny = read("1e-300");
   const Interval sum = one + tiny, third = one / read("3"), none = tiny * tiny;
-  const bool enclosed =
-      sum.inf() <= 1 && sum.sup() > 1 && third.inf() < third.sup() && none.inf() <= 0 && none.sup() > 0;
+  const enclosure::Upward above = enclosure::Upward(one.sup()) + tiny.sup();
+  const bool enclosed = double(above) > 1 && sum.inf() <= 1 && sum.sup() > 1 && third.inf() < third.sup() &&
+                        none.inf() <= 0 && none.sup() > 0;
   const int exact = points_among({one + one, read("3") * read("0.25"), read("1") / read("4"), one - one});
   return points_among({sum, third, none}) > 0 || exact != 4 || !enclosed ? 1 : 0;
 }

@@ -40,7 +40,7 @@ await page.goto(`file://${file}`);
 await page.locator('html[data-ready]').waitFor({state: 'attached', timeout: 60000});
 await shown();
 await frame.locator('html[data-ready]').waitFor({state: 'attached', timeout: 60000});
-check(statSync(file).size <= 7e6, `the page has ${statSync(file).size} bytes`);
+check(statSync(file).size <= 4e6, `the page has ${statSync(file).size} bytes`);
 check((await page.locator('#rows').innerText()).includes('operator'), 'the first model has rows');
 await picture('first');
 

@@ -2,10 +2,10 @@
 //
 //   node build.mjs MODULES OUTPUT PROGRAM VIEW     MODULES: the folder node_modules that npm filled; PROGRAM: the folder of
 //                                                  cnrg.mjs and cnrg.wasm; VIEW: the template view.html
+import {execFileSync} from 'node:child_process';
 import {existsSync, readdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {basename, dirname, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
-import {deflateSync} from 'node:zlib';
 import {bundler, filled, policyOf} from '../../../../csg/view/web/bundling.mjs';
 import {run} from './program.mjs';
 
@@ -47,7 +47,13 @@ function models() {
   return [...lessons, ...exercises, ...others.filter(Boolean)];
 }
 
-const carried = (id, content) => `<script type="text/plain" id="${id}">${deflateSync(content, {level: 9}).toString('base64')}</script>`;
+/** What unpack.js reads: `xz` leaves the size open. */
+function packed(content) {
+  const bytes = execFileSync('xz', ['--format=lzma', '-9e', '--stdout'], {input: content, maxBuffer: 2 ** 30});
+  bytes.writeBigUInt64LE(BigInt(Buffer.byteLength(content)), 5);
+  return bytes;
+}
+const carried = (id, content) => `<script type="text/plain" id="${id}">${packed(content).toString('base64')}</script>`;
 const places = {'<!--cnrg:title-->': '', '<!--cnrg:stamp-->': '', '<!--cnrg:data-->': ''};
 const page = await bundler(modules)(join(here, 'playground.js'));
 const worker = await bundler(modules, {alias: {'cnrg-module': join(program, 'cnrg.mjs'), module: join(here, 'no_node.js')}, define: {'import.meta.url': '""'}})(join(here, 'worker.js'));

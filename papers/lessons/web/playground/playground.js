@@ -1,6 +1,7 @@
 // The page: a tree is typed, and each change is evaluated by the program in a worker, which the next change ends.
 import './style.css';
 import {makeEditor} from './editor.js';
+import {unpacked} from './unpack.js';
 
 const $ = (id) => document.getElementById(id);
 const FILE = 'tree.yaml', PAUSE = 250;
@@ -10,10 +11,10 @@ const FILE = 'tree.yaml', PAUSE = 250;
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
 const base64Of = (bytes) => btoa(Array.from(bytes, (b) => String.fromCharCode(b)).join(''));
 const through = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream));
-async function carried(id) {
-  const element = $(id), response = through(bytesOf(element.textContent), new DecompressionStream('deflate'));
+function carried(id) {
+  const element = $(id), bytes = unpacked(bytesOf(element.textContent));
   element.remove();
-  return response;
+  return bytes;
 }
 async function hashOf(text) {
   const bytes = new Uint8Array(await through(new TextEncoder().encode(text), new CompressionStream('deflate')).arrayBuffer());
@@ -166,17 +167,15 @@ function wire() {
 }
 
 async function begin() {
-  const view = carried('cnrg-view').then((r) => r.text()), module = carried('cnrg-wasm').then((r) => r.arrayBuffer());
-  const worker = carried('cnrg-worker').then((r) => r.text()), data = carried('cnrg-data').then((r) => r.json());
-  const {schema, trees} = await data;
+  const {schema, trees} = JSON.parse(decode(carried('cnrg-data')));
   models = trees;
   editor = makeEditor($('editor'), schema, changed);
   listModels();
   wire();
-  workerUrl = URL.createObjectURL(new Blob([await worker], {type: 'text/javascript'}));
+  workerUrl = URL.createObjectURL(new Blob([carried('cnrg-worker')], {type: 'text/javascript'}));
   const shown = new Promise((done) => ($('view').onload = done));
-  $('view').srcdoc = await view;
-  compiled = await WebAssembly.compile(await module);
+  $('view').srcdoc = decode(carried('cnrg-view'));
+  compiled = await WebAssembly.compile(carried('cnrg-wasm'));
   await shown;
   const given = await textOfHash(location.hash);
   if (given === null) choose(0);
