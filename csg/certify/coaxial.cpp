@@ -291,10 +291,9 @@ std::optional<Meridian> meridian(const std::vector<Piece>& all, const Piece& pie
     result.corners[k] = plane.at(piece.corners[ends[k]]);
     // In the other half-plane it is where it is in this one.
     const auto [off, high] = off_axis(piece.corners[others[k]], plane.axis);
-    result.rounded = std::max({result.rounded, beside(piece.corners[ends[k]]),
-                               beside(result.jet(Interval(result.range[k])).point),
-                               length_of(length(off) - middle_of(result.corners[k][0]),
-                                         high - middle_of(result.corners[k][1]))});
+    result.rounded = std::max(
+        {result.rounded, beside(piece.corners[ends[k]]), beside(result.jet(Interval(result.range[k])).point),
+         length_of(length(off) - middle_of(result.corners[k][0]), high - middle_of(result.corners[k][1]))});
   }
   if (!(result.rounded <= kRounded * size)) return std::nullopt;
   result.rounded = result.rounded + kOfOwn * size + between_axes;

@@ -197,6 +197,8 @@ class Beside {
     return true;
   }
 
+  std::size_t steps() const { return std::size_t(kMostOwnSteps - steps_); }
+
  private:
   /// Of its piece's.
   static Upward length(const PiecePart& part, std::size_t k) {
@@ -234,12 +236,12 @@ class Beside {
   std::optional<Opened> b_;
   const Piece* flat_ = nullptr;
   bool side_;
-  int steps_ = 200;
+  int steps_ = kMostOwnSteps;
 };
 
 }  // namespace
 
-bool apart_but_beside(const std::vector<Piece>& all, std::uint32_t a, std::uint32_t b) {
+bool apart_but_beside(const std::vector<Piece>& all, std::uint32_t a, std::uint32_t b, std::size_t& steps) {
   if (a == b) {  // a curve does not return where all its directions are on one side
     const Interval3 way = along_curve(all, all[a], all[a].range);
     return dot(thin(middle_of(way)), way).inf() > 0;
@@ -248,7 +250,9 @@ bool apart_but_beside(const std::vector<Piece>& all, std::uint32_t a, std::uint3
   const CommonCorners common = common_corners(all, all[a], all[b]);
   if (common.of_a.size() > 2 || common.of_a.empty()) return false;
   Beside beside(all, all[a], all[b], common);
-  return beside.ask(part_of(all, all[a], all[a].range), part_of(all, all[b], all[b].range));
+  const bool proven = beside.ask(part_of(all, all[a], all[a].range), part_of(all, all[b], all[b].range));
+  steps += beside.steps();
+  return proven;
 }
 
 }  // namespace cnrg

@@ -54,6 +54,8 @@ class Neighbours {
     return true;
   }
 
+  std::size_t steps() const { return std::size_t(kMostOwnSteps - steps_); }
+
  private:
   /// Of its cell's.
   static Upward length(const PiecePart& part, std::size_t k) {
@@ -75,7 +77,7 @@ class Neighbours {
 
   const std::vector<Piece>& all_;
   const std::span<const std::uint32_t> patch_;
-  int steps_ = 200;
+  int steps_ = kMostOwnSteps;
 };
 
 }  // namespace
@@ -95,11 +97,13 @@ bool meet_at_pole(const Piece& a, const Piece& b) {
 }
 
 bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,
-                std::uint32_t b) {
+                std::uint32_t b, std::size_t& steps) {
+  if (a != b && !side_by_side(all[a], all[b])) return apart_but_beside(all, a, b, steps);  // where it is closed
   const PiecePart one = part_of(all, all[a], all[a].range);
-  if (a == b) return Neighbours(all, patch).alone(one);
-  if (!side_by_side(all[a], all[b])) return apart_but_beside(all, a, b);  // where the patch is closed
-  return Neighbours(all, patch).ask(one, part_of(all, all[b], all[b].range));
+  Neighbours question(all, patch);
+  const bool proven = a == b ? question.alone(one) : question.ask(one, part_of(all, all[b], all[b].range));
+  steps += question.steps();
+  return proven;
 }
 
 }  // namespace cnrg

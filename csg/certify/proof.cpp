@@ -25,6 +25,7 @@ constexpr std::size_t kMostSteps = 250;         // of one question
 constexpr std::size_t kMostInContact = 64;      // of one to three, of which two touch as it is known
 constexpr std::size_t kMostIfHopeless = 8;      // of one to more than two, of which some touch otherwise
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
+constexpr std::size_t kMostOfOwn = 20000;       // of a leaf, whether it meets itself
 constexpr std::size_t kMostTold =
     64;  // places of the same patches of which it is asked whether facets are to blame
 constexpr std::size_t kMostOpen = 1000;  // places of the same patches, after which no more are looked for
@@ -59,6 +60,7 @@ class Prover {
     if (earlier_ != nullptr) {
       before_ = pieces_.same_in(earlier_->pieces);
       proof_.spent = earlier_->proof.spent;
+      proof_.spent_on_own = earlier_->proof.spent_on_own;
     }
     for (Index i = 0; i < all_.size(); ++i) ask_of_itself(i, i);
     for (const auto& [a, b] : pairs_) ask_pair(a, b);
@@ -123,11 +125,12 @@ class Prover {
     if (one_leaf && is_cell(a) && of_one_surface(a, b) && is_cell(b)) return ask_of_itself(a, b);
     if (one_leaf ? of_one_surface(a, b) : answered_by_fewer(a, b)) return;
     if (one_leaf && pieces_.adjacent(a, b)) {
-      if (asked_beside(a, b) && !apart_but_beside(all_, a, b)) leave(a, b);
+      if (asked_beside(a, b))
+        ask_own(a, b, [&](std::size_t& steps) { return apart_but_beside(all_, a, b, steps); });
       return meet(a, b);
     }
-    const bool wires = all_[a].curve && all_[b].curve;
-    const Question question = !one_leaf ? question_of({a, b}) : wires ? Question::apart : Question::angle;
+    const bool curves = !is_cell(a) && !is_cell(b);
+    const Question question = one_leaf && !curves ? Question::angle : question_of({a, b});
     if (question == Question::none) return;
     ++proof_.asked;
     bool some = false;
@@ -136,30 +139,48 @@ class Prover {
     else ++(some ? proof_.crossing : proof_.apart);
     if (some) meet(a, b);
   }
-  /// Two cells, two wires, or a cell and a flat piece, of one leaf and beside each other.
-  bool asked_beside(Index a, Index b) {
-    return is_cell(a) == is_cell(b) && (pieces_.asked_of_itself(all_[a]) || pieces_.asked_of_itself(all_[b])) &&
+  bool asked_of_itself(Index a) const { return pieces_.asked_of_itself(all_[a]); }
+  /// Two cells, two curves, or a wire and a cell, of one leaf and beside each other. Of other curves cells are
+  /// asked.
+  bool asked_beside(Index a, Index b) const {
+    const auto is_wire = [&](Index i) { return !is_cell(i) && all_[i].in_sheets.empty(); };
+    return (is_cell(a) == is_cell(b) || is_wire(a) || is_wire(b)) && (asked_of_itself(a) || asked_of_itself(b)) &&
            !meet_at_pole(all_[a], all_[b]);
+  }
+  /// Pieces of one leaf: not of those about a corner.
+  bool asked_of_leaf(const std::vector<Index>& tuple) const {
+    return std::ranges::any_of(tuple, [&](Index i) { return asked_of_itself(i); }) &&
+           std::ranges::none_of(all_[tuple[0]].numbers(), [&](std::uint32_t p) {
+             return std::ranges::all_of(tuple,
+                                        [&](Index i) { return std::ranges::count(all_[i].numbers(), p) > 0; });
+           });
   }
   /// Two cells of one surface, or one, or a wire.
   void ask_of_itself(Index a, Index b) {
     if (!pieces_.asked_of_itself(all_[a]) || all_[a].patch != all_[b].patch) return;
-    if (!is_cell(a)) {
-      if (!apart_but_beside(all_, a, b)) leave(a, b);
-      return;
-    }
+    if (!is_cell(a)) return ask_own(a, b, [&](std::size_t& steps) { return apart_but_beside(all_, a, b, steps); });
     bool some = false;
     if (a != b && !pieces_.adjacent(a, b)) {
       ++proof_.asked;
       if (ask({a, b}, Question::apart, some)) ++proof_.apart;
       return;
     }
-    if (!meet_at_pole(all_[a], all_[b]) && !one_to_one(all_, of_patch(all_[a]), a, b)) leave(a, b);
+    if (meet_at_pole(all_[a], all_[b])) return;
+    ask_own(a, b, [&](std::size_t& steps) { return one_to_one(all_, of_patch(all_[a]), a, b, steps); });
   }
-  void leave(Index a, Index b) {
+  /// Of pieces beside each other in a leaf, or one.
+  template <class Proven>
+  void ask_own(Index a, Index b, const Proven& proven) {
     const PieceTuple key = key_of({a, b});
-    if (!proof_.answers.contains(key))
-      add_open(key, {{a, b}, doubles(middle_of(root(a).box)), size_of(root(a).box), Why::facets});
+    const Proof::Answer* const before = answered_before(key);
+    std::size_t& spent = proof_.spent_on_own[all_[a].leaf];
+    const bool asked = spent < kMostOfOwn;
+    if ((before != nullptr && before->kind == Proof::Answer::Kind::apart) || (asked && proven(spent))) {
+      proof_.answers.try_emplace(key, Proof::Answer{Proof::Answer::Kind::apart});
+    } else if (!proof_.answers.contains(key)) {
+      add_open(key,
+               {{a, b}, doubles(middle_of(root(a).box)), size_of(root(a).box), asked ? Why::facets : Why::budget});
+    }
   }
   const std::vector<Index>& of_patch(const Piece& piece) {
     const auto [it, fresh] = of_patch_.try_emplace({piece.leaf, piece.patch});
@@ -234,7 +255,7 @@ class Prover {
       if (is_cell(i)) ++cells;
       else curves.push_back(i);
     }
-    if (one_leaf || exact) return Question::none;
+    if (exact || (one_leaf && tuple.size() > 2 && !asked_of_leaf(tuple))) return Question::none;
     if (pairs_in_contact(tuple) > 0) return tuple.size() == 3 ? Question::contact : Question::apart;
     if (curves.empty()) return cells <= 3 ? Question::angle : Question::apart;
     if (curves.size() == 1) return cells == 1 ? Question::angle : Question::apart;

@@ -70,6 +70,7 @@ struct Proof {
   /// By sets of leaves, ascending: steps, those of earlier proofs included, and questions that were not answered
   /// for want of steps.
   std::map<std::vector<LeafId>, std::size_t> spent, left;
+  std::map<LeafId, std::size_t> spent_on_own;  ///< likewise, whether leaves meet themselves
   std::vector<OpenPlace> open;
   /// By pieces: how questions about them were answered, but for those that are left.
   struct Answer {

@@ -207,8 +207,9 @@ TEST_CASE("patches of one leaf are asked whether they meet beside their common s
     for (const char* height : {"-1/2", "-1/10", "-1/1000", "1/1000", "1/10"}) {
       INFO(segments << " segments, " << height);
       for (const Asked& one : asked(height, segments)) {
-        CHECK(one.certified());
-        CHECK(one.cells() == (height[0] == '-' ? Cells{8, 12, 4, 0} : Cells{6, 7, 2, 0}));
+        // Where they cross their borders do: of two curves that is not proven.
+        CHECK(one.certified() == (height[0] != '-'));
+        if (one.certified()) CHECK(one.cells() == Cells{6, 7, 2, 0});
       }
     }
     for (const Asked& one : asked("0", segments)) CHECK_FALSE(one.certified());  // tangent there
@@ -244,6 +245,57 @@ TEST_CASE("a closed patch is asked whether it meets itself where it closes, and 
     CHECK(wire("[1, 2, 0], [2, 0, 1]", segments).certified());
     CHECK(wire("[3, 1, 0], [-2, 1, 1]", 2 * segments).certified());
     CHECK_FALSE(wire("[3, 1, 0], [-2, 1, 0]", segments).certified());
+  }
+}
+
+TEST_CASE("pieces of one leaf are asked three at a time, and its curves", "[certify]") {
+  // Each with counts of facets that are wrong: what is certified is right, at any fineness.
+  struct Own {
+    const char* what;
+    std::string leaf;
+    std::array<std::size_t, 4> cells;
+    bool certified = true;  // with 12 segments
+  };
+  const std::string walls =
+      "[[[0, 0, 0], [0.5, 0.25, 0], [1, 0.3, 0]], [[0, 0, 1], [0.5, 0.25, 1], [1, 0.3, 1]]], [[[0, 0, 0], [0.5, "
+      "-0.25, 0], [1, -0.3, 0]], [[0, 0, 1], [0.5, -0.25, 1], [1, -0.3, 1]]]";
+  const std::string sheet =
+      "[[[-1, -1, -0.1], [0, -1, 0.1], [1, -1, -0.1]], [[-1, -0.3, -0.1], [0, 0.34, 0.1], [1, -0.3, -0.1]]]";
+  const std::vector<Own> all = {
+      {"a wall that passes where two others meet",
+       "{bezier: {patches: [" + walls +
+           ", [[[0.2, -1, 0], [-0.21, 0, 0], [0.2, 1, 0]], [[0.2, -1, 1], [-0.21, 0, "
+           "1], [0.2, 1, 1]]]], segments: SEGMENTS}}",
+       {10, 11, 3, 0}},
+      {"an extruded line that passes its own corner",
+       "{extrude: {curve: [[1, 0.3, 0], {bezier: [[0.5, 0.25, 0]]}, [0, 0, 0], {bezier: [[0.5, -0.25, 0]]}, [1, "
+       "-0.3, 0], [0.2, -1, 0], {bezier: [[-0.21, 0, 0]]}, [0.2, 1, 0]], vector: [0, 0, 1], segments: SEGMENTS}}",
+       {10, 13, 4, 0}},
+      {"borders of two patches that pass each other",
+       "{bezier: {patches: [" + sheet +
+           ", [[[0.05, 0.3, -1], [0, -0.3, 0], [-0.1, 0.3, 1]], [[0.05, 1, -1], [0.1, "
+           "1, 0], [-0.1, 1, 1]]]], segments: SEGMENTS}}",
+       {10, 11, 2, 0}},
+      {"a wire beside a border",
+       "{bezier: {patches: [" + sheet +
+           "], curves: [[[0.1, 0.2, -1], [0, -0.2, 0.1], [-0.1, 0.2, 1]]], segments: "
+           "SEGMENTS}}",
+       {7, 6, 1, 0}},
+      {"a wire that returns to the patch at whose corner it begins",
+       "{bezier: {patches: [[[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 2, 0], [1, 2, 1], [2, 2, 0]]]], curves: "
+       "[[[0, "
+       "0, 0], [1, 0.3, 0.975], [2, 1, 0.45]]], segments: SEGMENTS}}",
+       {6, 6, 1, 0},
+       false}};
+  for (const Own& own : all) {
+    for (const int segments : {3, 4, 6, 12}) {
+      INFO(own.what << ", " << segments << " segments");
+      std::string leaf = own.leaf;
+      leaf.replace(leaf.find("SEGMENTS"), 8, std::to_string(segments));
+      const Asked asked("  a: " + leaf + "\n", "{simplify: a}");
+      if (segments == 12 && own.certified) CHECK(asked.certified());
+      if (asked.certified()) CHECK(asked.cells() == own.cells);
+    }
   }
 }
 
