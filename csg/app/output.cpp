@@ -88,6 +88,14 @@ void tell_error(const std::exception& error) {
   if (faults.size() > kMost) tell(counted(faults.size() - kMost, "more fault", "more faults"));
 }
 
+void tell_error(const std::exception_ptr& error) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const InputError& fault) {
+    tell_error(fault);
+  }
+}
+
 void tell(std::string_view message) {
   std::cout.flush();  // what was said before stands before
   std::cerr << shown(message) << std::endl;

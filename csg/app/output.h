@@ -6,7 +6,6 @@
 #pragma once
 
 #include <exception>
-#include <optional>
 #include <streambuf>
 #include <string>
 #include <string_view>
@@ -18,25 +17,27 @@ namespace cnrg::app {
 /// Prints a message on standard error as one line, whatever is in it.
 void tell(std::string_view message);
 
+/// Prints an error: its own line or, of one with places (csg/tree/position.h), each fault with the line of the
+/// file and a mark below the column.
+void tell_error(const std::exception& error);
+/// Of an InputError.
+void tell_error(const std::exception_ptr& error);
+
 /// `write(file)` for each: a format that refuses a result does not keep other files from being written. Throws the
 /// last refusal; those before it are told.
 template <class Files, class Write>
 void write_each(const Files& files, const Write& write) {
-  std::optional<InputError> refused;
+  std::exception_ptr refused;
   for (const auto& file : files) {
     try {
       write(file);
-    } catch (const InputError& error) {
-      if (refused) tell(refused->what());
-      refused = error;
+    } catch (const InputError&) {
+      if (refused) tell_error(refused);
+      refused = std::current_exception();
     }
   }
-  if (refused) throw *refused;
+  if (refused) std::rethrow_exception(refused);
 }
-
-/// Prints an error: its own line or, of one with places (csg/tree/position.h), each fault with the line of the
-/// file and a mark below the column.
-void tell_error(const std::exception& error);
 
 /// Standard streams that whoever started the program left closed are opened as such that cannot be used. Otherwise
 /// the first files that are opened would take their places, and get what is printed.

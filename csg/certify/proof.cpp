@@ -420,28 +420,6 @@ class Prover {
     if (tuple.size() == 2 && parted_along_sides(parts[0], parts[1])) return true;
     return answer(parts, question, Between::facets_and_surfaces, steps, some, left);
   }
-  /// True if a plane along a side of one and a side of the other is between them.
-  static bool parted_along_sides(const PiecePart& a, const PiecePart& b) {
-    if (parted(std::array{a, b}, Between::facets_and_surfaces)) return true;
-    for (const Guess3& x : sides_of(a)) {
-      for (const Guess3& y : sides_of(b)) {
-        const auto d = direction(cross(x, y));
-        if (!d) continue;
-        if (parted(extents(a, *d, Between::facets_and_surfaces), extents(b, *d, Between::facets_and_surfaces)))
-          return true;
-      }
-    }
-    return false;
-  }
-  static std::vector<Guess3> sides_of(const PiecePart& part) {
-    const Piece& piece = *part.piece;
-    const auto way = [&](std::size_t i, std::size_t j) {
-      return difference(middle_of(piece.corners[j]), middle_of(piece.corners[i]));
-    };
-    if (piece.kind == Piece::Kind::curve) return {way(0, 1)};
-    if (piece.kind == Piece::Kind::cell) return {way(0, 1), way(1, 2)};
-    return {};
-  }
   bool answer(const std::vector<Index>& tuple, Question question, Between between, std::size_t steps, bool& some,
               Interval3& left) {
     PieceParts parts;
@@ -572,33 +550,6 @@ class Prover {
     if (thickness < 0) thickness = thickness_of(part_of(all_, piece, piece.range));
     return size > thickness / 2 || size > thickness_of(part) / 2;
   }
-  static double thickness_of(const PiecePart& part) {
-    const auto d = part.blind ? std::nullopt : direction(middle_of(part.cone));
-    if (!d) return 0;
-    return double(width_of(extents(part, *d, Between::facets_and_surfaces).all()));
-  }
-
-  static bool at_angle(const PieceParts& parts) {
-    for (const PiecePart& part : parts) {
-      if (part.blind) return false;
-    }
-    if (parts.size() == 3) return independent(parts[0].cone, parts[1].cone, parts[2].cone);
-    const bool first = parts[0].piece->kind == Piece::Kind::curve,
-               second = parts[1].piece->kind == Piece::Kind::curve;
-    if (first != second) return !holds_zero(dot(parts[0].cone, parts[1].cone));
-    return independent(parts[0].cone, parts[1].cone);
-  }
-
-  /// True if the box has no point of the flat piece.
-  static bool misses(const Piece& flat, const Interval3& box) {
-    if (!holds_zero(dot(flat.normal, difference(box, flat.point)))) return true;
-    for (const auto& [d, wide] : flat.limits) {
-      const Interval there = dot(thin(d), box);
-      if (there.inf() > wide.sup() || there.sup() < wide.inf()) return true;
-    }
-    return false;
-  }
-
   Pieces& pieces_;
   const std::vector<Piece>& all_;
   const std::function<bool(LeafId, LeafId)>& asked_for_;

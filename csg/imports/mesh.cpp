@@ -219,6 +219,7 @@ class MeshLeaf {
   /// True if the signed volume of the faces is negative: the sum of the tetrahedra on an origin, one for each
   /// triangle.
   bool is_inside_out() const {
+    if (corners_.empty()) return false;
     const double* const origin = points_.xyz(corners_[0]);
     double sum = 0, size = 0;
     for_each_triangle([&](const std::array<std::uint32_t, 3>& corners) {

@@ -85,7 +85,7 @@ TEST_CASE("mesh: elements of second order follow curved faces", "[app][mesh]") {
 
   o = w.run("mesh ball.yaml -o ball.mesh --curved");
   CHECK(o.status == 2);
-  CHECK_THAT(o.err, Contains("ball.mesh: this format holds elements of first order only; use one of .msh .vtu"));
+  CHECK_THAT(o.err, Contains("ball.mesh: this format holds elements of first order only; use one of .msh .msh2 .vtu"));
   CHECK(!std::filesystem::exists(w.path("ball.mesh")));
   CHECK(w.run("mesh ball.yaml --curved --order 2 --quiet -o again.msh").out.empty());
   CHECK(w.read("again.msh") == w.read("ball.msh"));
@@ -392,7 +392,7 @@ TEST_CASE("mesh: one error for what cannot be meshed or written", "[app][mesh][e
   CHECK_THAT(o.err, StartsWith("cnrg: error: ") && Contains("-o"));
   o = w.run("mesh t.yaml -o t.stl");
   CHECK(o.status == 2);
-  CHECK_THAT(o.err, Contains("no writer of tetrahedra for the extension `.stl`; use one of .msh .mesh .vtu"));
+  CHECK_THAT(o.err, Contains("no writer of tetrahedra for the extension `.stl`; use one of .msh .msh2 .mesh .vtu"));
   o = w.run("mesh t.yaml -o t.poly");
   CHECK(o.status == 2);
   CHECK_THAT(o.err, Contains("`cnrg eval -o` writes it"));

@@ -15,7 +15,7 @@ def torus(n, m, radius, tube):
     """A closed mesh of 2 n m triangles."""
     u, v = np.meshgrid(np.arange(n) * 2 * np.pi / n, np.arange(m) * 2 * np.pi / m, indexing="ij")
     r = radius + tube * np.cos(v)
-    points = np.stack([r * np.cos(u), r * np.sin(u), tube * np.sin(v)], -1).reshape(-1, 3)
+    points = np.stack([r * np.cos(u), r * np.sin(u), tube * np.sin(v)], -1).reshape(-1, 3).round(9)
     a = np.arange(n * m).reshape(n, m)
     b, d = np.roll(a, -1, 0), np.roll(a, -1, 1)
     c = np.roll(b, -1, 1)
