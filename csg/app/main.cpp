@@ -270,10 +270,11 @@ void add_eval(CLI::App& program, Command& command) {
   add_all_names(sub, "--node", given->nodes, "N",
                 "Evaluate this node too; files show it instead of the result: one node for all, or one for each "
                 "-o");
-  add_all_names(sub, "-o,--output", given->files, "FILE",
-                "Write this file, in the format of its extension: .json .vtu .msh .msh2 .mesh .smesh .poly .inp .bdf "
-                ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png "
-                ".pdf; of a .csg the tree: .yaml");
+  add_all_names(
+      sub, "-o,--output", given->files, "FILE",
+      "Write this file, in the format of its extension: .json .vtu .msh .msh2 .mesh .smesh .poly .inp .bdf "
+      ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png "
+      ".pdf; of a .csg the tree: .yaml");
   sub->add_flag("--trace", given->trace, "Under each row: what each table row removed, volumes of regions");
   sub->add_flag("--raw", given->raw, "Keep the unsimplified cells of the refinement");
   sub->add_option_function<std::string>(
@@ -422,9 +423,10 @@ void add_mesh(CLI::App& program, Command& command) {
       "and wires alone. Nothing has to be asked for: shapes are as good as some thousand points more make them");
   add_tree(sub, *given);
   add_name(sub, "--node", given->node, "N", "Node to mesh; the result without it");
-  add_all_names(sub, "-o,--output", given->files, "FILE",
-                "Write this file, in the format of its extension: .msh .msh2 .mesh .vtu .inp .bdf .h5m .med .xdmf; "
-                ".html is a report with pictures")
+  add_all_names(
+      sub, "-o,--output", given->files, "FILE",
+      "Write this file, in the format of its extension: .msh .msh2 .mesh .vtu .inp .bdf .h5m .med .xdmf; "
+      ".html is a report with pictures")
       ->required();
   add_bounds(sub, given->options);
   CLI::Option* const keep_boundary = sub->add_flag(

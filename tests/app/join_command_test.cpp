@@ -147,5 +147,16 @@ TEST_CASE("distances to join by that are none", "[app][join]") {
   }
 }
 
+TEST_CASE("mesh: surfaces of what is joined", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml",
+          "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
+          "  b: {box: {min: [0, 0, 1.0001], max: [1, 1, 2]}}\n  u: {union: [a, b]}\nresult: u\n");
+  const Outcome o = w.run("mesh t.yaml -o s.msh --surface --join 0.001");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, Contains("wall a | b"));
+  CHECK_THAT(o.err, Contains("joined 4 pairs"));
+}
+
 }  // namespace
 }  // namespace cnrg

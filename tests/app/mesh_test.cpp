@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -85,7 +84,8 @@ TEST_CASE("mesh: elements of second order follow curved faces", "[app][mesh]") {
 
   o = w.run("mesh ball.yaml -o ball.mesh --curved");
   CHECK(o.status == 2);
-  CHECK_THAT(o.err, Contains("ball.mesh: this format holds elements of first order only; use one of .msh .msh2 .vtu"));
+  CHECK_THAT(o.err,
+             Contains("ball.mesh: this format holds elements of first order only; use one of .msh .msh2 .vtu"));
   CHECK(!std::filesystem::exists(w.path("ball.mesh")));
   CHECK(w.run("mesh ball.yaml --curved --order 2 --quiet -o again.msh").out.empty());
   CHECK(w.read("again.msh") == w.read("ball.msh"));
@@ -373,17 +373,6 @@ TEST_CASE("mesh: a thin slab is meshed whatever way is taken, and what it lacks 
   CHECK_THAT(o.err, Contains("leave out --quality"));
 }
 
-TEST_CASE("mesh: surfaces of what is joined", "[app][mesh]") {
-  const Workshop w;
-  w.write("t.yaml",
-          "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
-          "  b: {box: {min: [0, 0, 1.0001], max: [1, 1, 2]}}\n  u: {union: [a, b]}\nresult: u\n");
-  const Outcome o = w.run("mesh t.yaml -o s.msh --surface --join 0.001");
-  CHECK(o.status == 0);
-  CHECK_THAT(o.out, Contains("wall a | b"));
-  CHECK_THAT(o.err, Contains("joined 4 pairs"));
-}
-
 TEST_CASE("mesh: one error for what cannot be meshed or written", "[app][mesh][errors]") {
   const Workshop w;
   w.write("t.yaml", kPair);
@@ -392,7 +381,8 @@ TEST_CASE("mesh: one error for what cannot be meshed or written", "[app][mesh][e
   CHECK_THAT(o.err, StartsWith("cnrg: error: ") && Contains("-o"));
   o = w.run("mesh t.yaml -o t.stl");
   CHECK(o.status == 2);
-  CHECK_THAT(o.err, Contains("no writer of tetrahedra for the extension `.stl`; use one of .msh .msh2 .mesh .vtu"));
+  CHECK_THAT(o.err,
+             Contains("no writer of tetrahedra for the extension `.stl`; use one of .msh .msh2 .mesh .vtu"));
   o = w.run("mesh t.yaml -o t.poly");
   CHECK(o.status == 2);
   CHECK_THAT(o.err, Contains("`cnrg eval -o` writes it"));

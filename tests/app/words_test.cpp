@@ -63,7 +63,7 @@ TEST_CASE("help of a command is what --help says, in lines of 80 characters", "[
     }
   }
   CHECK_THAT(w.run("help mesh").out, Contains("\n  -q,--quiet                  No table and no notices\n"));
-  CHECK_THAT(w.run("help eval").out, Contains("\n                              .json .vtu .msh .mesh"));
+  CHECK_THAT(w.run("help eval").out, Contains("\n                              .json .vtu .msh .msh2 .mesh"));
   const Outcome o = w.run("help evla");
   CHECK(o.status == 2);
   CHECK_THAT(o.err, StartsWith("cnrg: error: ") && Contains("evla") && Contains("eval"));

