@@ -39,6 +39,6 @@ for name, node in ("union", ring | other), ("intersection", ring & other), ("dif
           f"volume {float(result.volume):.6f}, by the arrays {volume:.6f}")
 
 # Output:
-# union: 4692 triangles, closed: True, 3 tunnels, volume 111.998059, by the arrays 111.998059
-# intersection: 900 triangles, closed: True, 0 tunnels, volume 4.754830, by the arrays 4.754830
-# difference: 2796 triangles, closed: True, 1 tunnels, volume 53.621614, by the arrays 53.621614
+# union: 4680 triangles, closed: True, 3 tunnels, volume 111.998059, by the arrays 111.998059
+# intersection: 888 triangles, closed: True, 0 tunnels, volume 4.754830, by the arrays 4.754830
+# difference: 2784 triangles, closed: True, 1 tunnels, volume 53.621614, by the arrays 53.621614
