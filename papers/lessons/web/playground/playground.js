@@ -47,7 +47,7 @@ const decode = (bytes) => new TextDecoder().decode(bytes);
 
 /** What the program said, with places; what has none stands at the first line. */
 function messagesOf(text) {
-  return text.split('\n').filter(Boolean).map((line) => {
+  return text.split('\n').filter((line) => line && !/^ *\d* \| /.test(line)).map((line) => {  // the editor shows the line
     const found = /^tree\.yaml:(\d+)(?::(\d+))?: (error|warning|notice): (.*)$/.exec(line) ?? /^(?:\S*: )?()()(error|warning|notice): (.*)$/.exec(line);
     if (!found) return {line: 1, column: 1, severity: 'error', message: line};
     return {line: Number(found[1] || 1), column: Number(found[2] || 1), severity: {notice: 'info'}[found[3]] ?? found[3], message: found[4]};
