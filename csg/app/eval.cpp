@@ -11,7 +11,6 @@
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
 #include "csg/certify/certificate.h"
-#include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
 #include "csg/formats/writer.h"
@@ -177,18 +176,14 @@ std::string topology_of(const Result& result) {
 
 /// What of each node asked for, or of the result, is so near that it was probably meant to touch, and which names
 /// it has no more.
-void tell_near_and_lost(const Tree& tree, const Evaluation& evaluation, std::vector<NodeId> nodes,
-                        Results& results) {
+void tell_near_and_lost(const Tree& tree, const Evaluation& evaluation, std::vector<NodeId> nodes) {
   if (nodes.empty()) nodes = {tree.result};
   for (const NodeId id : nodes) {
-    const Node& node = tree.nodes[id];
     ProgressBar bar(false);
     bar.show("near features");
-    const std::string text = nearly_touching_notice(results(id), {bar.progress(), {}});
+    const std::vector<Diagnostic> all = near_and_lost(tree, evaluation, id, {bar.progress(), {}});
     bar.clear();
-    print(lost_names(tree, evaluation, id), false);
-    if (!text.empty())
-      print({{tree.file, node.operator_at, Diagnostic::Level::notice, "`" + node.name + "`: " + text}}, false);
+    print(all, false);
   }
 }
 
@@ -267,7 +262,7 @@ int run_eval(const EvalArguments& arguments) {
     if (options.nodes.empty()) results(tree.result);
     for (const NodeId node : options.nodes) results(node);
   }
-  if (!arguments.quiet && arguments.join.empty()) tell_near_and_lost(tree, evaluation, options.nodes, results);
+  if (!arguments.quiet && arguments.join.empty()) tell_near_and_lost(tree, evaluation, options.nodes);
   std::string told;
   if (arguments.topology) {
     ProgressBar bar(arguments.quiet);

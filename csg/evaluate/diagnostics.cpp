@@ -82,6 +82,8 @@ std::vector<Diagnostic> lost_names(const Tree& tree, const Evaluation& evaluatio
                ? tree.nodes[evaluation.leaves->node_of(leaf)].label
                : kNone;
   };
+  const std::vector<LeafId>& leaves = evaluation.value(node).leaves;
+  if (std::ranges::all_of(leaves, [&](LeafId leaf) { return label_of(leaf).empty(); })) return {};
   std::map<LeafId, NamedCells> named;
   const auto see = [&](int dimension, const FlatComplex::Provenance& origin) {
     for (const LeafId leaf : origin.leaves) {

@@ -30,7 +30,7 @@ std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, c
                                            const SimplifiedValue& simplified, const Transform& moved);
 
 /// Notices: sheets, wires and points with a name of their own that no cell of a kept node has, since each of their
-/// cells is part of another one with a name. Flattens the node's value.
+/// cells is part of another one with a name. Flattens the node's value if there are such leaves.
 std::vector<Diagnostic> lost_names(const Tree& tree, const Evaluation& evaluation, NodeId node);
 
 /// A warning, if the node is a `select` that has picked nothing.

@@ -3,7 +3,6 @@
 
 #include "bind.h"
 #include "csg/certify/certificate.h"
-#include "csg/evaluate/diagnostics.h"
 #include "csg/topology/features.h"
 #include "numbers.h"
 #include "watched.h"
@@ -82,12 +81,7 @@ void bind_evaluation(py::module_& module) {
              all.insert(all.end(), e.evaluation.diagnostics.begin(), e.evaluation.diagnostics.end());
              for (Diagnostic& d : certificate_of(e.evaluation).told(*e.tree)) all.push_back(std::move(d));
              for (const NodeId node : roots) {
-               for (Diagnostic& d : lost_names(*e.tree, e.evaluation, node)) all.push_back(std::move(d));
-               const Node& shown = e.tree->nodes[node];
-               const std::string near = nearly_touching_notice(e.evaluation.result(node));
-               if (!near.empty())
-                 all.push_back({e.tree->file, shown.operator_at, Diagnostic::Level::notice,
-                                "`" + shown.name + "`: " + near});
+               for (Diagnostic& d : near_and_lost(*e.tree, e.evaluation, node)) all.push_back(std::move(d));
              }
              py::list list;
              for (const Diagnostic& d : all) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "csg/evaluate/diagnostics.h"
 #include "csg/result/flat_drawing.h"
 #include "csg/result/part_text.h"
 #include "csg/result/result_data.h"
@@ -271,6 +272,31 @@ std::string nearly_touching(const ResultView& view, const FlatComplex& flat, con
          (told.size() == 1 ? "" : "the nearest ") + decimal(nearest_root(least), "%.3g") + " apart" + remedy;
 }
 
+/// Do the walls between its components alone have more facets, since they lie in more planes?
+bool has_more_walls(const Result& result, std::size_t most) {
+  const Complex& complex = result.complex();
+  IdVector<RegionId, Component> component(complex.region_count, 0);
+  for (const auto& [region, of] : result.selection().regions) component[region] = of;
+  std::vector<PlaneId> planes;
+  for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+    const auto [front, back] = complex.face_regions[f];
+    if (component[front] != component[back]) planes.push_back(complex.plane(f));
+  }
+  sort_unique(planes);
+  return planes.size() > most;
+}
+
+std::string nearly_touching_notice(const Result& result, const Watch& watch) {
+  constexpr std::size_t kMostFacets = 20'000;
+  if (has_more_walls(result, kMostFacets)) return {};
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  std::size_t facets = 0;
+  for (const auto& face : flat.faces) facets += face.triangles.size();
+  if (facets > kMostFacets || reaches_frame(flat)) return {};
+  return nearly_touching(view, flat, "`weld` or --join ", Pairs::of_different_leaves, watch);
+}
+
 }  // namespace
 
 std::string nearly_touching_text(const Result& result, const Watch& watch) {
@@ -280,14 +306,15 @@ std::string nearly_touching_text(const Result& result, const Watch& watch) {
   return nearly_touching(view, flat, "--join ", Pairs::all, watch);
 }
 
-std::string nearly_touching_notice(const Result& result, const Watch& watch) {
-  constexpr std::size_t kMostFacets = 20'000;
-  const ResultView view = result.data().view();
-  const FlatComplex flat = flatten(view);
-  std::size_t facets = 0;
-  for (const auto& face : flat.faces) facets += face.triangles.size();
-  if (facets > kMostFacets || reaches_frame(flat)) return {};
-  return nearly_touching(view, flat, "`weld` or --join ", Pairs::of_different_leaves, watch);
+std::vector<Diagnostic> near_and_lost(const Tree& tree, const Evaluation& evaluation, NodeId node,
+                                      const Watch& watch) {
+  std::vector<Diagnostic> all = lost_names(tree, evaluation, node);
+  const std::string text = nearly_touching_notice(evaluation.result(node), watch);
+  if (!text.empty()) {
+    const Node& shown = tree.nodes[node];
+    all.push_back({tree.file, shown.operator_at, Diagnostic::Level::notice, "`" + shown.name + "`: " + text});
+  }
+  return all;
 }
 
 std::string features_text(const Result& result, const std::vector<Feature>& features) {
