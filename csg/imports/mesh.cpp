@@ -240,9 +240,8 @@ class MeshLeaf {
     const RationalPoint exact_origin = points_.value(corners_[0]);
     std::vector<Rational> terms;
     for_each_triangle([&](const std::array<std::uint32_t, 3>& corners) {
-      RationalPoint d[3];
-      for (std::size_t i = 0; i < 3; ++i) d[i] = points_.value(corners[i]) - exact_origin;
-      terms.push_back(dot(d[0], cross(d[1], d[2])));
+      const auto& [a, b, c] = corners;
+      terms.push_back(volume6(exact_origin, points_.value(a), points_.value(b), points_.value(c)));
     });
     return cnrg::sum(std::move(terms)) < 0;
   }

@@ -4,18 +4,17 @@
 // The XML of a mesh has an element for each point and triangle, so it is read as it comes (expat) and no tree is
 // made of it. Positions are the doubles of the text, moved by the transforms in doubles. Each placed mesh is a
 // group of faces. Colours and what extensions say are left out; an extension that is required is refused.
-#include <expat.h>
 #include <zlib.h>
 
 #include <charconv>
 #include <cmath>
-#include <exception>
 #include <map>
-#include <memory>
 #include <new>
 
 #include "csg/imports/affine.h"
+#include "csg/imports/little_endian.h"
 #include "csg/imports/mesh_file.h"
+#include "csg/imports/xml_events.h"
 #include "csg/leaves/leaf.h"
 
 namespace cnrg {
@@ -25,12 +24,6 @@ constexpr const char* kBrokenArchive = "the archive is truncated, or damaged: ex
 
 [[noreturn]] void fail_3mf(const std::string& path, const std::string& text) {
   throw LeafFileError(path, 0, 0, text);
-}
-
-std::size_t number_in(std::string_view bytes, std::size_t at, std::size_t size) {
-  std::size_t n = 0;
-  for (std::size_t k = size; k-- > 0;) n = n << 8 | static_cast<unsigned char>(bytes[at + k]);
-  return n;
 }
 
 /// Raw deflate. zlib makes at most 1032 bytes of one.
@@ -56,45 +49,30 @@ std::string archive_part(const std::string& path, std::string_view archive, std:
   const std::size_t end = archive.rfind(std::string_view("PK\5\6", 4));
   if (end == std::string_view::npos || archive.size() - end < kEnd)
     fail_3mf(path, "this is no ZIP archive, which a .3mf is: export it again");
-  std::size_t at = number_in(archive, end + 16, 4);
-  for (std::size_t left = number_in(archive, end + 10, 2); left > 0; --left) {
+  std::size_t at = little_endian(archive, end + 16, 4);
+  for (std::size_t left = little_endian(archive, end + 10, 2); left > 0; --left) {
     if (at > archive.size() || archive.size() - at < kEntry) fail_3mf(path, kBrokenArchive);
-    const std::size_t length = number_in(archive, at + 28, 2);
+    const std::size_t length = little_endian(archive, at + 28, 2);
     if (archive.substr(at + kEntry, length) == name) {
-      const std::size_t method = number_in(archive, at + 10, 2), packed = number_in(archive, at + 20, 4),
-                        size = number_in(archive, at + 24, 4), head = number_in(archive, at + 42, 4);
+      const std::size_t method = little_endian(archive, at + 10, 2), packed = little_endian(archive, at + 20, 4),
+                        size = little_endian(archive, at + 24, 4), head = little_endian(archive, at + 42, 4);
       if (head > archive.size() || archive.size() - head < kHead) fail_3mf(path, kBrokenArchive);
-      const std::size_t begin = head + kHead + number_in(archive, head + 26, 2) + number_in(archive, head + 28, 2);
+      const std::size_t begin =
+          head + kHead + little_endian(archive, head + 26, 2) + little_endian(archive, head + 28, 2);
       if (begin > archive.size() || archive.size() - begin < packed) fail_3mf(path, kBrokenArchive);
       const std::string_view bytes = archive.substr(begin, packed);
       if (method == 0) return std::string(bytes);
       if (method != 8) fail_3mf(path, "the archive is packed otherwise than by deflate: export it again");
       return inflated(path, bytes, size);
     }
-    at += kEntry + length + number_in(archive, at + 30, 2) + number_in(archive, at + 32, 2);
+    at += kEntry + length + little_endian(archive, at + 30, 2) + little_endian(archive, at + 32, 2);
   }
   fail_3mf(path, "the archive has no part " + std::string(name) + ": export it again");
 }
 
-class ThreeMfReader {
+class ThreeMfReader : XmlEvents {
  public:
-  ThreeMfReader(const std::string& path, const std::string& text)
-      : path_(path), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
-    if (!parser_) throw std::bad_alloc();
-    XML_SetUserData(parser_.get(), this);
-    XML_SetStartElementHandler(parser_.get(), begin_element);
-    XML_SetStartDoctypeDeclHandler(parser_.get(), doctype);
-    constexpr std::size_t kAtOnce = 1 << 26;  // its lengths are of type int
-    for (std::size_t at = 0; at < text.size(); at += kAtOnce) {
-      const std::size_t n = std::min(kAtOnce, text.size() - at);
-      const auto status = XML_Parse(parser_.get(), text.data() + at, static_cast<int>(n), at + n == text.size());
-      if (fault_) std::rethrow_exception(fault_);
-      if (status == XML_STATUS_OK) continue;
-      const XML_Error code = XML_GetErrorCode(parser_.get());
-      if (code == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-      fail_here(std::string("this is no XML: ") + XML_ErrorString(code) + "; export it again");
-    }
-  }
+  ThreeMfReader(const std::string& path, const std::string& text) : path_(path) { parse(text); }
 
   MeshData read() {
     for (const Use& item : build_) place(item, kInPlace, 0);
@@ -103,7 +81,6 @@ class ThreeMfReader {
   }
 
  private:
-  using Attributes = std::map<std::string, std::string, std::less<>>;
   struct Use {
     std::string object;
     Affine place = kInPlace;
@@ -115,8 +92,6 @@ class ThreeMfReader {
   };
 
   const std::string& path_;
-  std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser_;
-  std::exception_ptr fault_;
   std::map<std::string, Object, std::less<>> objects_;
   Object* object_ = nullptr;  ///< that is being read
   std::vector<Use> build_;
@@ -125,34 +100,12 @@ class ThreeMfReader {
   std::size_t placed_ = 0;
 
   [[noreturn]] void fail_here(const std::string& text) const {
-    fail_3mf(path_,
-             "3D/3dmodel.model, line " + std::to_string(XML_GetCurrentLineNumber(parser_.get())) + ": " + text);
+    fail_3mf(path_, "3D/3dmodel.model, line " + std::to_string(line()) + ": " + text);
   }
+  void fail_as_no_xml(const std::string& fault) const override { fail_here(fault + "; export it again"); }
+  void refuse_doctype() const override { fail_here("a model has no DOCTYPE: leave it out"); }
 
-  /// Nothing may be thrown through a library of C.
-  template <class Body>
-  static void guarded(void* user, const Body& body) {
-    auto& reader = *static_cast<ThreeMfReader*>(user);
-    if (reader.fault_) return;
-    try {
-      body(reader);
-    } catch (...) {
-      reader.fault_ = std::current_exception();
-      XML_StopParser(reader.parser_.get(), XML_FALSE);
-    }
-  }
-  static void doctype(void* user, const char*, const char*, const char*, int) {
-    guarded(user, [](ThreeMfReader& reader) { reader.fail_here("a model has no DOCTYPE: leave it out"); });
-  }
-  static void begin_element(void* user, const char* name, const char** attributes) {
-    guarded(user, [&](ThreeMfReader& reader) {
-      Attributes given;
-      for (; *attributes != nullptr; attributes += 2) given[attributes[0]] = attributes[1];
-      reader.begin(name, given);
-    });
-  }
-
-  const std::string& wanted(const Attributes& given, const char* key) const {
+  const std::string& wanted(const XmlAttributes& given, const char* key) const {
     const auto found = given.find(key);
     if (found == given.end()) fail_here(std::string("the attribute ") + key + " is missing: export it again");
     return found->second;
@@ -164,7 +117,7 @@ class ThreeMfReader {
       fail_here("`" + std::string(text.substr(0, 40)) + "` is no finite number: export it again");
     return x;
   }
-  std::uint32_t corner(const Attributes& given, const char* key) const {
+  std::uint32_t corner(const XmlAttributes& given, const char* key) const {
     const double x = number(wanted(given, key));
     if (!(x >= 0 && x < static_cast<double>(object_->points.size())) || x != std::floor(x))
       fail_here("a triangle has the point " + wanted(given, key) + " of " +
@@ -172,7 +125,7 @@ class ThreeMfReader {
     return static_cast<std::uint32_t>(x);
   }
   /// Twelve numbers, the images of the axes and of the origin.
-  Affine affine(const Attributes& given) const {
+  Affine affine(const XmlAttributes& given) const {
     const auto found = given.find("transform");
     if (found == given.end()) return kInPlace;
     std::vector<double> numbers;
@@ -192,7 +145,8 @@ class ThreeMfReader {
     return out;
   }
 
-  void begin(const std::string& name, const Attributes& given) {
+  void begin(const char* element, XmlAttributes given) override {
+    const std::string_view name = element;
     if (name == "model") {
       const auto required = given.find("requiredextensions");
       if (required != given.end() && !required->second.empty())

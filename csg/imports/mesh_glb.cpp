@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "csg/imports/affine.h"
+#include "csg/imports/little_endian.h"
 #include "csg/imports/mesh_file.h"
 #include "csg/leaves/leaf.h"
 #include "csg/text/json_document.h"
@@ -51,23 +52,17 @@ class GlbReader {
   }
   [[noreturn]] void fail(const std::string& text) const { fail_in(path_, text); }
 
-  static std::uint32_t word(std::string_view bytes, std::size_t at) {
-    std::uint32_t n = 0;
-    for (std::size_t k = 4; k-- > 0;) n = n << 8 | static_cast<unsigned char>(bytes[at + k]);
-    return n;
-  }
-
   /// The first chunk as JSON; `binary` becomes the second one.
   static JsonDocument document_of(const std::string& path, const std::string& bytes, std::string_view& binary) {
     const std::string truncated = "the file is truncated, or no GLB: export it again";
     if (bytes.size() < 20 || !bytes.starts_with("glTF")) fail_in(path, truncated);
-    if (word(bytes, 4) != 2)
-      fail_in(path, "glTF " + std::to_string(word(bytes, 4)) + " is not read: export glTF 2.0");
-    const std::size_t size = word(bytes, 12);
+    if (little_endian(bytes, 4) != 2)
+      fail_in(path, "glTF " + std::to_string(little_endian(bytes, 4)) + " is not read: export glTF 2.0");
+    const std::size_t size = little_endian(bytes, 12);
     if (bytes.size() - 20 < size || bytes.compare(16, 4, "JSON") != 0) fail_in(path, truncated);
     const std::size_t next = 20 + size;
     if (bytes.size() >= next + 8) {
-      const std::size_t rest = word(bytes, next);
+      const std::size_t rest = little_endian(bytes, next);
       if (bytes.size() - next - 8 < rest || bytes.compare(next + 4, 4, std::string_view("BIN\0", 4)) != 0)
         fail_in(path, truncated);
       binary = std::string_view(bytes).substr(next + 8, rest);
@@ -223,7 +218,8 @@ class GlbReader {
     const Items found = items(accessor, 12);
     for (std::size_t i = 0; i < found.count; ++i) {
       std::array<double, 3> p{};
-      for (std::size_t k = 0; k < 3; ++k) p[k] = std::bit_cast<float>(word(found.bytes, i * found.stride + 4 * k));
+      for (std::size_t k = 0; k < 3; ++k)
+        p[k] = std::bit_cast<float>(little_endian(found.bytes, i * found.stride + 4 * k));
       add_point(mesh_, place, p);
       for (auto x = mesh_.xyz.end() - 3; x != mesh_.xyz.end(); ++x) {
         if (!std::isfinite(*x))
@@ -240,9 +236,7 @@ class GlbReader {
     const Items found = items(accessor, size);
     std::vector<std::uint32_t> out;
     for (std::size_t i = 0; i < found.count; ++i) {
-      std::uint32_t n = 0;
-      for (std::size_t k = size; k-- > 0;)
-        n = n << 8 | static_cast<unsigned char>(found.bytes[i * found.stride + k]);
+      const auto n = static_cast<std::uint32_t>(little_endian(found.bytes, i * found.stride, size));
       if (n >= count)
         fail(json_.path(accessor) + " names point " + std::to_string(n) + " of " + std::to_string(count));
       out.push_back(n);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "csg/imports/little_endian.h"
 #include "csg/imports/text_cursor.h"
 #include "csg/leaves/leaf.h"
 
@@ -13,12 +14,6 @@ namespace cnrg {
 namespace {
 
 constexpr std::size_t kHeader = 84, kTriangle = 50;
-
-std::uint32_t little_endian(const char* bytes) {
-  std::uint32_t value = 0;
-  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-  return value;
-}
 
 void add_triangle(MeshData& mesh) {
   const std::uint32_t last = static_cast<std::uint32_t>(mesh.point_count());
@@ -32,7 +27,7 @@ MeshData read_binary(const std::string& path, const std::string& data) {
   };
   if (data.size() < kHeader)
     fail(data.size(), "the file ends within the header of a binary STL: it is truncated, or no STL");
-  const std::size_t count = little_endian(data.data() + 80);
+  const std::size_t count = little_endian(data, 80);
   const std::size_t expected = kHeader + kTriangle * count;
   if (data.size() < expected) {
     fail(data.size(), "the file ends within triangle " + std::to_string((data.size() - kHeader) / kTriangle + 1) +
@@ -49,7 +44,7 @@ MeshData read_binary(const std::string& path, const std::string& data) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t start = kHeader + kTriangle * i + 12;  // after the normal, which the corners say better
     for (std::size_t k = 0; k < 9; ++k) {
-      const double x = std::bit_cast<float>(little_endian(data.data() + start + 4 * k));
+      const double x = std::bit_cast<float>(little_endian(data, start + 4 * k));
       if (!std::isfinite(x)) {
         fail(start + 4 * k,
              "triangle " + std::to_string(i + 1) + " has a coordinate that is no finite number: correct the file");
@@ -108,7 +103,7 @@ MeshData read_text(const std::string& path, const std::string& text, bool decima
 }  // namespace
 
 MeshData read_stl(const std::string& path, const std::string& text, bool decimal) {
-  if (text.size() >= kHeader && text.size() == kHeader + kTriangle * little_endian(text.data() + 80)) {
+  if (text.size() >= kHeader && text.size() == kHeader + kTriangle * little_endian(text, 80)) {
     return read_binary(path, text);
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");

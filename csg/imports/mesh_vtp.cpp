@@ -9,20 +9,16 @@
 // block, and everything before it is a small tree of elements. Bytes have a header of their own: their number, or,
 // where they are compressed by zlib, the number and the sizes of blocks. In base64 the header may be encoded by
 // itself, with padding in the middle of the letters.
-#include <expat.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <exception>
-#include <map>
 #include <memory>
-#include <new>
 
 #include "csg/imports/mesh_file.h"
 #include "csg/imports/text_cursor.h"
 #include "csg/imports/vtk_bytes.h"
 #include "csg/imports/vtk_cells.h"
+#include "csg/imports/xml_events.h"
 #include "csg/leaves/leaf.h"
 
 namespace cnrg {
@@ -30,7 +26,7 @@ namespace {
 
 struct XmlElement {
   std::string name;
-  std::map<std::string, std::string> attributes;
+  XmlAttributes attributes;
   std::vector<std::unique_ptr<XmlElement>> children;
   std::string text;  ///< of its own, not of its children
   int line = 0, text_line = 0;
@@ -51,38 +47,11 @@ struct XmlElement {
   throw LeafFileError(path, line, 0, text);
 }
 
-// The line of the parser's current event, and the byte behind the event: since expat 2.9 by functions of their own
-// for 64 bits.
-#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
-std::size_t line_of(XML_Parser parser) { return XML_GetCurrentLineNumber64(parser); }
-std::size_t end_of_event(XML_Parser parser) {
-  return static_cast<std::size_t>(XML_GetCurrentByteIndex64(parser)) + XML_GetCurrentByteCount64(parser);
-}
-#else
-std::size_t line_of(XML_Parser parser) { return XML_GetCurrentLineNumber(parser); }
-std::size_t end_of_event(XML_Parser parser) {
-  return static_cast<std::size_t>(XML_GetCurrentByteIndex(parser)) +
-         static_cast<std::size_t>(XML_GetCurrentByteCount(parser));
-}
-#endif
-
 /// The elements of a file up to its appended data.
-class XmlTree {
+class XmlTree : XmlEvents {
  public:
-  XmlTree(const std::string& path, const std::string& text)
-      : path_(path), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
-    if (!parser_) throw std::bad_alloc();
-    XML_SetUserData(parser_.get(), this);
-    XML_SetElementHandler(parser_.get(), begin_element, end_element);
-    XML_SetCharacterDataHandler(parser_.get(), characters);
-    XML_SetStartDoctypeDeclHandler(parser_.get(), doctype);
-    constexpr std::size_t kAtOnce = 1 << 26;  // its lengths are of type int
-    for (std::size_t at = 0; at < text.size() && !appended_; at += kAtOnce) {
-      const std::size_t n = std::min(kAtOnce, text.size() - at);
-      const auto status = XML_Parse(parser_.get(), text.data() + at, static_cast<int>(n), at + n == text.size());
-      if (fault_) std::rethrow_exception(fault_);
-      if (status == XML_STATUS_ERROR && !appended_) fail();
-    }
+  XmlTree(const std::string& path, const std::string& text) : path_(path) {
+    parse(text);
     if (!root_) fail_at(path_, 1, "the file has no element: it is no XML of VTK");
   }
 
@@ -94,63 +63,36 @@ class XmlTree {
   static constexpr std::size_t kDeepest = 30;  // VTK's own files have ten
 
   const std::string& path_;
-  std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser_;
   std::unique_ptr<XmlElement> root_;
   std::vector<XmlElement*> open_;
   std::optional<std::size_t> appended_;
-  std::exception_ptr fault_;
 
-  int line() const { return static_cast<int>(line_of(parser_.get())); }
-  [[noreturn]] void fail() const {
-    const XML_Error code = XML_GetErrorCode(parser_.get());
-    if (code == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-    fail_at(path_, line(), std::string("this is no XML: ") + XML_ErrorString(code) + "; write the file again");
+  int line_number() const { return static_cast<int>(line()); }
+  void fail_as_no_xml(const std::string& fault) const override {
+    fail_at(path_, line_number(), fault + "; write the file again");
   }
-
-  /// Nothing may be thrown through a library of C.
-  template <class Body>
-  static void guarded(void* user, const Body& body) {
-    auto& tree = *static_cast<XmlTree*>(user);
-    if (tree.fault_) return;
-    try {
-      body(tree);
-    } catch (...) {
-      tree.fault_ = std::current_exception();
-      XML_StopParser(tree.parser_.get(), XML_FALSE);
-    }
+  void refuse_doctype() const override {
+    fail_at(path_, line_number(), "files of VTK have no DOCTYPE, which may name other files: leave it out");
   }
-  static void begin_element(void* user, const char* name, const char** attributes) {
-    guarded(user, [&](XmlTree& tree) { tree.begin(name, attributes); });
+  void end() override { open_.pop_back(); }
+  void characters(std::string_view text) override {
+    XmlElement& element = *open_.back();
+    if (element.text.empty()) element.text_line = line_number();
+    element.text += text;
   }
-  static void end_element(void* user, const char*) {
-    guarded(user, [](XmlTree& tree) { tree.open_.pop_back(); });
-  }
-  static void characters(void* user, const char* text, int length) {
-    guarded(user, [&](XmlTree& tree) {
-      XmlElement& element = *tree.open_.back();
-      if (element.text.empty()) element.text_line = tree.line();
-      element.text.append(text, static_cast<std::size_t>(length));
-    });
-  }
-  static void doctype(void* user, const char*, const char*, const char*, int) {
-    guarded(user, [](XmlTree& tree) {
-      fail_at(tree.path_, tree.line(), "files of VTK have no DOCTYPE, which may name other files: leave it out");
-    });
-  }
-
-  void begin(const char* name, const char** attributes) {
-    if (open_.size() == kDeepest) fail_at(path_, line(), "elements are nested too deep for a file of VTK");
+  void begin(const char* name, XmlAttributes attributes) override {
+    if (open_.size() == kDeepest) fail_at(path_, line_number(), "elements are nested too deep for a file of VTK");
     auto element = std::make_unique<XmlElement>();
     element->name = name;
-    element->line = line();
-    for (; *attributes != nullptr; attributes += 2) element->attributes[attributes[0]] = attributes[1];
+    element->line = line_number();
+    element->attributes = std::move(attributes);
     XmlElement* const made = element.get();
     if (open_.empty()) root_ = std::move(element);
     else open_.back()->children.push_back(std::move(element));
     open_.push_back(made);
     if (made->name != "AppendedData") return;
-    appended_ = end_of_event(parser_.get());
-    XML_StopParser(parser_.get(), XML_FALSE);
+    appended_ = end_of_event();
+    stop();
   }
 };
 
