@@ -176,7 +176,7 @@ bool between(const std::vector<Interval3>& a, const std::vector<Interval3>& b) {
 class Beside {
  public:
   Beside(const std::vector<Piece>& all, const Piece& a, const Piece& b, const CommonCorners& common)
-      : all_(all), a_(all, a, common.of_a), side_(a_.by_side()) {
+      : a_(all, a, common.of_a), side_(a_.by_side()) {
     if (b.kind == Piece::Kind::flat) {
       flat_ = &b;
       return;
@@ -185,29 +185,12 @@ class Beside {
     side_ = side_ && b_->by_side();
   }
 
-  bool ask(const PiecePart& a, const PiecePart& b) {
-    if (parted(std::array{a, b}, Between::facets_and_surfaces) || joined(a, b) || at_angle(a, b)) return true;
-    if (steps_-- <= 0) return false;
-    const bool first = b_ == std::nullopt || share(a) >= share(b);
-    const PiecePart& part = first ? a : b;
-    const std::size_t way = part.piece->kind == Piece::Kind::curve || length(part, 0) >= length(part, 1) ? 0 : 1;
-    for (const PiecePart& half : halves(all_, part, way, Between::facets_and_surfaces)) {
-      if (!ask(first ? half : a, first ? b : half)) return false;
-    }
-    return true;
+  /// True if two parts have no more in common than the side or corner, or cross at an angle.
+  bool proven(const PiecePart& a, const PiecePart& b) const {
+    return parted(std::array{a, b}, Between::facets_and_surfaces) || joined(a, b) || at_angle(a, b);
   }
-
-  std::size_t steps() const { return std::size_t(kMostOwnSteps - steps_); }
 
  private:
-  /// Of its piece's.
-  static Upward length(const PiecePart& part, std::size_t k) {
-    return width_of(part.range[k]) / width_of(part.piece->range[k]);
-  }
-  static Upward share(const PiecePart& part) {
-    return part.piece->kind == Piece::Kind::curve ? length(part, 0) : std::max(length(part, 0), length(part, 1));
-  }
-
   bool joined(const PiecePart& a, const PiecePart& b) const {
     std::optional<Interval> along;
     if (side_) along = hull(a_.along(a.range), b_ ? b_->along(b.range) : a_.along(a.range));
@@ -231,12 +214,10 @@ class Beside {
     return independent(a.cone, b.cone);
   }
 
-  const std::vector<Piece>& all_;
   Opened a_;
   std::optional<Opened> b_;
   const Piece* flat_ = nullptr;
   bool side_;
-  int steps_ = kMostOwnSteps;
 };
 
 }  // namespace
@@ -249,9 +230,12 @@ bool apart_but_beside(const std::vector<Piece>& all, std::uint32_t a, std::uint3
   if (all[a].kind == Piece::Kind::flat) std::swap(a, b);
   const CommonCorners common = common_corners(all, all[a], all[b]);
   if (common.of_a.size() > 2 || common.of_a.empty()) return false;
-  Beside beside(all, all[a], all[b], common);
-  const bool proven = beside.ask(part_of(all, all[a], all[a].range), part_of(all, all[b], all[b].range));
-  steps += beside.steps();
+  const Beside beside(all, all[a], all[b], common);
+  std::size_t left = kMostOwnSteps;
+  const bool proven = proven_by_halves(
+      all, part_of(all, all[a], all[a].range), part_of(all, all[b], all[b].range),
+      [&](const PiecePart& x, const PiecePart& y) { return beside.proven(x, y); }, left);
+  steps += kMostOwnSteps - left;
   return proven;
 }
 

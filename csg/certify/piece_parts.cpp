@@ -324,6 +324,22 @@ std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& 
   return {part_of(all, *part.piece, low, between), part_of(all, *part.piece, high, between)};
 }
 
+namespace {
+
+Upward share_of(const PiecePart& part, std::size_t k) {
+  return width_of(part.range[k]) / width_of(part.piece->range[k]);
+}
+
+}  // namespace
+
+Upward PiecePart::share() const {
+  if (piece->kind == Piece::Kind::flat) return 0;
+  return piece->kind == Piece::Kind::curve ? share_of(*this, 0) : share_of(*this, 0) + share_of(*this, 1);
+}
+std::size_t PiecePart::longer() const {
+  return piece->kind == Piece::Kind::curve || share_of(*this, 0) >= share_of(*this, 1) ? 0 : 1;
+}
+
 const Interval3& PiecePart::middle() const {
   if (known_middle) return *known_middle;
   const Interval s(middle_of(range[0]));

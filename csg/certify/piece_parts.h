@@ -1,6 +1,7 @@
 // Parts of pieces by parameters, which a proof halves (proof.h): what they hold, and whether a plane parts them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -27,6 +28,9 @@ struct PiecePart {
     std::size_t count = 0;
     void add(const Interval3& p) { all[count++] = p; }
   } facet{};
+  /// How much of its piece it is by u and by v, added; 0 of what is flat; and the parameter by which it is more.
+  Upward share() const;
+  std::size_t longer() const;
   /// S in the middle of the range, once it is asked for.
   const Interval3& middle() const;
   mutable std::optional<Interval3> known_middle{};
@@ -60,5 +64,30 @@ bool at_angle(std::span<const PiecePart> parts);
 bool misses(const Piece& flat, const Interval3& box);
 /// About how far facets are from the surface there.
 double thickness_of(const PiecePart& part);
+
+/// How often parts are halved for one of the questions below; `steps` gets more by it.
+constexpr std::size_t kMostOwnSteps = 200;
+/// True if `proven(x, y)` holds of two parts, or of all pairs into which the larger ones are halved.
+template <class Proven>
+bool proven_by_halves(const std::vector<Piece>& all, const PiecePart& a, const PiecePart& b, const Proven& proven,
+                      std::size_t& left) {
+  if (proven(a, b)) return true;
+  if (left == 0) return false;
+  --left;
+  const bool first = a.share() >= b.share();
+  const PiecePart& part = first ? a : b;
+  return std::ranges::all_of(halves(all, part, part.longer(), Between::facets_and_surfaces),
+                             [&](const PiecePart& half) {
+                               return proven_by_halves(all, first ? half : a, first ? b : half, proven, left);
+                             });
+}
+/// True if two pieces have a side in common that ends in a pole, or nothing is known of their directions.
+bool meet_at_pole(const Piece& a, const Piece& b);
+/// True if H is one to one on two cells of a patch that have corners in common, or on one. `patch`: all its cells.
+bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,
+                std::uint32_t b, std::size_t& steps);
+/// True if two pieces of a leaf have no more in common than their common side or corner, but where they cross at
+/// an angle away from it (piece_beside.cpp). They do not meet at a pole; a curve may be asked with itself.
+bool apart_but_beside(const std::vector<Piece>& all, std::uint32_t a, std::uint32_t b, std::size_t& steps);
 
 }  // namespace cnrg

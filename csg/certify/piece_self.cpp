@@ -36,31 +36,21 @@ class Neighbours {
 
   bool alone(const PiecePart& part) {
     if (independent_between(part.range, part.range)) return true;
-    if (steps_-- <= 0) return false;
-    const std::array<PiecePart, 2> both =
-        halves(all_, part, length(part, 0) >= length(part, 1) ? 0 : 1, Between::facets_and_surfaces);
+    if (left_ == 0) return false;
+    --left_;
+    const std::array<PiecePart, 2> both = halves(all_, part, part.longer(), Between::facets_and_surfaces);
     return alone(both[0]) && alone(both[1]) && ask(both[0], both[1]);
   }
   bool ask(const PiecePart& a, const PiecePart& b) {
-    if (independent_between(a.range, b.range) || parted(std::array{a, b}, Between::facets_and_surfaces))
-      return true;
-    if (steps_-- <= 0) return false;
-    const bool first = length(a, 0) + length(a, 1) >= length(b, 0) + length(b, 1);
-    const PiecePart& part = first ? a : b;
-    const std::size_t way = length(part, 0) >= length(part, 1) ? 0 : 1;
-    for (const PiecePart& half : halves(all_, part, way, Between::facets_and_surfaces)) {
-      if (!ask(first ? half : a, first ? b : half)) return false;
-    }
-    return true;
+    const auto proven = [&](const PiecePart& x, const PiecePart& y) {
+      return independent_between(x.range, y.range) || parted(std::array{x, y}, Between::facets_and_surfaces);
+    };
+    return proven_by_halves(all_, a, b, proven, left_);
   }
 
-  std::size_t steps() const { return std::size_t(kMostOwnSteps - steps_); }
+  std::size_t steps() const { return kMostOwnSteps - left_; }
 
  private:
-  /// Of its cell's.
-  static Upward length(const PiecePart& part, std::size_t k) {
-    return width_of(part.range[k]) / width_of(part.piece->range[k]);
-  }
   bool independent_between(const Range& a, const Range& b) const {
     const Range both{hull(a[0], b[0]), hull(a[1], b[1])};
     const SurfaceJet<Interval> jet = all_[patch_[0]].surface->over(both[0], both[1]);
@@ -77,7 +67,7 @@ class Neighbours {
 
   const std::vector<Piece>& all_;
   const std::span<const std::uint32_t> patch_;
-  int steps_ = kMostOwnSteps;
+  std::size_t left_ = kMostOwnSteps;
 };
 
 }  // namespace

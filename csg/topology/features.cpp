@@ -205,7 +205,7 @@ std::vector<Index> closed_cells(const Parts& parts, const Parts::Cell& cell) {
   sort_unique(out);
   return out;
 }
-bool touch(const Parts& parts, const Parts::Cell& a, const Parts::Cell& b) {
+bool touching(const Parts& parts, const Parts::Cell& a, const Parts::Cell& b) {
   std::vector<Index> common;
   std::ranges::set_intersection(closed_cells(parts, a), closed_cells(parts, b), std::back_inserter(common));
   return !common.empty();
@@ -259,7 +259,7 @@ std::string nearly_touching(const ResultView& view, const FlatComplex& flat, con
       const auto [known, fresh] = left_out.try_emplace(cells, false);
       if (fresh) {
         known->second = (which == Pairs::of_different_leaves && are_of_same_leaves(flat, cells)) ||
-                        touch(parts, cells[0], cells[1]);
+                        touching(parts, cells[0], cells[1]);
       }
       if (known->second) continue;
       if (told.empty() || pair.squared < least) least = pair.squared;
