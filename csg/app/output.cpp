@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <iostream>
+#include <map>
 #include <new>
 
 #include "csg/text/escape.h"
@@ -29,14 +30,18 @@ int write_out(std::string_view text) {
   return 0;
 }
 
-/// A line of a file, without its end; nothing if it has not so many lines or cannot be read again.
-std::string line_of(const std::string& file, int number) {
-  std::string text;
+/// Empty if it cannot be read again.
+std::string read_again(const std::string& file) {
+  if (file == kStandardInput) return {};
   try {
-    text = read_file(file);
+    return read_file(file);
   } catch (const std::runtime_error&) {
     return {};
   }
+}
+
+/// A line without its end; nothing if there are not so many.
+std::string line_of(const std::string& text, int number) {
   std::size_t begin = 0;
   for (int line = 1; line < number; ++line) {
     begin = text.find('\n', begin) + 1;
@@ -55,10 +60,10 @@ std::string next_shown(std::string_view& text) {
 
 /// The line of a fault, and below it a mark at the column; of a long line the part there. Nothing for a file as a
 /// whole.
-std::string marked_line(const Fault& fault) {
+std::string marked_line(const Fault& fault, const std::string& text) {
   constexpr std::size_t kBefore = 60, kAfter = 40;
-  if (fault.at == Position() || fault.file == kStandardInput) return {};
-  const std::string line = line_of(fault.file, fault.at.line);
+  if (fault.at == Position()) return {};
+  const std::string line = line_of(text, fault.at.line);
   if (line.empty()) return {};
   std::string_view rest = line;
   const std::size_t column = std::min(static_cast<std::size_t>(fault.at.column) - 1, line.size());
@@ -81,9 +86,12 @@ void tell_error(const std::exception& error) {
   const auto* const placed = dynamic_cast<const Placed*>(&error);
   if (placed == nullptr) return tell(error.what());
   const std::vector<Fault>& faults = placed->faults();
+  std::map<std::string, std::string> texts;
   for (std::size_t i = 0; i < faults.size() && i < kMost; ++i) {
     tell(faults[i].text());
-    std::cerr << marked_line(faults[i]) << std::flush;
+    const auto [text, fresh] = texts.try_emplace(faults[i].file);
+    if (fresh) text->second = read_again(faults[i].file);
+    std::cerr << marked_line(faults[i], text->second) << std::flush;
   }
   if (faults.size() > kMost) tell(counted(faults.size() - kMost, "more fault", "more faults"));
 }

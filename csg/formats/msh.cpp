@@ -20,6 +20,7 @@
 #include "csg/mesh/mesh.h"
 #include "csg/text/digits.h"
 #include "csg/text/escape.h"
+#include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
@@ -166,7 +167,10 @@ class MshWriter {
         Line line(out);
         line << i + 1;
         for (std::size_t end = 0; end < (d == 0 ? 1 : 2); ++end) {
-          for (std::size_t k = 0; k < 3; ++k) line << ' ' << texts_.coordinate(boxes_[d][i][end][k], k);
+          for (std::size_t k = 0; k < 3; ++k) {
+            require(boxes_[d][i][end][k] != kNone, "msh: an entity without an element");
+            line << ' ' << texts_.coordinate(boxes_[d][i][end][k], k);
+          }
         }
         const auto add = [&](const auto& numbers) {
           line << ' ' << numbers.size();

@@ -376,13 +376,6 @@ Projection projection_of(const PointTable& t, PlaneId plane, const PlaneFilter& 
   return s > 0 ? Projection{u, v} : Projection{v, u};
 }
 
-bool same_plane(const PointTable& t, PlaneId p, PlaneId q) {
-  for (const VertexId v : t.plane_points(q)) {
-    if (side_of_plane(t, p, v) != 0) return false;
-  }
-  return true;
-}
-
 void count_filtered(std::uint64_t n) { counts().filter += n; }
 
 StageCounts stage_counts() {

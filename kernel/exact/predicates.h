@@ -45,8 +45,6 @@ Projection projection_of(const PointTable& t, PlaneId plane);
 Projection projection_of(const ExactPlane& plane);
 /// The first one with a filter of the plane, which decides nearly always.
 Projection projection_of(const PointTable& t, PlaneId plane, const PlaneFilter& filter);
-/// True if the two planes are the same point set.
-bool same_plane(const PointTable& t, PlaneId p, PlaneId q);
 
 /// Calls per deciding stage, summed over all threads since the last reset.
 StageCounts stage_counts();

@@ -1,8 +1,6 @@
-// Questions of incidence that people ask: the link of cells, the radial order about an edge, the shells of a
-// region.
+// Questions of incidence that people ask: the link of cells, the radial order about an edge.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "kernel/selection/selection.h"
@@ -23,12 +21,5 @@ struct RadialStep {
 
 /// The faces about an edge in radial order, a slit twice; empty for a wire.
 std::vector<RadialStep> radial_order(const Complex& complex, EdgeId e);
-/// In words: `f3 (front), r1, f7 (back), r0`; for a wire `a wire in r1`.
-std::string radial_order_text(const Complex& complex, EdgeId e);
-
-/// The half-faces of a region by shell, those that see each other over an edge in one; each ascending, shells in
-/// the order of their first half-face. Wires and isolated vertices of the region are in `Complex::region_wires`
-/// and `region_vertices`.
-std::vector<std::vector<HalfFace>> shells(const Complex& complex, RegionId r);
 
 }  // namespace cnrg

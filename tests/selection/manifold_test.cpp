@@ -258,7 +258,7 @@ TEST_CASE("one-sided sheets", "[manifold]") {
   CHECK(closed[0].closed);
 }
 
-TEST_CASE("links, radial order and shells", "[incidence]") {
+TEST_CASE("links and radial order", "[incidence]") {
   const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2}),
                                          sheet({4, 0, 4}, {6, 4, 4}), wire({3, 3, 3}, {3, 3, 2})});
   const Complex& complex = *built_complex;
@@ -274,16 +274,7 @@ TEST_CASE("links, radial order and shells", "[incidence]") {
     CHECK(complex.region(steps[i].face.opposite()) == steps[i].region);
     CHECK(complex.region(steps[(i + 1) % 3].face) == steps[i].region);
   }
-  CHECK(radial_order_text(complex, hanging) ==
-        "a wire in r" + std::to_string(complex.edge_region[hanging].value()));
-  CHECK(radial_order_text(complex, hinge).find("(front), r") != std::string::npos);
-  for (RegionId r : IdRange<RegionId>(complex.region_count)) {
-    const auto found = shells(complex, r);
-    CHECK(found.size() == (complex.labels(r).size() == 1 ? 2u : 1u));
-    std::size_t total = 0;
-    for (const auto& shell : found) total += shell.size();
-    CHECK(total == complex.region_faces[r].size());
-  }
+  CHECK(radial_order(complex, hanging).empty());
   // The link of a corner of the outer box: what its faces and regions leave without it.
   CellSet corner;
   for (VertexId v : complex.vertices) {
