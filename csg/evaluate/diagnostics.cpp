@@ -12,7 +12,6 @@
 #include "csg/operators/node_value.h"
 #include "csg/result/flat.h"
 #include "csg/result/result_data.h"
-#include "csg/topology/features.h"
 #include "kernel/selection/canonical.h"
 
 namespace cnrg {
@@ -165,17 +164,6 @@ std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, c
     out.push_back({tree.file, node.operator_at, Diagnostic::Level::warning, message});
   }
   return out;
-}
-
-std::vector<Diagnostic> near_and_lost(const Tree& tree, const Evaluation& evaluation, NodeId node,
-                                      const Watch& watch) {
-  std::vector<Diagnostic> all = lost_names(tree, evaluation, node);
-  const std::string text = nearly_touching_notice(evaluation.result(node), watch);
-  if (!text.empty()) {
-    const Node& shown = tree.nodes[node];
-    all.push_back({tree.file, shown.operator_at, Diagnostic::Level::notice, "`" + shown.name + "`: " + text});
-  }
-  return all;
 }
 
 std::vector<Diagnostic> empty_selection(const Tree& tree, NodeId node, const NodeValue& value) {

@@ -33,11 +33,6 @@ std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, c
 /// cells is part of another one with a name. Flattens the node's value if there are such leaves.
 std::vector<Diagnostic> lost_names(const Tree& tree, const Evaluation& evaluation, NodeId node);
 
-/// Notices beside every evaluation, of a kept node: names that are lost, and cells of different leaves that nearly
-/// touch (csg/topology/features.h).
-std::vector<Diagnostic> near_and_lost(const Tree& tree, const Evaluation& evaluation, NodeId node,
-                                      const Watch& watch = {});
-
 /// A warning, if the node is a `select` that has picked nothing.
 std::vector<Diagnostic> empty_selection(const Tree& tree, NodeId node, const NodeValue& value);
 

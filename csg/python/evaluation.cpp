@@ -3,7 +3,7 @@
 
 #include "bind.h"
 #include "csg/certify/certificate.h"
-#include "csg/evaluate/diagnostics.h"
+#include "csg/topology/features.h"
 #include "numbers.h"
 #include "watched.h"
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "csg/evaluate/diagnostics.h"
 #include "csg/result/flat_drawing.h"
 #include "csg/result/part_text.h"
 #include "csg/result/result_data.h"
@@ -285,8 +286,6 @@ bool has_more_walls(const Result& result, std::size_t most) {
   return planes.size() > most;
 }
 
-}  // namespace
-
 std::string nearly_touching_notice(const Result& result, const Watch& watch) {
   constexpr std::size_t kMostFacets = 20'000;
   if (has_more_walls(result, kMostFacets)) return {};
@@ -298,11 +297,24 @@ std::string nearly_touching_notice(const Result& result, const Watch& watch) {
   return nearly_touching(view, flat, "`weld` or --join ", Pairs::of_different_leaves, watch);
 }
 
+}  // namespace
+
 std::string nearly_touching_text(const Result& result, const Watch& watch) {
   const ResultView view = result.data().view();
   const FlatComplex flat = flatten(view);
   require_bounds(flat, "the result has no bounds", ": distances are told of such results only");
   return nearly_touching(view, flat, "--join ", Pairs::all, watch);
+}
+
+std::vector<Diagnostic> near_and_lost(const Tree& tree, const Evaluation& evaluation, NodeId node,
+                                      const Watch& watch) {
+  std::vector<Diagnostic> all = lost_names(tree, evaluation, node);
+  const std::string text = nearly_touching_notice(evaluation.result(node), watch);
+  if (!text.empty()) {
+    const Node& shown = tree.nodes[node];
+    all.push_back({tree.file, shown.operator_at, Diagnostic::Level::notice, "`" + shown.name + "`: " + text});
+  }
+  return all;
 }
 
 std::string features_text(const Result& result, const std::vector<Feature>& features) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/evaluate/evaluate.h"
 #include "csg/result/near.h"
 #include "csg/result/result.h"
 
@@ -40,9 +41,11 @@ std::vector<Feature> features(const Result& result, const std::optional<Rational
 /// told. Throws InputError for a result without bounds.
 std::string nearly_touching_text(const Result& result, const Watch& watch = {});
 
-/// The same of cells of different leaves, with `weld` as a remedy; empty for a result without bounds, and for one
-/// of more than 20,000 facets, of which it would take long.
-std::string nearly_touching_notice(const Result& result, const Watch& watch = {});
+/// Notices beside every evaluation, of a kept node: names that are lost (csg/evaluate/diagnostics.h), and the same
+/// of cells of different leaves, with `weld` as a remedy; not of a result without bounds, nor of one of more than
+/// 20,000 facets, of which it would take long.
+std::vector<Diagnostic> near_and_lost(const Tree& tree, const Evaluation& evaluation, NodeId node,
+                                      const Watch& watch = {});
 
 /// A table of them, a line each: kind, value, cells, places, the leaves that made each cell.
 std::string features_text(const Result& result, const std::vector<Feature>& features);
