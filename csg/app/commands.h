@@ -81,7 +81,6 @@ struct MeshArguments {
   TetrahedraOptions options;
   bool snap = false, no_snap = false, quiet = false;     ///< as of `eval`
   bool certify = false, no_certify = false;              ///< as of `eval`
-  bool curved = false;                                   ///< points on the true surfaces, elements of second order
   bool surface = false;                                  ///< triangles on faces, segments on edges, no tetrahedra
   bool quads = false;                                    ///< of `surface`: triangles merged by pairs
   bool one_group = false;                                ///< as of `eval`

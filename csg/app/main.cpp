@@ -440,7 +440,7 @@ void add_mesh(CLI::App& program, Command& command) {
   add_either(sub, "--certify", given->certify, kCertify, "--no-certify", given->no_certify, kNoCertify);
   CLI::Option* const joins = sub->add_option("--join", given->join, kJoin)->type_name("D")->check(distance_fault);
   CLI::Option* const curved =
-      sub->add_flag("--curved", given->curved,
+      sub->add_flag("--curved", given->options.curved,
                     "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes")
           ->excludes(joins);
   CLI::Option* const surface =
@@ -476,6 +476,19 @@ void add_mesh(CLI::App& program, Command& command) {
       ->needs(surface)
       ->excludes(order);
   sub->add_flag("--one-group", given->one_group, kOneGroup);
+  CLI::Option* const split =
+      sub->add_option("--split", given->options.split,
+                      "More than once: give both sides of the faces of a group nodes of their own, in groups "
+                      "`back of NAME` and `front of NAME`, so that a fault can open and slip")
+          ->type_name("NAME")
+          ->expected(1)
+          ->take_all()
+          ->excludes(surface);
+  sub->add_flag("--interfaces", given->options.interfaces,
+                "Of --split: wedges without thickness between the sides, in groups `interface NAME`")
+      ->needs(split)
+      ->excludes(curved)
+      ->excludes(order);
   add_either(sub, "--snap", given->snap, kSnap, "--no-snap", given->no_snap, std::string(kNoSnap) + "refuse it")
       ->excludes(curved);
   add_threads(sub, given->threads);

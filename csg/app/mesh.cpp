@@ -96,12 +96,13 @@ std::string where_beyond(const TetrahedralMesh& made) {
   return text;
 }
 
-/// A row per region and one for all. `bent`: of a mesh of second order.
-std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
+/// A row per region and one for all.
+std::string table_of(const TetrahedralMesh& made) {
+  const std::optional<CurvedReport>& bent = made.bent;
   Table table;
   table.add_column("region", Table::Align::left);
   table.add_column("tetrahedra");
-  if (bent != nullptr) {
+  if (bent) {
     table.add_column("curved");
     table.add_column("straight");
   }
@@ -112,7 +113,7 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
   const auto row = [&](const std::string& name, std::size_t all, std::size_t curved, std::size_t straight,
                        const MeshQuality::Region& shapes, const Rational& volume) {
     std::vector<std::string> cells{name, std::to_string(all)};
-    if (bent != nullptr) {
+    if (bent) {
       cells.push_back(std::to_string(curved));
       cells.push_back(std::to_string(straight));
     }
@@ -126,8 +127,8 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
   Rational volume = 0;
   for (const std::size_t i : listed_regions(made)) {
     const RegionTetrahedra& region = made.regions[i];
-    const std::size_t of_curved = bent != nullptr ? bent->curved[i] : 0;
-    const std::size_t of_straight = bent != nullptr ? bent->straight[i] : 0;
+    const std::size_t of_curved = bent ? bent->curved[i] : 0;
+    const std::size_t of_straight = bent ? bent->straight[i] : 0;
     row(region.name, region.tetrahedra, of_curved, of_straight, made.quality.regions[i], region.volume);
     tetrahedra += region.tetrahedra;
     curved += of_curved;
@@ -154,6 +155,11 @@ std::string text_of(const CurvedReport& bent) {
   text += "; " + std::to_string(bent.middles) + " edges bent";
   if (bent.left > 0) text += "; " + std::to_string(bent.left) + " points and middles left where they were";
   return text + "\n";
+}
+
+std::string text_of(const SplitReport& parted) {
+  return counted(parted.nodes, "node", "nodes") + " split, with " + counted(parted.twins, "twin", "twins") +
+         (parted.wedges > 0 ? "; " + counted(parted.wedges, "wedge", "wedges") + " between them" : "") + "\n";
 }
 
 std::string short_number(double value) { return decimal(value, "%.6g"); }
@@ -343,7 +349,8 @@ int run_mesh(const MeshArguments& arguments) {
       continue;
     }
     if (arguments.one_group) check_one_group_file_name(path);
-    if (arguments.curved || arguments.options.order == 2) check_second_order_file_name(path, kPage);
+    if (arguments.options.curved || arguments.options.order == 2) check_second_order_file_name(path, kPage);
+    else if (arguments.options.interfaces) check_interfaces_file_name(path, kPage);
     else if (arguments.quads) check_quads_file_name(path, kPage);
     else check_mesh_file_name(path, kPage);
   }
@@ -359,7 +366,8 @@ int run_mesh(const MeshArguments& arguments) {
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
   else tell_uncertain(tree, evaluation, arguments.quiet);
-  if (const std::string doubt = certificate_of(evaluation, node).doubt(tree); arguments.curved && !doubt.empty()) {
+  if (const std::string doubt = certificate_of(evaluation, node).doubt(tree);
+      arguments.options.curved && !doubt.empty()) {
     for (const std::string& path : arguments.files) tell(path + ": warning: " + doubt);
   }
   Result result = evaluation.result(node);
@@ -367,7 +375,6 @@ int run_mesh(const MeshArguments& arguments) {
   if (arguments.surface) return mesh_surface(arguments, tree, node, std::move(result));
   TetrahedralMesh made;
   SnapReport snapped;
-  std::optional<CurvedReport> bent;
   {
     ProgressBar bar(arguments.quiet);
     bar.show("mesh");
@@ -389,23 +396,20 @@ int run_mesh(const MeshArguments& arguments) {
         }
       };
     }
-    if (arguments.curved) asked.order = 1;  // bent afterwards
-    if (arguments.curved && asked.quality == 0) asked.quality = kCurvedQuality;
-    const bool snaps = !arguments.no_snap && !arguments.curved;  // curved surfaces are of the exact result
-    made = at_node(tree, node,
-                   [&] { return snaps ? snapped_tetrahedra(result, asked, snapped) : tetrahedra(result, asked); });
-    if (arguments.curved) bent = at_node(tree, node, [&] { return curve(result, made, asked.watch); });
+    made = at_node(tree, node, [&] {
+      return arguments.no_snap ? tetrahedra(result, asked) : snapped_tetrahedra(result, asked, snapped);
+    });
   }
   made.mesh.one_group = arguments.one_group;
   if (!arguments.quiet) {
-    std::cout << table_of(made, bent ? &*bent : nullptr);
-    if (bent) std::cout << text_of(*bent);
+    std::cout << table_of(made);
+    if (made.bent) std::cout << text_of(*made.bent);
+    if (made.parted) std::cout << text_of(*made.parted);
     std::cout << std::flush;
   }
   tell_nearly_touching(arguments, tree, node, result);
-  write_files(
-      arguments, result, made.mesh, made.rounding, snapped, made.notice, made.warnings,
-      [&](const MeshPageOptions& options) { return mesh_page(result, made, bent ? &*bent : nullptr, options); });
+  write_files(arguments, result, made.mesh, made.rounding, snapped, made.notice, made.warnings,
+              [&](const MeshPageOptions& options) { return mesh_page(result, made, options); });
   return kDone;
 }
 

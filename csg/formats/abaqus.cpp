@@ -42,6 +42,7 @@ class AbaqusWriter {
     add_elements(2, straight ? "S3" : "STRI65", plan_.shells(), kSecondOrderTriangle);
     add_elements(2, "S4", mesh_.quads, kSecondOrderPoint);
     add_elements(1, straight ? "T3D2" : "T3D3", plan_.bars(), kSecondOrderLine);
+    add_elements(3, "COH3D6", mesh_.wedges, kSecondOrderPoint);
     add_sets();
     return std::move(text_);
   }

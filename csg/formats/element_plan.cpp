@@ -45,7 +45,8 @@ bool says_more(const Attributes& wall, const Attributes& region) {
 std::vector<char> find_shells(const Mesh& mesh) {
   static const Attributes kNothing;
   std::map<std::int32_t, const Attributes*> regions;  // by component
-  for (const auto& region : mesh.entities[3]) regions[region.tags.region] = region.tags.said;
+  for (const auto& region : mesh.entities[3])
+    if (region.tags.dimension == 3) regions[region.tags.region] = region.tags.said;
   std::vector<char> shells;
   for (const auto& face : mesh.entities[2]) {
     const CellTags& tags = face.tags;
@@ -53,8 +54,9 @@ std::vector<char> find_shells(const Mesh& mesh) {
       const auto it = regions.find(component);
       return it == regions.end() || says_more(*tags.said, it->second == nullptr ? kNothing : *it->second);
     };
-    shells.push_back(mesh.tetrahedra.empty() || tags.bounded == 0 ||
-                     (tags.said != nullptr && says_more_than(tags.front) && says_more_than(tags.back)));
+    shells.push_back(!face.side &&
+                     (mesh.tetrahedra.empty() || tags.bounded == 0 ||
+                      (tags.said != nullptr && says_more_than(tags.front) && says_more_than(tags.back))));
   }
   return shells;
 }
@@ -105,6 +107,7 @@ std::vector<std::vector<std::size_t>> group_nodes(const Mesh& mesh, std::size_t 
   if (dimension == 2) collect(mesh, 2, mesh.triangles, kSecondOrderTriangle, nodes);
   if (dimension == 2) collect(mesh, 2, mesh.quads, kSecondOrderPoint, nodes);
   if (dimension == 3) collect(mesh, 3, mesh.tetrahedra, kSecondOrderEdges, nodes);
+  if (dimension == 3) collect(mesh, 3, mesh.wedges, kSecondOrderPoint, nodes);
   for (auto& of : nodes) {
     sort_unique(of);
   }

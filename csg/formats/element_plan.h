@@ -12,8 +12,8 @@ namespace cnrg {
 
 /// Tetrahedra are solids. Triangles are shells, unless the mesh has tetrahedra and the face bounds regions and
 /// nothing is said of it but what is said of one of these (quadrilaterals are, since there are none with
-/// tetrahedra): of such faces a solver knows the sides of tetrahedra. Segments of wires are bars; those on edges
-/// of faces are none.
+/// tetrahedra), or it was split (csg/mesh/split.h): of such faces a solver knows the sides of tetrahedra. Segments
+/// of wires are bars; those on edges of faces are none.
 class ElementPlan {
  public:
   explicit ElementPlan(const Mesh& mesh);

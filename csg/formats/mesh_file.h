@@ -17,6 +17,9 @@ void check_second_order_file_name(const std::string& path, const std::string& ot
 /// extension; `others` are named, too.
 void check_quads_file_name(const std::string& path, const std::string& others = {});
 
+/// The same of wedges: .msh .msh2 .vtu .inp.
+void check_interfaces_file_name(const std::string& path, const std::string& others = {});
+
 /// Writes the mesh of a result to `path`; the file appears whole or not at all (csg/text/file.h), also where it is
 /// stopped (Stopped).
 void write(const std::string& path, const Result& result, const Mesh& mesh, const std::stop_token& stop = {});

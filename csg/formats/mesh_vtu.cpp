@@ -20,7 +20,8 @@ std::string vtu_text(const ResultView& view, const Mesh& mesh) {
   add(straight ? VtuCell::triangle : VtuCell::quadratic_triangle, 2, mesh.triangles, kSecondOrderTriangle);
   add(VtuCell::quad, 2, mesh.quads, kSecondOrderPoint);
   add(straight ? VtuCell::tetrahedron : VtuCell::quadratic_tetrahedron, 3, mesh.tetrahedra, kSecondOrderEdges);
-  return grid.text(view, mesh.points);
+  add(VtuCell::wedge, 3, mesh.wedges, kSecondOrderPoint);
+  return grid.text(view, mesh.points, nullptr, mesh.twins);
 }
 
 }  // namespace cnrg

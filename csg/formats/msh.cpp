@@ -74,6 +74,7 @@ class MshWriter {
     }
     add_elements();
     if (mesh_.flat && version_ == Version::four) add_parametrizations();
+    add_twins();
     add_fields();
     add_properties();
     return std::move(text_);
@@ -261,30 +262,51 @@ class MshWriter {
     });
     number += simplices.size();
   }
+  /// All elements in their order: dimension, type of Gmsh, simplices, edges with middles.
+  template <class See>
+  void for_each_kind(const See& see) const {
+    const bool straight = mesh_.middles.empty();
+    see(0, 15, mesh_.vertices, kEdges0);
+    see(1, straight ? 1 : 8, mesh_.segments, kEdges1);
+    see(2, straight ? 2 : 9, mesh_.triangles, kEdges2);
+    see(2, 3, mesh_.quads, kEdges0);
+    see(3, straight ? 4 : 11, mesh_.tetrahedra, kEdges3);
+    see(3, 6, mesh_.wedges, kEdges0);
+  }
   std::size_t count() const {
-    return mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size() + mesh_.quads.size() +
-           mesh_.tetrahedra.size();
+    std::size_t n = 0;
+    for_each_kind([&](std::size_t, int, const auto& simplices, const auto&) { n += simplices.size(); });
+    return n;
   }
   void add_elements() {
-    const std::size_t blocks = blocks_of(mesh_.vertices) + blocks_of(mesh_.segments) + blocks_of(mesh_.triangles) +
-                               blocks_of(mesh_.quads) + blocks_of(mesh_.tetrahedra);
+    std::size_t blocks = 0, number = 0;
+    for_each_kind([&](std::size_t, int, const auto& simplices, const auto&) { blocks += blocks_of(simplices); });
     const std::size_t n = count();
     text_ += "$Elements\n";
     if (version_ == Version::two) Line(text_) << n << '\n';
     else Line(text_) << blocks << ' ' << n << (n == 0 ? " 0 " : " 1 ") << n << '\n';
-    std::size_t number = 0;
-    const bool straight = mesh_.middles.empty();
-    add_blocks(0, 15, mesh_.vertices, kEdges0, number);
-    add_blocks(1, straight ? 1 : 8, mesh_.segments, kEdges1, number);
-    add_blocks(2, straight ? 2 : 9, mesh_.triangles, kEdges2, number);
-    add_blocks(2, 3, mesh_.quads, kEdges0, number);
-    add_blocks(3, straight ? 4 : 11, mesh_.tetrahedra, kEdges3, number);
+    for_each_kind([&](std::size_t dimension, int type, const auto& simplices, const auto& edges) {
+      add_blocks(dimension, type, simplices, edges, number);
+    });
     text_ += "$EndElements\n";
   }
 
-  /// Discontinuous fields, by element and node. Tetrahedra are the last elements.
+  /// Of a split mesh: the numbers of nodes from which others were parted.
+  void add_twins() {
+    std::size_t n = 0;
+    std::string lines;
+    for (Index p = 0; p < mesh_.twins.size(); ++p) {
+      if (mesh_.twins[p] == p) continue;
+      Line(lines) << p + 1 << ' ' << mesh_.twins[p] + 1 << '\n';
+      ++n;
+    }
+    if (n > 0)
+      text_ += "$NodeData\n1\n\"twin\"\n1\n0\n3\n0\n1\n" + std::to_string(n) + "\n" + lines + "$EndNodeData\n";
+  }
+
+  /// Discontinuous fields, by element and node. Only wedges come after tetrahedra.
   void add_fields() {
-    const std::size_t before = count() - mesh_.tetrahedra.size();
+    const std::size_t before = count() - mesh_.tetrahedra.size() - mesh_.wedges.size();
     for (const Mesh::Field& field : mesh_.fields) {
       text_ += "$ElementNodeData\n1\n\"" + shown_in_quotes(field.name) + "\"\n1\n0\n3\n0\n1\n" +
                std::to_string(mesh_.tetrahedra.size()) + "\n";
@@ -310,7 +332,7 @@ class MshWriter {
       text_ += "$ElementData\n1\n\"" + unused(gmsh_name(shown_in_quotes(property.key))) + "\"\n1\n0\n3\n0\n1\n" +
                std::to_string(n) + "\n";
       std::size_t number = 0;
-      const auto add_all = [&](std::size_t dimension, const auto& simplices) {
+      for_each_kind([&](std::size_t dimension, int, const auto& simplices, const auto&) {
         for (const auto& s : simplices) {
           const double value = property.values[dimension][s.entity];
           Line line(text_);
@@ -318,10 +340,7 @@ class MshWriter {
           if (std::isnan(value)) line << "nan\n";
           else line << value << '\n';
         }
-      };
-      add_all(0, mesh_.vertices), add_all(1, mesh_.segments);
-      add_all(2, mesh_.triangles), add_all(2, mesh_.quads);
-      add_all(3, mesh_.tetrahedra);
+      });
       text_ += "$EndElementData\n";
     }
   }

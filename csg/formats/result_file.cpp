@@ -33,6 +33,7 @@ struct MeshFormat {
   std::string_view extension;
   bool second_order;
   bool quads;
+  bool wedges;
   std::string (*make)(const std::string& path, const ResultView& view, const Mesh& mesh);
 };
 
@@ -42,24 +43,23 @@ std::string make(const std::string&, const ResultView&, const Mesh& mesh) {
 }
 
 constexpr std::array<MeshFormat, 9> kMeshFormats{
-    {{".msh", true, true, make<msh_text>},
-     {".msh2", true, true, make<msh2_text>},
-     {".mesh", false, true, make<medit_text>},
-     {".vtu", true, true,
+    {{".msh", true, true, true, make<msh_text>},
+     {".msh2", true, true, true, make<msh2_text>},
+     {".mesh", false, true, false, make<medit_text>},
+     {".vtu", true, true, true,
       [](const std::string&, const ResultView& view, const Mesh& mesh) { return vtu_text(view, mesh); }},
-     {".inp", true, true, make<abaqus_text>},
-     {".bdf", true, true, make<nastran_text>},
-     {".h5m", false, false, make<h5m_bytes>},
-     {".med", true, true, make<med_bytes>},
-     {".xdmf", true, true,
+     {".inp", true, true, true, make<abaqus_text>},
+     {".bdf", true, true, false, make<nastran_text>},
+     {".h5m", false, false, false, make<h5m_bytes>},
+     {".med", true, true, false, make<med_bytes>},
+     {".xdmf", true, true, false,
       [](const std::string& path, const ResultView&, const Mesh& mesh) { return xdmf_text(path, mesh); }}}};
 
-/// Each with a space before it.
-std::string known_mesh_formats(bool second_order, bool quads = false) {
+/// Each with a space before it. `can`: those that can hold such elements.
+std::string known_mesh_formats(bool MeshFormat::*can = nullptr) {
   std::string known;
   for (const MeshFormat& format : kMeshFormats) {
-    if ((format.second_order || !second_order) && (format.quads || !quads))
-      known += " " + std::string(format.extension);
+    if (can == nullptr || format.*can) known += " " + std::string(format.extension);
   }
   return known;
 }
@@ -73,7 +73,7 @@ const MeshFormat& mesh_format_of(const std::string& path, const std::string& oth
   throw InputError(path +
                    (surface ? ": this format holds faces and no tetrahedra; `cnrg eval -o` writes it"
                             : ": no writer of tetrahedra for the extension `" + extension + "`") +
-                   "; use one of" + known_mesh_formats(false) + others);
+                   "; use one of" + known_mesh_formats() + others);
 }
 
 /// Before the work.
@@ -188,24 +188,35 @@ void check_mesh_file_name(const std::string& path, const std::string& others) {
   require_plugin_of(path);
 }
 
-void check_second_order_file_name(const std::string& path, const std::string& others) {
+namespace {
+
+/// `words`: why it cannot; `option`: who asks for it.
+void require_can(bool MeshFormat::*can, const std::string& path, const std::string& others, const char* words,
+                 const char* option) {
   check_mesh_file_name(path, others);
-  if (mesh_format_of(path).second_order) return;
-  throw InputError(path + ": this format holds elements of first order only; use one of" +
-                   known_mesh_formats(true) + others + " for --curved and --order 2");
+  if (mesh_format_of(path).*can) return;
+  throw InputError(path + ": this format " + words + "; use one of" + known_mesh_formats(can) + others + " for " +
+                   option);
 }
 
+}  // namespace
+
+void check_second_order_file_name(const std::string& path, const std::string& others) {
+  require_can(&MeshFormat::second_order, path, others, "holds elements of first order only",
+              "--curved and --order 2");
+}
 void check_quads_file_name(const std::string& path, const std::string& others) {
-  check_mesh_file_name(path, others);
-  if (mesh_format_of(path).quads) return;
-  throw InputError(path + ": this format is read by programs that take triangles only; use one of" +
-                   known_mesh_formats(false, true) + others + " for --quads");
+  require_can(&MeshFormat::quads, path, others, "is read by programs that take triangles only", "--quads");
+}
+void check_interfaces_file_name(const std::string& path, const std::string& others) {
+  require_can(&MeshFormat::wedges, path, others, "gets no wedges", "--interfaces");
 }
 
 void write(const std::string& path, const Result& result, const Mesh& mesh, const std::stop_token& stop) {
   check_mesh_file_name(path);
   if (!mesh.quads.empty()) check_quads_file_name(path);
   if (!mesh.middles.empty()) check_second_order_file_name(path);
+  if (!mesh.wedges.empty()) check_interfaces_file_name(path);
   std::string content;
   try {
     content = mesh_format_of(path).make(path, result.data().view(), mesh);

@@ -54,14 +54,8 @@ struct TetrahedralResult::Data {
   TetrahedralMesh made;
 };
 
-TetrahedralResult::TetrahedralResult(const Result& result, const TetrahedraOptions& options, bool curved) {
-  TetrahedraOptions asked = options;
-  if (curved) asked.order = 1;  // bent afterwards
-  if (curved && asked.quality == 0) asked.quality = kCurvedQuality;
-  TetrahedralMesh made = tetrahedra(result, asked);
-  if (curved) curve(result, made, options.watch);
-  data_ = std::make_shared<const Data>(Data{result, std::move(made)});
-}
+TetrahedralResult::TetrahedralResult(const Result& result, const TetrahedraOptions& options)
+    : data_(std::make_shared<const Data>(Data{result, tetrahedra(result, options)})) {}
 
 const std::string& TetrahedralResult::notice() const { return data_->made.notice; }
 double TetrahedralResult::expected() const { return data_->made.expected; }
@@ -73,6 +67,9 @@ TetrahedraArrays TetrahedralResult::arrays() const {
   out.said = said.table(data_->result.data().view());
   out.regions = data_->made.regions;
   out.rounding = data_->made.rounding;
+  out.twins.assign(data_->made.mesh.twins.begin(), data_->made.mesh.twins.end());
+  for (const auto& wedge : data_->made.mesh.wedges)
+    out.wedges.insert(out.wedges.end(), wedge.points.begin(), wedge.points.end());
   for (const Mesh::Field& field : data_->made.mesh.fields) out.fields.emplace_back(field.name, field.values);
   return out;
 }

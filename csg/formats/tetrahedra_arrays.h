@@ -44,6 +44,8 @@ struct MeshArrays {
 };
 
 struct TetrahedraArrays : MeshArrays {
+  std::vector<std::int32_t> twins;        ///< of a split mesh by point (csg/mesh/split.h); else empty
+  std::vector<std::int32_t> wedges;       ///< six points of each
   std::vector<RegionTetrahedra> regions;  ///< of each region of the result that is filled, in the order of cells
   std::vector<std::pair<std::string, std::vector<double>>> fields;  ///< at each corner of each tetrahedron
 };
@@ -51,10 +53,9 @@ struct TetrahedraArrays : MeshArrays {
 /// A mesh that was made; copies share it.
 class TetrahedralResult {
  public:
-  /// Fills the regions of a closed and bounded result as `write_tetrahedra` does. `curved`: elements of second
-  /// order on the true surfaces, whose volumes are those of doubles. Throws InputError for a result that cannot be
-  /// meshed.
-  explicit TetrahedralResult(const Result& result, const TetrahedraOptions& options = {}, bool curved = false);
+  /// Fills the regions of a closed and bounded result as `write_tetrahedra` does. Throws InputError for a result
+  /// that cannot be meshed.
+  explicit TetrahedralResult(const Result& result, const TetrahedraOptions& options = {});
 
   TetrahedraArrays arrays() const;
   /// That TetGen made none, and so no bound is kept; else empty.

@@ -96,7 +96,7 @@ std::int32_t number_of_name(const std::vector<std::string>& names, const CellTag
 }  // namespace
 
 std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<double, 3>>& points,
-                          const VtuParameters* parameters) const {
+                          const VtuParameters* parameters, const std::vector<std::uint32_t>& twins) const {
   std::vector<std::string> regions, materials, leaves;
   for (const RegionAttributes& a : view.value->attributes()) regions.push_back(a.name);
   for (const auto& m : view.materials) materials.push_back(m.name);
@@ -129,6 +129,11 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   if (parameters != nullptr) {
     text += "<PointData TCoords=\"parameters\">\n";
     append_array(text, "parameters", "Float64", parameters->uv, 2);
+    text += "</PointData>\n";
+  }
+  if (!twins.empty()) {
+    text += "<PointData>\n";
+    append_array(text, "twin", "UInt32", twins);
     text += "</PointData>\n";
   }
   text += "<CellData Scalars=\"region\">\n";

@@ -18,6 +18,7 @@ enum class VtuCell : std::uint8_t {
   triangle = 5,
   quad = 9,
   tetrahedron = 10,
+  wedge = 13,
   quadratic_edge = 21,
   quadratic_triangle = 22,
   quadratic_tetrahedron = 24
@@ -39,9 +40,9 @@ class VtuGrid {
     add_tags(kind, tags);
   }
   bool empty() const { return types_.empty(); }
-  /// The file: arrays in base64 of little-endian numbers, doubles unrounded.
+  /// The file: arrays in base64 of little-endian numbers, doubles unrounded. `twins`: as of a Mesh.
   std::string text(const ResultView& view, const std::vector<std::array<double, 3>>& points,
-                   const VtuParameters* parameters = nullptr) const;
+                   const VtuParameters* parameters = nullptr, const std::vector<std::uint32_t>& twins = {}) const;
 
  private:
   // One entry per cell of the grid.

@@ -18,16 +18,6 @@ namespace cnrg {
 /// The bound of quality to ask for where none is given: thin tetrahedra cannot bend.
 inline constexpr double kCurvedQuality = 1.4;
 
-struct CurvedReport {
-  /// Of each region, parallel to TetrahedralMesh::regions: tetrahedra with an edge on a curved face that bend, and
-  /// such that stay straight, wholly or in part, since they or a neighbour would fold.
-  std::vector<std::size_t> curved, straight;
-  std::size_t moved = 0;    ///< points of the straight mesh that were moved
-  double farthest = 0;      ///< the longest of these moves
-  std::size_t middles = 0;  ///< middles of edges that were moved
-  std::size_t left = 0;     ///< points and middles on curved faces for which no place on the surfaces was found
-};
-
 /// `view` has parameters (ResultView::parameters). The mesh becomes one of second order, volumes of regions are
 /// those of the quadratic elements, to the accuracy of doubles. Throws Stopped; then the mesh is of no use.
 CurvedReport curve(const ResultView& view, TetrahedralMesh& made, const Watch& watch = {});

@@ -36,6 +36,7 @@ struct Mesh {
     bool feature = true;  ///< a cell of the result; false: between the facets of one patch
     bool wire = false;    ///< dimension 1: no face has it on its boundary
     CellTags tags;        ///< of the cell of the result that it is or is a part of
+    bool side = false;    ///< dimension 2: of a face that was split (split.h)
   };
   template <std::size_t N>
   struct Simplex {
@@ -58,6 +59,11 @@ struct Mesh {
   /// Only of a mesh of first order without tetrahedra.
   std::vector<Simplex<4>> quads{};
   std::vector<Simplex<4>> tetrahedra;  ///< det(b - a, c - a, d - a) > 0
+  /// Of a split mesh (split.h): by point the first one at its place that it was parted from, or itself; else
+  /// empty.
+  std::vector<Index> twins{};
+  /// Without thickness: a triangle behind, and the one in front of it; of entities of dimension 3 of their own.
+  std::vector<Simplex<6>> wedges{};
 
   /// Of a mesh of second order (curved_mesh.h): the point in the middle of each edge of its simplices, by the
   /// ends, the lower number first; ascending. Empty for all others.

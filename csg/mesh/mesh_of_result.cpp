@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "csg/mesh/curved_mesh.h"
 #include "csg/mesh/material_field.h"
 #include "csg/mesh/reach.h"
 #include "csg/mesh/straight_order.h"
@@ -183,16 +184,45 @@ TetrahedralMesh snapped_in_time(Result& result, const TetrahedraOptions& asked, 
   std::rethrow_exception(near);
 }
 
+/// Before the work.
+void require_split(const Result& result, const TetrahedraOptions& options) {
+  if (options.split.empty()) return;
+  const ResultView view = result.data().view();
+  require_groups(mesh_groups(view, flatten(view)).names[2], options.split);
+}
+
+void bend(const Result& result, TetrahedralMesh& made, const Watch& watch) {
+  const ResultView view = result.data().view(true);
+  if (view.parameters == nullptr) {
+    throw InputError("the result knows nothing of its true surfaces; mesh one that was not snapped");
+  }
+  made.bent = curve(view, made, watch);
+  made.mesh.fields.clear();
+  sample_materials(view, made.mesh);
+  add_properties(view, made.mesh);
+}
+
 }  // namespace
 
-TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options) {
+TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& asked) {
+  require_split(result, asked);
+  TetrahedraOptions options = asked;
+  if (options.curved) options.order = 1;  // bent afterwards
+  if (options.curved && options.quality == 0) options.quality = kCurvedQuality;
   const Deadline deadline(options.watch, options.seconds.value_or(0));
-  return deadline.run([&] { return tetrahedra_in_time(result, options, deadline); });
+  TetrahedralMesh made = deadline.run([&] { return tetrahedra_in_time(result, options, deadline); });
+  if (options.curved) bend(result, made, options.watch);
+  if (!options.split.empty()) made.parted = split(made.mesh, options.split, options.interfaces);
+  return made;
 }
 
 TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
+  if (options.curved) return tetrahedra(result, options);
+  require_split(result, options);
   const Deadline deadline(options.watch, options.seconds.value_or(0));
-  return deadline.run([&] { return snapped_in_time(result, options, report, deadline); });
+  TetrahedralMesh made = deadline.run([&] { return snapped_in_time(result, options, report, deadline); });
+  if (!options.split.empty()) made.parted = split(made.mesh, options.split, options.interfaces);
+  return made;
 }
 
 SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& options) {
@@ -223,18 +253,6 @@ SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions&
       return std::move(*made);
     std::rethrow_exception(near);
   });
-}
-
-CurvedReport curve(const Result& result, TetrahedralMesh& made, const Watch& watch) {
-  const ResultView view = result.data().view(true);
-  if (view.parameters == nullptr) {
-    throw InputError("the result knows nothing of its true surfaces; mesh one that was not snapped");
-  }
-  const CurvedReport report = curve(view, made, watch);
-  made.mesh.fields.clear();
-  sample_materials(view, made.mesh);
-  add_properties(view, made.mesh);
-  return report;
 }
 
 }  // namespace cnrg

@@ -28,14 +28,18 @@ void add_edges(std::vector<Edge>& edges, const Simplices& simplices, const Ends&
 
 }  // namespace
 
-void add_straight_middles(Mesh& mesh) {
-  require(mesh.middles.empty(), "a mesh of second order has its middles");
+std::vector<std::array<Mesh::Index, 2>> edges_of(const Mesh& mesh) {
   std::vector<Edge> edges;
   add_edges(edges, mesh.tetrahedra, kSecondOrderEdges);
   add_edges(edges, mesh.triangles, kSecondOrderTriangle);
   add_edges(edges, mesh.segments, kSecondOrderLine);
   sort_unique(edges);
-  for (const Edge& edge : edges) {
+  return edges;
+}
+
+void add_straight_middles(Mesh& mesh) {
+  require(mesh.middles.empty(), "a mesh of second order has its middles");
+  for (const Edge& edge : edges_of(mesh)) {
     const auto &a = mesh.points[edge[0]], &b = mesh.points[edge[1]];
     const std::array<double, 3> middle{a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2};
     mesh.middles.emplace_back(edge, next_number(mesh.points.size(), "points"));

@@ -10,4 +10,7 @@ namespace cnrg {
 /// (second_order.h). Throws InputError for a mesh with one so flat that it is not proven.
 void add_straight_middles(Mesh& mesh);
 
+/// The edges of all simplices, the lower number first; ascending.
+std::vector<std::array<Mesh::Index, 2>> edges_of(const Mesh& mesh);
+
 }  // namespace cnrg

@@ -1,14 +1,27 @@
 // A result as tetrahedra: conforming to every region, wall, dangling face, wire and point of it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "csg/mesh/deadline.h"
 #include "csg/mesh/mesh.h"
 #include "csg/mesh/quality.h"
+#include "csg/mesh/split.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
+
+/// What became of a mesh that was brought to the true surfaces (curved_mesh.h).
+struct CurvedReport {
+  /// Of each region, parallel to TetrahedralMesh::regions: tetrahedra with an edge on a curved face that bend, and
+  /// such that stay straight, wholly or in part, since they or a neighbour would fold.
+  std::vector<std::size_t> curved, straight;
+  std::size_t moved = 0;    ///< points of the straight mesh that were moved
+  double farthest = 0;      ///< the longest of these moves
+  std::size_t middles = 0;  ///< middles of edges that were moved
+  std::size_t left = 0;     ///< points and middles on curved faces for which no place on the surfaces was found
+};
 
 struct TetrahedralMesh {
   Mesh mesh;
@@ -18,6 +31,8 @@ struct TetrahedralMesh {
   double expected = 0;                  ///< tetrahedra, as foretold; 0: nothing was
   std::string notice;                   ///< what the user should know of how it was made; else empty
   std::vector<std::string> warnings{};  ///< what nobody may miss: regions that had to go, so that there is a mesh
+  std::optional<CurvedReport> bent{};   ///< of a curved one
+  std::optional<SplitReport> parted{};  ///< of a split one
 };
 
 /// Its regions as people list them: their places in `regions`, by their names.

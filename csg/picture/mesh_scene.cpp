@@ -301,8 +301,8 @@ std::vector<Rgb> region_colors(const Result& result, const Mesh& mesh) {
   const CellColors colors(view, flat);
   const ColorBy by = colors_by(view);
   std::vector<Rgb> out;
-  for (const Mesh::Entity& region : mesh.entities[3])
-    out.push_back(colors.of(by, 3, FlatComplex::Index(region.tags.cell)).color);
+  for (const Mesh::Entity& region : mesh.entities[3])  // wedges are of faces
+    out.push_back(colors.of(by, region.tags.dimension, FlatComplex::Index(region.tags.cell)).color);
   return out;
 }
 

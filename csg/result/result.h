@@ -133,6 +133,10 @@ struct TetrahedraOptions {
   /// Faces and edges are meshed as surfaces first (csg/mesh/surface_triangles.h), and those triangles are the
   /// boundary; not with `keep_boundary` or `constrained`.
   bool surface_first = false;
+  bool curved = false;  ///< brought to the true surfaces, of second order (csg/mesh/curved_mesh.h)
+  /// Groups of faces whose sides get nodes of their own (csg/mesh/split.h), with wedges between them.
+  std::vector<std::string> split{};
+  bool interfaces = false;
   /// Told what the mesh will be, before it is made, where that can be told.
   std::function<void(const MeshForecast&)> foretold{};
   Watch watch{};  ///< told of the stages, and may stop them (throws Stopped)

@@ -195,9 +195,10 @@ std::string whole_page(const MeshPageOptions& options, const std::string& facts,
          body + "</main>\n</body>\n</html>\n";
 }
 
-std::string regions_table(const Result& result, const TetrahedralMesh& made, const CurvedReport* bent) {
+std::string regions_table(const Result& result, const TetrahedralMesh& made) {
+  const std::optional<CurvedReport>& bent = made.bent;
   std::vector<std::string> columns{"<region", "tetrahedra"};
-  if (bent != nullptr) columns.insert(columns.end(), {"curved", "straight"});
+  if (bent) columns.insert(columns.end(), {"curved", "straight"});
   columns.insert(columns.end(), {"worst shape", "median shape", "below 0.1", "<volume"});
   HtmlTable table(columns);
   const std::vector<Rgb> colors = region_colors(result, made.mesh);
@@ -206,15 +207,15 @@ std::string regions_table(const Result& result, const TetrahedralMesh& made, con
   const auto row = [&](const std::string& name, std::size_t count, std::size_t curved, std::size_t straight,
                        const MeshQuality::Region& shapes, const Rational& of, const Rgb* color) {
     std::vector<std::string> cells{name, grouped(count)};
-    if (bent != nullptr) cells.insert(cells.end(), {grouped(curved), grouped(straight)});
+    if (bent) cells.insert(cells.end(), {grouped(curved), grouped(straight)});
     cells.insert(cells.end(),
                  {shape_text(shapes.worst), shape_text(shapes.median), grouped(shapes.bad), to_decimal(of)});
     table.row(cells, color == nullptr, color);
   };
   for (const std::size_t i : listed_regions(made)) {
     const RegionTetrahedra& region = made.regions[i];
-    const std::size_t curved = bent != nullptr ? bent->curved[i] : 0;
-    const std::size_t straight = bent != nullptr ? bent->straight[i] : 0;
+    const std::size_t curved = bent ? bent->curved[i] : 0;
+    const std::size_t straight = bent ? bent->straight[i] : 0;
     row(region.name, region.tetrahedra, curved, straight, made.quality.regions[i], region.volume, &colors[i]);
     all += region.tetrahedra, all_curved += curved, all_straight += straight, volume += region.volume;
   }
@@ -230,8 +231,7 @@ bool is_page(const std::string& path) {
   return extension == ".html" || extension == ".htm";
 }
 
-std::string mesh_page(const Result& result, const TetrahedralMesh& made, const CurvedReport* bent,
-                      const MeshPageOptions& options) {
+std::string mesh_page(const Result& result, const TetrahedralMesh& made, const MeshPageOptions& options) {
   const MeshQuality& q = made.quality;
   const Mesh& mesh = made.mesh;
   std::vector<std::array<double, 3>> worst;
@@ -242,7 +242,7 @@ std::string mesh_page(const Result& result, const TetrahedralMesh& made, const C
                             fact(decimal(q.smallest_dihedral, "%.3g") + "°", "smallest dihedral angle") +
                             fact(decimal(q.largest_radius_edge, "%.3g"), "largest circumradius to shortest edge") +
                             fact(grouped(q.bad), "shapes below 0.1", q.bad > 0);
-  std::string body = pictures(result, mesh, worst, options.threads) + regions_table(result, made, bent);
+  std::string body = pictures(result, mesh, worst, options.threads) + regions_table(result, made);
   body += "<section><h2>Shapes</h2>\n<div class=\"histograms\">\n";
   body +=
       histogram({"Shape", "12 (3 V)^(2/3) / sum of squared edges; 1 is regular", 0, 0.05, "%g", MeshQuality::kBad},

@@ -19,10 +19,9 @@ struct MeshPageOptions {
   int threads = 0;
 };
 
-/// Regions, histograms of shapes, the worst ones and pictures, as HTML. `result` is what was meshed; `bent`: of a
-/// mesh of second order on true surfaces, which is measured and drawn by its corners.
-std::string mesh_page(const Result& result, const TetrahedralMesh& made, const CurvedReport* bent,
-                      const MeshPageOptions& options);
+/// Regions, histograms of shapes, the worst ones and pictures, as HTML. `result` is what was meshed; a mesh of
+/// second order is measured and drawn by its corners.
+std::string mesh_page(const Result& result, const TetrahedralMesh& made, const MeshPageOptions& options);
 /// Of faces without volumes: groups, a histogram of angles, the smallest ones and pictures.
 std::string mesh_page(const Result& result, const SurfaceTriangles& made, const MeshPageOptions& options);
 

@@ -56,8 +56,8 @@ struct Bent {
     if (!node.empty()) options.nodes = {tree.find(node)};
     const Evaluation evaluation = evaluate(tree, options);
     const Result result = node.empty() ? evaluation.result() : evaluation.result(node);
-    made = tetrahedra(result, {.quality = quality});
-    report = curve(result, made);
+    made = tetrahedra(result, {.quality = quality, .curved = true});
+    report = *made.bent;
     for (const RegionTetrahedra& region : made.regions) volume += to_double(region.volume);
   }
   std::size_t straight() const {

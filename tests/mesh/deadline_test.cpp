@@ -5,6 +5,8 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
+#include "csg/mesh/curved_mesh.h"
+#include "csg/result/result_data.h"
 #include "tests/catch.h"
 #include "tests/mesh/result_of.h"
 
@@ -133,7 +135,7 @@ TEST_CASE("every stage of bending hears of a stop", "[deadline][curved]") {
   const TetrahedralMesh straight = tetrahedra(result, {.quality = 2});
   stop_everywhere([&](const Watch& watch) {
     TetrahedralMesh made = straight;
-    curve(result, made, watch);
+    curve(result.data().view(true), made, watch);
   });
 }
 
