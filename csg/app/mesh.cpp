@@ -385,7 +385,7 @@ int run_mesh(const MeshArguments& arguments) {
       asked.foretold = [&](const MeshForecast& mesh) {
         const char* why = again ? "TetGen has made no mesh to these bounds, so others are made: " : "";
         again = true;
-        bar.foretell("the mesh", mesh.seconds, true);
+        bar.foretell("the mesh", mesh.seconds);
         if (!bounds(asked) && mesh.tetrahedra < kWorthTelling) return;
         bar.clear();
         tell("notice: " + (why + forecast_text(mesh)));

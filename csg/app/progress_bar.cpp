@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <system_error>
@@ -57,11 +56,8 @@ std::string front_of(std::string text, std::size_t columns) {
 
 }  // namespace
 
-std::string left_text(std::optional<double> of_stage, const Foretold& foretold, double now) {
-  if (of_stage) return clock_text(std::ceil(*of_stage)) + " left of this stage";
-  const double left = foretold.until - now;
-  if (foretold.what.empty() || left < 1) return {};
-  return (foretold.at_most ? "up to " : "about ") + clock_text(left) + " left of " + foretold.what;
+std::string left_text(const std::string& what, double seconds) {
+  return what.empty() || seconds < 1 ? std::string() : "up to " + clock_text(seconds) + " left of " + what;
 }
 
 std::string progress_line(std::string_view stage, std::size_t done, std::size_t total, double seconds,
@@ -103,8 +99,7 @@ ProgressBar::~ProgressBar() {
 void ProgressBar::draw() {
   last_ = seconds_so_far();
   const std::size_t columns = columns_of_terminal() - 1;  // in the last one some terminals begin a new line
-  const std::string left = left_text(pace_.left(last_), foretold_, last_);
-  put(kErase + progress_line(shown(stage_), done_, total_, last_, columns, left));
+  put(kErase + progress_line(shown(stage_), done_, total_, last_, columns, left_text(foretold_, until_ - last_)));
   drawn_ = true;
 }
 
@@ -119,9 +114,6 @@ void ProgressBar::show(std::string_view stage, std::size_t done, std::size_t tot
   if (!active_) return;
   const std::lock_guard lock(mutex_);
   const bool same = stage == stage_;
-  const double now = seconds_so_far();
-  if (!same) pace_.begin(now);
-  pace_.see(done, total, now);
   stage_ = stage;
   done_ = done;
   total_ = total;
@@ -134,9 +126,10 @@ void ProgressBar::show(std::string_view stage, std::size_t done, std::size_t tot
   }
 }
 
-void ProgressBar::foretell(std::string what, double seconds, bool at_most) {
+void ProgressBar::foretell(std::string what, double seconds) {
   const std::lock_guard lock(mutex_);
-  foretold_ = {std::move(what), seconds_so_far() + seconds, at_most};
+  foretold_ = std::move(what);
+  until_ = seconds_so_far() + seconds;
 }
 
 Progress ProgressBar::progress() {

@@ -1,28 +1,19 @@
 // A progress bar on standard error, where that is a terminal; nothing elsewhere.
 //
 // Some stages cannot say how far they are, and others say nothing for minutes: a thread of the bar draws it again
-// and again, so that the time on it goes on and a person sees that the program lives. What is left of a stage is
-// told from its pace; what is left of all of the work only where somebody has foretold how long that takes.
+// and again, so that the time on it goes on and a person sees that the program lives. What is left is
+// told where somebody has foretold how long the work takes.
 #pragma once
 
 #include <condition_variable>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
 
-#include "csg/app/pace.h"
 #include "kernel/base/progress.h"
 
 namespace cnrg::app {
-
-/// What somebody has foretold.
-struct Foretold {
-  std::string what{};    ///< all of the work; empty: nothing is foretold
-  double until = 0;      ///< when it ends, by `seconds_so_far`
-  bool at_most = false;  ///< it may be sooner
-};
 
 class ProgressBar {
  public:
@@ -32,8 +23,8 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
   /// As `cnrg::Progress` has it. Draws a new stage at once and the same stage ten times a second at most.
   void show(std::string_view stage, std::size_t done = 0, std::size_t total = 0);
-  /// All of the work, which people call `what`, is expected to take so many seconds from now, or at most so many.
-  void foretell(std::string what, double seconds, bool at_most);
+  /// All of the work, which people call `what`, is expected to take at most so many seconds from now.
+  void foretell(std::string what, double seconds);
   /// What tells this bar of long work.
   Progress progress();
   /// Removes the bar, before other text is written.
@@ -50,14 +41,13 @@ class ProgressBar {
   std::string stage_;
   std::size_t done_ = 0, total_ = 0;
   double last_ = 0;
-  Pace pace_;
-  Foretold foretold_;
+  std::string foretold_;  // all of the work; empty: nothing is foretold
+  double until_ = 0;      // when it ends at the latest, by `seconds_so_far`
   std::thread thread_;
 };
 
-/// `0:18 left of this stage` where `of_stage` (seconds) is known; else `about 0:40 left of the mesh`, or `up to`,
-/// until what was foretold is over; else nothing.
-std::string left_text(std::optional<double> of_stage, const Foretold& foretold, double now);
+/// `up to 0:40 left of the mesh`; nothing of nothing, nor below a second.
+std::string left_text(const std::string& what, double seconds);
 
 /// The line that a bar shows, at most `columns` wide: stage, how much of it is done if that is known, the time,
 /// and if there is room what is left.

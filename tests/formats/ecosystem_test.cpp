@@ -65,6 +65,7 @@ TEST_CASE("meshes in their programs: .bdf, in Gmsh and meshio", "[ecosystem][mes
 }
 TEST_CASE("meshes in their programs: .inp, in CalculiX and meshio", "[ecosystem][meshes]") {
   check_script("mesh_programs.py", "abaqus");
+  check_script("mesh_programs.py", "faults");
 }
 TEST_CASE("meshes in their programs: .med, in Gmsh and meshio", "[ecosystem][meshes]") {
   check_script("mesh_programs.py", "med");

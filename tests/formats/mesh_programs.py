@@ -300,6 +300,59 @@ def in_calculix(order, text, of):
         assert abs(found - exact) <= 1e-5 * exact, (order, name, found, exact)
 
 
+def faults():
+    """A crack in a block: in meshio and Gmsh sides, twins and wedges; in CalculiX it opens, in the middle most."""
+    name = tree("""cnrg: 1
+nodes:
+  block: {box: {min: [0, 0, 0], max: [10, 10, 10]}}
+  crack: {polygon: [[2, 2, 5], [8, 2, 5], [8, 8, 5], [2, 8, 5]]}
+  m:     {union: [block, crack]}
+result: m
+""")
+    run("mesh", name, "--size", "2", "-o", "whole.msh")
+    run("mesh", name, "--size", "2", "--split", "crack", "-o", "t.msh", "-o", "t.inp")
+    run("mesh", name, "--size", "2", "--split", "crack", "--interfaces", "-o", "w.msh", "-o", "w.msh2", "-o", "w.vtu", "-o", "w.inp")
+    whole, mesh = meshio.read(FOLDER / "whole.msh"), meshio.read(FOLDER / "w.msh")
+    inside = np.flatnonzero((whole.points[:, 2] == 5) & (abs(whole.points[:, :2] - 5) < 3).all(axis=1))
+    twin = mesh.point_data["twin"].ravel()
+    parted = np.flatnonzero(~np.isnan(twin))
+    assert len(inside) > 4 and sorted(twin[parted].astype(int) - 1) == sorted(inside)
+    assert (mesh.points[parted] == mesh.points[twin[parted].astype(int) - 1]).all()
+    wedges = np.concatenate([b.data for b in mesh.cells if b.type == "wedge"])
+    assert (mesh.points[wedges[:, :3]] == mesh.points[wedges[:, 3:]]).all() and (wedges[:, :3] != wedges[:, 3:]).any(axis=1).all()
+    flat = [i for i, b in enumerate(mesh.cells) if b.type == "triangle"]
+    faces = meshio.Mesh(mesh.points, [mesh.cells[i] for i in flat],
+                        cell_data={"group": [mesh.cell_data["gmsh:physical"][i] for i in flat]})
+    found = by_reference(faces, "group", {(int(d), int(n)): key for key, (n, d) in mesh.field_data.items()})
+    for side in ("back of crack", "front of crack"):
+        assert 30 < found[(2, side)] <= 36 + 1e-9, found
+    shutil.copy(FOLDER / "w.msh2", FOLDER / "two.msh")
+    for other in (in_gmsh("w.msh"), in_gmsh("two.msh"), meshio.read(FOLDER / "w.vtu")):
+        assert sum(len(b.data) for b in other.cells if b.type == "wedge") == len(wedges)
+        assert len(other.points) == len(mesh.points)
+    text = (FOLDER / "w.inp").read_text()
+    assert "TYPE=COH3D6" in text and "TYPE=S3" not in text
+    if not shutil.which("ccx"):
+        print("left out: .inp in CalculiX, which is not installed (Debian 12: calculix-ccx)")
+        return
+    points = meshio.read(FOLDER / "t.inp").points
+    ends = [f"*NSET, NSET={name}\n" + ",\n".join(str(i + 1) for i in np.flatnonzero(points[:, 2] == z)) for name, z in (("LOW", 0), ("HIGH", 10))]
+    (FOLDER / "deck.inp").write_text("\n".join([
+        "*INCLUDE, INPUT=t.inp", *ends, "*MATERIAL, NAME=M", "*ELASTIC", "1000., .2", "*SOLID SECTION, ELSET=block, MATERIAL=M", "*STEP", "*STATIC",
+        "*BOUNDARY", "LOW, 1, 3", "*CLOAD", "HIGH, 3, 1.", "*NODE PRINT, NSET=block", "U", "*END STEP"]) + "\n")
+    ended = subprocess.run(["ccx", "deck"], cwd=FOLDER, capture_output=True, text=True)
+    said = ended.stdout + ended.stderr
+    assert ended.returncode == 0 and "*ERROR" not in said and "Job finished" in said, said[-3000:]
+    up = {int(row[0]) - 1: float(row[3]) for row in map(str.split, (FOLDER / "deck.dat").read_text().splitlines()) if len(row) == 4 and row[0].isdigit()}
+    at = {}
+    for i, p in enumerate(points):
+        at.setdefault(tuple(p), []).append(up[i])
+    openings = {p: max(values) - min(values) for p, values in at.items() if len(values) > 1}
+    assert len(openings) == len(inside) and min(openings.values()) > 0, openings
+    widest = max(openings, key=openings.get)
+    assert abs(widest[0] - 5) < 2 and abs(widest[1] - 5) < 2, openings
+
+
 def in_mdump(file):
     """What MED's own library reads of a file, as its program prints it: with six decimals."""
     ended = subprocess.run(["mdump4", file, "NODALE", "FULL_INTERLACE", "0"], cwd=FOLDER, capture_output=True)
@@ -599,4 +652,4 @@ def same():
 
 
 {"msh": msh, "medit": medit, "nastran": nastran, "abaqus": abaqus, "med": med, "xdmf": xdmf, "h5m": h5m,
- "surfaces": surfaces, "quads": quads, "same": same}[CASE]()
+ "surfaces": surfaces, "quads": quads, "same": same, "faults": faults}[CASE]()

@@ -367,8 +367,7 @@ class Result(Operand, Sizes, Exported):
     def tetrahedralize(self, *, max_volume: Number = 0, quality: Number = 0, keep_boundary: bool = False,
                        seconds: int | None = None, curved: bool = False, order: int = 1,
                        size: Number = 0, growth: Number = 0.3,
-                       surface_first: bool = False, split: Iterable[str] = (), interfaces: bool = False,
-                       progress: Progress = None) -> Tetrahedra:
+                       surface_first: bool = False, progress: Progress = None) -> Tetrahedra:
         """Fills the regions with tetrahedra that conform to every wall, sheet, wire and point, proven exactly.
 
         max_volume: no tetrahedron is larger (cubic units), 0: no bound. quality: the largest ratio of circumradius to
@@ -381,8 +380,6 @@ class Result(Operand, Sizes, Exported):
         for shorter ones (units of the model), 0: no bound. growth: how much longer they may be per unit of distance
         from there, 0.05 to 2. surface_first: faces are meshed as by `mesh_surface` before, and these triangles are the
         boundary; neither with keep_boundary nor with curved.
-        split: names of groups of faces whose two sides get points of their own (`twins`); interfaces: with wedges
-        between them, of order 1 only.
 
         InputError for a result that is not closed and bounded, has no region, or is broken by rounding (`snap()`
         helps), where no mesh is proven, and where seconds are over before there is one. Where TetGen makes none, a warning (cnrg.Notice) says so: they are
@@ -406,12 +403,9 @@ class Result(Operand, Sizes, Exported):
             raise InputError(f"order: 1 or 2 is wanted, not {order}")
         if surface_first and (keep_boundary or curved):
             raise InputError("surface_first: neither with keep_boundary nor with curved")
-        if isinstance(split, str):
-            raise InputError("split: a list of names is wanted, not one name")
         with Shown(progress) as shown, self._placed():
             mesh = _cnrg.tetrahedralize(self._result, max_volume, quality, bool(keep_boundary), seconds, bool(curved),
-                                        order, size, growth, bool(surface_first), list(split), bool(interfaces),
-                                        shown)
+                                        order, size, growth, bool(surface_first), shown)
         if notice := mesh.notice():
             warnings.warn_explicit(notice, Notice, *site_of_caller())
         return Tetrahedra(mesh, self)

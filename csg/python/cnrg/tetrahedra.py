@@ -123,10 +123,6 @@ class Tetrahedra(Mesh):
         """what is said of the cells that simplices lie in: name, material, attributes, each different thing once"""
         self.fields: dict[str, NDArray[np.float64]] = data["fields"]
         """(tetrahedra, 4) float64 at corners: `fraction of steel` of graded materials"""
-        self.twins: NDArray[np.int32] = data["twins"]
-        """(n,) of a split mesh: the first of the points that were one; else empty"""
-        self.wedges: NDArray[np.int32] = data["wedges"]
-        """(m, 6): points of a triangle behind a split face, and of the one in front"""
         self.moved: int = data["moved"]
         """how many vertices of the result are no doubles and were rounded"""
         self.expected: float = mesh.expected()
