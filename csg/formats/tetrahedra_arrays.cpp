@@ -67,9 +67,6 @@ TetrahedraArrays TetrahedralResult::arrays() const {
   out.said = said.table(data_->result.data().view());
   out.regions = data_->made.regions;
   out.rounding = data_->made.rounding;
-  out.twins.assign(data_->made.mesh.twins.begin(), data_->made.mesh.twins.end());
-  for (const auto& wedge : data_->made.mesh.wedges)
-    out.wedges.insert(out.wedges.end(), wedge.points.begin(), wedge.points.end());
   for (const Mesh::Field& field : data_->made.mesh.fields) out.fields.emplace_back(field.name, field.values);
   return out;
 }

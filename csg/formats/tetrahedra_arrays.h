@@ -44,8 +44,6 @@ struct MeshArrays {
 };
 
 struct TetrahedraArrays : MeshArrays {
-  std::vector<std::int32_t> twins;        ///< of a split mesh by point (csg/mesh/split.h); else empty
-  std::vector<std::int32_t> wedges;       ///< six points of each
   std::vector<RegionTetrahedra> regions;  ///< of each region of the result that is filled, in the order of cells
   std::vector<std::pair<std::string, std::vector<double>>> fields;  ///< at each corner of each tetrahedron
 };

@@ -18,8 +18,7 @@ struct TetrahedraObject {
 
 TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double quality, bool keep_boundary,
                                 const std::optional<int>& seconds, bool curved, int order, double size,
-                                double growth, bool surface_first, const std::vector<std::string>& split,
-                                bool interfaces, const py::object& progress) {
+                                double growth, bool surface_first, const py::object& progress) {
   return apart(progress, [=, held = r.result](const Watch& watch) {
     TetrahedraOptions options;
     options.max_volume = max_volume;
@@ -31,8 +30,6 @@ TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double qu
     options.growth = growth;
     options.surface_first = surface_first;
     options.curved = curved;
-    options.split = split;
-    options.interfaces = interfaces;
     options.watch = watch;
     TetrahedralResult mesh(held, options);
     auto arrays = std::make_shared<const TetrahedraArrays>(mesh.arrays());
@@ -114,8 +111,6 @@ py::dict mesh_data(const TetrahedraObject& object) {
   py::dict fields;
   for (const auto& [name, values] : a.fields) fields[text_of(name)] = view(owner, values, 4);
   out["fields"] = fields;
-  out["twins"] = view(owner, a.twins);
-  out["wedges"] = view(owner, a.wedges, 6);
   return out;
 }
 
@@ -152,8 +147,7 @@ void bind_tetrahedra(py::module_& module) {
              py::arg("max_points"), py::arg("seconds"), py::arg("order"), py::arg("quads"), py::arg("progress"));
   module.def("tetrahedralize", &tetrahedralize, py::arg("result"), py::arg("max_volume"), py::arg("quality"),
              py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("order"), py::arg("size"),
-             py::arg("growth"), py::arg("surface_first"), py::arg("split"), py::arg("interfaces"),
-             py::arg("progress"));
+             py::arg("growth"), py::arg("surface_first"), py::arg("progress"));
 }
 
 }  // namespace cnrg::python
