@@ -228,18 +228,4 @@ void write(const std::string& path, const Result& result, const Mesh& mesh, cons
   replace_file(path, content, stop);
 }
 
-TetrahedraReport write_tetrahedra(const std::vector<std::string>& paths, const Result& result,
-                                  const TetrahedraOptions& options) {
-  for (const std::string& path : paths) check_mesh_file_name(path);
-  Result shown = result;
-  SnapReport snapped;
-  TetrahedralMesh made = snapped_tetrahedra(shown, options, snapped);
-  const Mesh& mesh = made.mesh;
-  for (const std::string& path : paths) write(path, shown, mesh);
-  std::vector<std::string> warnings = std::move(made.warnings);
-  for (std::string& warning : snapped.warnings()) warnings.push_back(std::move(warning));
-  return {made.rounding,        snapped,     std::move(made.regions), mesh.points.size(), mesh.triangles.size(),
-          mesh.segments.size(), made.notice, std::move(warnings)};
-}
-
 }  // namespace cnrg

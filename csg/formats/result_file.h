@@ -70,19 +70,4 @@ Result result_of_text(const std::string& json, ResultNames names);
 /// extension; the message names `others`, which the caller writes itself (` .html`), too.
 void check_mesh_file_name(const std::string& path, const std::string& others = {});
 
-/// What tetrahedra were made.
-struct TetrahedraReport {
-  RoundingReport rounding;
-  SnapReport snapped;  ///< `rounds` is 0 unless the result was snapped, since rounding would break it
-  std::vector<RegionTetrahedra> regions;
-  std::size_t points = 0, triangles = 0, segments = 0;  ///< of the mesh; triangles on faces, segments on edges
-  std::string notice;                 ///< that TetGen made none, and so no bound is kept; else empty
-  std::vector<std::string> warnings;  ///< regions that vanished, a line each, so that there is a mesh
-};
-
-/// Fills the regions of a closed and bounded result with tetrahedra (csg/mesh/tetrahedra.h says what of them is
-/// proven) and writes these to all the files. Throws InputError for a result that cannot be meshed.
-TetrahedraReport write_tetrahedra(const std::vector<std::string>& paths, const Result& result,
-                                  const TetrahedraOptions& options = {});
-
 }  // namespace cnrg

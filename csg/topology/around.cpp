@@ -12,7 +12,6 @@
 #include "kernel/base/union_find.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/selection/canonical.h"
-#include "kernel/selection/incidence.h"
 
 namespace cnrg {
 namespace {

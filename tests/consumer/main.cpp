@@ -21,7 +21,7 @@ result: m
             << center.dimension << "\n";
   cnrg::write("m.json", model);
   cnrg::write("m.off", snap(model));
-  cnrg::write_tetrahedra({"m.msh"}, model);
+  cnrg::TetrahedralResult(model).write("m.msh");
   const std::vector<cnrg::Shape> shapes{cnrg::ResultShape{"m.json"}, cnrg::MeshShape{"m.off", {}}};
   for (const cnrg::Shape& shape : shapes) {
     const auto complex = cnrg::build_complex(cnrg::make_soup({{cnrg::prepare(shape)}}));

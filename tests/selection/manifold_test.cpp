@@ -5,7 +5,6 @@
 
 #include "kernel/base/union_find.h"
 #include "kernel/selection/homology.h"
-#include "kernel/selection/incidence.h"
 #include "tests/catch.h"
 #include "tests/operators/pieces.h"
 #include "tests/scenes/scene.h"
@@ -199,10 +198,13 @@ TEST_CASE("shapes at the centre of a grid are those that counting octants gives"
     }
     for (EdgeId e : around.edges) {
       int changes = 0, solid = 0;
-      const auto steps = radial_order(complex, e);
+      const auto behind = [&](std::size_t i) {
+        const FaceUse& use = complex.edge_uses[e][i % 4];
+        return has(set.regions, complex.face_regions[use.face][use.half_edge.direction()]);
+      };
       for (std::size_t i = 0; i < 4; ++i) {
-        solid += has(set.regions, steps[i].region);
-        changes += has(set.regions, steps[i].region) != has(set.regions, steps[(i + 1) % 4].region);
+        solid += behind(i);
+        changes += behind(i) != behind(i + 1);
       }
       half_ball = half_ball && changes <= 2 && !(solid == 0 && has(local.edges, e));
     }
@@ -256,36 +258,6 @@ TEST_CASE("one-sided sheets", "[manifold]") {
   REQUIRE(closed.size() == 1);
   CHECK(closed[0].orientable);
   CHECK(closed[0].closed);
-}
-
-TEST_CASE("links and radial order", "[incidence]") {
-  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2}),
-                                         sheet({4, 0, 4}, {6, 4, 4}), wire({3, 3, 3}, {3, 3, 2})});
-  const Complex& complex = *built_complex;
-  EdgeId hinge, hanging;
-  for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
-    if (complex.edge_uses[e].size() == 3) hinge = e;
-    if (complex.edge_uses[e].empty()) hanging = e;
-  }
-  REQUIRE(hinge.valid());
-  const auto steps = radial_order(complex, hinge);
-  REQUIRE(steps.size() == 3);
-  for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(complex.region(steps[i].face.opposite()) == steps[i].region);
-    CHECK(complex.region(steps[(i + 1) % 3].face) == steps[i].region);
-  }
-  CHECK(radial_order(complex, hanging).empty());
-  // The link of a corner of the outer box: what its faces and regions leave without it.
-  CellSet corner;
-  for (VertexId v : complex.vertices) {
-    if (complex.points.rational(v) == RationalPoint{0, 0, 0}) corner.vertices.push_back(v);
-  }
-  const CellSet ring = link(complex, corner);
-  CHECK(ring.regions.empty());
-  // The three far faces, those of the inner box and the sheet are in the closure of its star.
-  CHECK(ring.faces.size() == 3 + 6 + 1);
-  CHECK(intersect(ring, star(complex, corner)).empty());
-  CHECK(closure(complex, ring) == ring);
 }
 
 }  // namespace

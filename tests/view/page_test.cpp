@@ -16,7 +16,6 @@
 #include "csg/text/number.h"
 #include "csg/tree/dag.h"
 #include "csg/view/packed.h"
-#include "kernel/selection/incidence.h"
 #include "tests/catch.h"
 #include "tests/view/inflated.h"
 
@@ -203,8 +202,8 @@ TEST_CASE("faces about an edge of a page are in radial order, at growing angles"
   std::size_t at = 0, fans = 0;
   for (std::size_t e = 0; e < counts.size(); ++e) {
     std::vector<std::uint32_t> expected;
-    for (const RadialStep& step : radial_order(*scene.evaluation.complex, s.edges[e].chain.front().edge())) {
-      const SimplifiedComplex::Place place = s.face_place[step.face.face().index()];
+    for (const FaceUse& use : scene.evaluation.complex->edge_uses[s.edges[e].chain.front().edge()]) {
+      const SimplifiedComplex::Place place = s.face_place[use.face.index()];
       if (place.dimension == 2) expected.push_back(place.index);
     }
     const std::vector<std::uint32_t> shown(faces.begin() + static_cast<std::ptrdiff_t>(at),
