@@ -3,8 +3,8 @@
 // A temporary file beside the target is left behind when the program is killed. A draft without a name (O_TMPFILE)
 // cannot be: the system forgets it with its process. It gets a name when it is whole and on the disk; over an old
 // file not even that is one step, since a link cannot replace a name: it is linked beside the target and renamed
-// at once. File systems without such drafts get a named one from the start. What a kill leaves there, or between
-// link and rename, the next draft for the same target removes: it is locked as long as its writer lives.
+// at once. File systems without such drafts get a named one from the start: there, and between link and rename, a
+// kill that no program hears of leaves `TARGET.PID.NUMBER.tmp`.
 #pragma once
 
 #include <sys/stat.h>
@@ -35,7 +35,6 @@ class Draft {
   /// Another name beside the target: `TARGET.PID.NUMBER.tmp`.
   std::string new_name() const;
   bool link_to(const std::string& name) const;
-  void remove_abandoned() const;
 
   std::string target_;
   std::string name_;  ///< beside the target; empty while the draft has none
