@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <system_error>
@@ -56,6 +57,11 @@ std::string front_of(std::string text, std::size_t columns) {
 
 }  // namespace
 
+std::string left_text(std::size_t done, std::size_t total, double seconds) {
+  if (seconds < 1 || done >= total || double(done) < 0.01 * double(total)) return {};
+  return clock_text(std::ceil(seconds * double(total - done) / double(done))) + " left of this stage";
+}
+
 std::string left_text(const std::string& what, double seconds) {
   return what.empty() || seconds < 1 ? std::string() : "up to " + clock_text(seconds) + " left of " + what;
 }
@@ -99,7 +105,9 @@ ProgressBar::~ProgressBar() {
 void ProgressBar::draw() {
   last_ = seconds_so_far();
   const std::size_t columns = columns_of_terminal() - 1;  // in the last one some terminals begin a new line
-  put(kErase + progress_line(shown(stage_), done_, total_, last_, columns, left_text(foretold_, until_ - last_)));
+  std::string left = left_text(done_, total_, last_ - begun_);
+  if (left.empty()) left = left_text(foretold_, until_ - last_);
+  put(kErase + progress_line(shown(stage_), done_, total_, last_, columns, left));
   drawn_ = true;
 }
 
@@ -114,10 +122,11 @@ void ProgressBar::show(std::string_view stage, std::size_t done, std::size_t tot
   if (!active_) return;
   const std::lock_guard lock(mutex_);
   const bool same = stage == stage_;
+  if (!same || done < done_) begun_ = seconds_so_far();
   stage_ = stage;
   done_ = done;
   total_ = total;
-  if (same && drawn_ && now - last_ < kSeldom) return;
+  if (same && drawn_ && seconds_so_far() - last_ < kSeldom) return;
   draw();
   if (thread_.joinable()) return;
   try {

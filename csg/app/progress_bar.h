@@ -1,8 +1,9 @@
 // A progress bar on standard error, where that is a terminal; nothing elsewhere.
 //
 // Some stages cannot say how far they are, and others say nothing for minutes: a thread of the bar draws it again
-// and again, so that the time on it goes on and a person sees that the program lives. What is left is
-// told where somebody has foretold how long the work takes.
+// and again, so that the time on it goes on and a person sees that the program lives. What is left of a
+// stage is told from its mean speed; what is left of all of the work where somebody has foretold how long it
+// takes.
 #pragma once
 
 #include <condition_variable>
@@ -40,12 +41,15 @@ class ProgressBar {
   bool ends_ = false, drawn_ = false;
   std::string stage_;
   std::size_t done_ = 0, total_ = 0;
-  double last_ = 0;
-  std::string foretold_;  // all of the work; empty: nothing is foretold
-  double until_ = 0;      // when it ends at the latest, by `seconds_so_far`
+  double begun_ = 0, last_ = 0;  // of the stage; drawn
+  std::string foretold_;         // all of the work; empty: nothing is foretold
+  double until_ = 0;             // when it ends at the latest, by `seconds_so_far`
   std::thread thread_;
 };
 
+/// `0:18 left of this stage`, if a hundredth of its steps are done after `seconds`, of which there was one at
+/// least.
+std::string left_text(std::size_t done, std::size_t total, double seconds);
 /// `up to 0:40 left of the mesh`; nothing of nothing, nor below a second.
 std::string left_text(const std::string& what, double seconds);
 

@@ -7,6 +7,10 @@ using cnrg::app::left_text;
 using cnrg::app::progress_line;
 
 TEST_CASE("what is left is told until what was foretold is over, where there is room", "[app][progress]") {
+  CHECK(left_text(50, 200, 6) == "0:18 left of this stage");
+  for (const auto& [done, total, seconds] :
+       {std::tuple(1, 200, 6.0), {50, 200, 0.5}, {200, 200, 6.0}, {0, 0, 6.0}})
+    CHECK(left_text(std::size_t(done), std::size_t(total), seconds).empty());
   CHECK(left_text("", 60).empty());
   CHECK(left_text("the mesh", 70) == "up to 1:10 left of the mesh");
   CHECK(left_text("the mesh", 0.5).empty());
