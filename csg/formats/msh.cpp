@@ -291,17 +291,14 @@ class MshWriter {
     text_ += "$EndElements\n";
   }
 
-  /// Of a split mesh: the numbers of nodes from which others were parted.
+  /// Of a split mesh; meshio reads data of all nodes only.
   void add_twins() {
-    std::size_t n = 0;
-    std::string lines;
-    for (Index p = 0; p < mesh_.twins.size(); ++p) {
-      if (mesh_.twins[p] == p) continue;
-      Line(lines) << p + 1 << ' ' << mesh_.twins[p] + 1 << '\n';
-      ++n;
-    }
-    if (n > 0)
-      text_ += "$NodeData\n1\n\"twin\"\n1\n0\n3\n0\n1\n" + std::to_string(n) + "\n" + lines + "$EndNodeData\n";
+    if (mesh_.twins.empty()) return;
+    text_ += "$NodeData\n1\n\"twin\"\n1\n0\n3\n0\n1\n" + std::to_string(mesh_.twins.size()) + "\n";
+    append_lines(text_, mesh_.twins.size(), [&](std::string& out, std::size_t p) {
+      Line(out) << p + 1 << ' ' << mesh_.twins[p] + 1 << '\n';
+    });
+    text_ += "$EndNodeData\n";
   }
 
   /// Discontinuous fields, by element and node. Only wedges come after tetrahedra.
