@@ -56,8 +56,8 @@ Index group_of_faces(const std::vector<std::string>& groups, const std::string& 
   }
   constexpr std::size_t kMostNamed = 12;
   std::string all;
-  for (std::size_t i = 0; i < std::min(groups.size(), kMostNamed); ++i)
-    all += (i == 0 ? " `" : ", `") + groups[i] + "`";
+  for (std::size_t i = 0; i < std::min(groups.size(), kMostNamed); ++i)  // those by leaves are the last ones
+    all += (i == 0 ? " `" : ", `") + groups[groups.size() - 1 - i] + "`";
   throw InputError("--split: neither a group of faces nor a leaf with faces is called `" + shown(name) +
                    "`; groups are" + (groups.empty() ? " none" : all) +
                    (groups.size() > kMostNamed ? ", and others" : ""));
