@@ -2,8 +2,6 @@
 // themselves; what an option takes they are told in their own words: `_arguments` and `complete`.
 #include "csg/app/completion_shells.h"
 
-#include <string>
-
 namespace cnrg::app {
 namespace {
 

@@ -1,6 +1,5 @@
 // `cnrg-eval`: the rows of a tree and its exact file, and nothing else: kernel and evaluation alone. A build has
 // it long before `cnrg`, and one without other libraries has no other program.
-#include <algorithm>
 #include <charconv>
 #include <iostream>
 #include <span>

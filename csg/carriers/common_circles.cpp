@@ -2,7 +2,6 @@
 #include "csg/carriers/common_circles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <tuple>
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 
-#include "csg/carriers/axes.h"
 #include "csg/carriers/meridians.h"
 #include "kernel/exact/exact_vectors.h"
 

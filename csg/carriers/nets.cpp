@@ -6,8 +6,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <set>
-#include <string>
 #include <utility>
 
 #include "csg/carriers/classes.h"

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <set>
 
 #include "csg/carriers/ball_hull.h"
 #include "csg/carriers/banded_leaves.h"
@@ -21,7 +20,6 @@
 #include "csg/carriers/family.h"
 #include "csg/carriers/near_surfaces.h"
 #include "csg/carriers/nested_turns.h"
-#include "csg/carriers/round_spaces.h"
 #include "csg/carriers/sectors.h"
 #include "csg/carriers/shared_balls.h"
 #include "csg/curves/surface_placed.h"

@@ -1,10 +1,8 @@
 // Which balls are hulls, and of what.
 #include "csg/carriers/shared_balls.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <set>
 
 #include "csg/geometry/circle.h"
 #include "kernel/exact/exact_vectors.h"

@@ -2,10 +2,8 @@
 #include "csg/carriers/surface_numbers.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
-#include <tuple>
 
 #include "csg/carriers/axes.h"
 #include "csg/carriers/bands.h"

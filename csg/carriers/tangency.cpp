@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "csg/carriers/contact_marks.h"
 #include "csg/curves/surface_math.h"

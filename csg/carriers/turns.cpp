@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <set>
 
 #include "csg/geometry/circle.h"
 #include "kernel/base/error.h"

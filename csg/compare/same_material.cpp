@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 
 #include "csg/leaves/leaf.h"
 #include "csg/operators/group.h"

@@ -21,11 +21,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/curves/profile.h"
 #include "csg/geometry/circle.h"
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
-#include "csg/leaves/parameters.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"

@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "csg/curves/patch_mesh.h"
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"

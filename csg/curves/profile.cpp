@@ -2,7 +2,6 @@
 #include "csg/curves/profile.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "csg/geometry/planar_polygon.h"
 #include "kernel/base/error.h"

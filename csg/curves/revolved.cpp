@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "csg/geometry/circle.h"
 #include "csg/leaves/geometry_leaf.h"

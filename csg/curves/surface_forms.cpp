@@ -1,7 +1,6 @@
 // Shapes to names and numbers; see the header.
 #include "csg/curves/surface_forms.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "csg/curves/control_nets.h"

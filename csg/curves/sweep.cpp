@@ -12,7 +12,6 @@
 // Roots are exact where they are rational, else a is rounded to doubles. What follows a bend goes on in the
 // direction R d, exactly at right angles to its section; so an end may be off the path by 1e-15 of its length, and
 // no section is deformed.
-#include <algorithm>
 
 #include "csg/curves/skin.h"
 #include "csg/geometry/circle.h"

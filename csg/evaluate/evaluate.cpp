@@ -25,10 +25,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <set>
 #include <span>
-#include <utility>
 
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/drawings.h"
@@ -37,7 +35,6 @@
 #include "csg/evaluate/leaf_numbers.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/evaluate/scopes.h"
-#include "csg/evaluate/simplified_value.h"
 #include "csg/evaluate/volume_bounds.h"
 #include "csg/leaves/leaf_stop.h"
 #include "csg/leaves/surface_parameters.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 
 #include "csg/operators/below.h"
 #include "csg/operators/blend.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "csg/carriers/axes.h"
 #include "csg/carriers/common_lines.h"

@@ -9,7 +9,6 @@
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/leaf_values.h"
 #include "csg/evaluate/rows.h"
-#include "csg/evaluate/simplified_value.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/tree/selector.h"
 #include "kernel/base/sorted.h"

@@ -1,6 +1,5 @@
 #include "csg/explain/said_at.h"
 
-#include <algorithm>
 #include <set>
 
 #include "csg/materials/grade.h"

@@ -1,7 +1,6 @@
 // Patches to surfaces, corners to their parameters; see the header.
 #include "csg/exports/cad_parts.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "csg/leaves/surface_parameters.h"

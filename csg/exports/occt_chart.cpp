@@ -27,7 +27,6 @@
 #include <TColgp_Array2OfPnt.hxx>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "kernel/base/error.h"
 

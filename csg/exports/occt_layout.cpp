@@ -3,7 +3,6 @@
 
 #include <Standard_Failure.hxx>
 #include <algorithm>
-#include <cmath>
 
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"

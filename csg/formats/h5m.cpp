@@ -9,7 +9,6 @@
 // Groups of DAGMC are sets with a name, `mat:granite` for a material, `boundary:vacuum` or `temp:300` for what an
 // attribute says of regions and faces. All groups of the mesh are such sets, too. Sheets, wires and points bound
 // nothing: their elements are in groups alone.
-#include <algorithm>
 #include <array>
 #include <map>
 

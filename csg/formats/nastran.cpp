@@ -8,7 +8,6 @@
 //
 // Points are in large fields of 16 characters, the most that the format has. Of second order there are solids and
 // shells; a rod has two ends, so each segment becomes two.
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>

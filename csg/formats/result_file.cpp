@@ -3,7 +3,6 @@
 #include "csg/formats/result_file.h"
 
 #include <array>
-#include <optional>
 #include <string_view>
 #include <utility>
 

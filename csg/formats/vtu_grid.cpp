@@ -3,7 +3,6 @@
 #include "csg/formats/vtu_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstring>
 #include <map>

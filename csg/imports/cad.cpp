@@ -20,7 +20,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 
 #include "csg/curves/boundary_curves.h"
 #include "csg/curves/surface.h"

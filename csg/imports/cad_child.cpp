@@ -10,7 +10,6 @@
 // The bounds are there to end what does not end. A child may work for a minute on a small file, for ten minutes
 // and longer on a large one, and take as much memory as the machine has.
 #include <algorithm>
-#include <new>
 #include <utility>
 
 #include "csg/imports/cad_model.h"

@@ -7,7 +7,6 @@
 //
 // Depths: `ZPOSITIVE Depth` says that z grows downwards. It is negated then, in the whole object, so that surfaces
 // of both kinds fit together; the order of corners stays, as seen from above.
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <unordered_map>

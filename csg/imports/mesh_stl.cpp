@@ -3,7 +3,6 @@
 #include <bit>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <string_view>
 
 #include "csg/imports/little_endian.h"

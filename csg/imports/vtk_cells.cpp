@@ -2,7 +2,6 @@
 #include "csg/imports/vtk_cells.h"
 
 #include <bit>
-#include <limits>
 
 namespace cnrg {
 

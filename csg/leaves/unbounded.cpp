@@ -2,9 +2,6 @@
 #include "csg/leaves/unbounded.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
 
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"

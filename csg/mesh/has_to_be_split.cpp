@@ -1,7 +1,5 @@
 #include "csg/mesh/has_to_be_split.h"
 
-#include <cmath>
-
 #include "csg/mesh/quality.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/bounds.h"

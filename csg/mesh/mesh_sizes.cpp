@@ -1,6 +1,5 @@
 #include "csg/mesh/mesh_sizes.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "csg/mesh/reach.h"

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "csg/mesh/cell_mesh.h"
 #include "csg/mesh/deadline.h"

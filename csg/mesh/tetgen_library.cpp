@@ -9,9 +9,6 @@
 // counts and asks it. So work is bounded by a number that is the same on every machine.
 #include <dlfcn.h>
 
-#include <algorithm>
-#include <new>
-
 #define TETLIBRARY
 #include <tetgen.h>
 

@@ -1,7 +1,6 @@
 // The child gets the complex by the fork and writes what TetGen returns to a file in memory that the parent reads.
 #include "csg/mesh/tetgen_run.h"
 
-#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <new>
@@ -9,7 +8,6 @@
 #include "csg/mesh/deadline.h"
 #include "csg/text/child.h"
 #include "csg/text/plugin.h"
-#include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {

@@ -19,7 +19,6 @@
 #include "csg/result/solid.h"
 #include "csg/text/plugin.h"
 #include "csg/text/table.h"
-#include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/bounds.h"
 

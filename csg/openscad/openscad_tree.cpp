@@ -1,10 +1,8 @@
 // Exact solids as nodes, operands before users, each once.
 #include "csg/openscad/openscad_tree.h"
 
-#include <filesystem>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "csg/leaves/leaf.h"
 #include "csg/openscad/interpreter.h"

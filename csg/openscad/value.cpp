@@ -1,7 +1,6 @@
 // What a Boolean takes; hulls and Minkowski sums of values.
 #include "csg/openscad/value.h"
 
-#include <algorithm>
 #include <set>
 #include <utility>
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 
 #include "csg/operators/atoms.h"
 #include "csg/operators/component_attributes.h"

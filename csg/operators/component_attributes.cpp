@@ -3,7 +3,6 @@
 #include "csg/operators/component_attributes.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "csg/operators/component_lists.h"
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 
 #include "csg/operators/detect_regions.h"
 #include "csg/operators/group.h"

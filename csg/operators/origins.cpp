@@ -3,7 +3,6 @@
 #include "csg/operators/origins.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 #include "kernel/base/sorted.h"

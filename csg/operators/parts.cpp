@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <queue>
 #include <tuple>
@@ -11,7 +10,6 @@
 #include "csg/operators/cell_sources.h"
 #include "kernel/base/error.h"
 #include "kernel/selection/measure.h"
-#include "kernel/selection/simplify.h"
 
 namespace cnrg {
 namespace {

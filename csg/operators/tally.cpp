@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <tuple>
 
 #include "kernel/base/sorted.h"
 #include "kernel/selection/measure.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 
 #include "csg/picture/loops.h"
 #include "kernel/base/limits.h"

@@ -1,7 +1,6 @@
 // Bounds are intervals, rounded outward.
 #include "csg/picture/depth.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "kernel/base/limits.h"

@@ -5,7 +5,6 @@
 #include "csg/picture/labels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "kernel/base/hypotenuse.h"

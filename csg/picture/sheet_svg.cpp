@@ -5,7 +5,6 @@
 // are one. A page of a paper is some kilobytes and differs from the next one only where the model does.
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 
 #include "csg/picture/sheet.h"
 #include "csg/text/xml.h"

@@ -1,5 +1,4 @@
 // Exceptions of the library become those of cnrg/errors.py, which know their place in a file.
-#include <new>
 
 #include "bind.h"
 

@@ -1,8 +1,6 @@
 // Pictures and pages of a result.
 #include <pybind11/stl.h>
 
-#include <algorithm>
-
 #include "results.h"
 #include "views.h"
 #include "watched.h"

@@ -3,7 +3,6 @@
 // two points are the same piece, so a pair of neighbours in a loop names the edge that it runs along.
 #include "csg/result/arrays.h"
 
-#include <algorithm>
 #include <unordered_map>
 
 #include "csg/result/cell_tags.h"

@@ -5,7 +5,6 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 #include "csg/geometry/canonical_loop.h"

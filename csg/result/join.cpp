@@ -1,7 +1,6 @@
 #include "csg/result/join.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 #include <span>

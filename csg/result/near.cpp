@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <optional>
 #include <span>
 
 #include "csg/geometry/nearest.h"
@@ -11,7 +10,6 @@
 #include "kernel/base/hypotenuse.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
-#include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/refine/box_tree.h"
 

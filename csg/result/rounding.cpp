@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "csg/result/slight_moves.h"
-#include "kernel/base/error.h"
 #include "kernel/base/hypotenuse.h"
 
 namespace cnrg {

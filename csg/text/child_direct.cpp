@@ -3,9 +3,7 @@
 
 #ifndef CNRG_FORK
 
-#include <algorithm>
 #include <cstring>
-#include <exception>
 #include <new>
 
 #include "kernel/base/error.h"

@@ -9,7 +9,6 @@
 #include <cstring>
 #include <map>
 #include <mutex>
-#include <utility>
 
 #include "csg/text/module_file.h"
 #include "kernel/base/error.h"

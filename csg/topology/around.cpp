@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "csg/text/escape.h"
 #include "csg/text/table.h"

@@ -1,9 +1,6 @@
 // Carried values are found again in the complex that their soup became, 3-cells by their labels.
 #include "csg/transfer/carried_groups.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "kernel/base/error.h"
 
 namespace cnrg {

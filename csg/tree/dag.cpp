@@ -7,7 +7,6 @@
 #include <boost/graph/depth_first_search.hpp>
 #include <boost/graph/topological_sort.hpp>
 #include <iterator>
-#include <utility>
 
 namespace cnrg {
 namespace {

@@ -2,7 +2,6 @@
 #include "csg/tree/tree.h"
 
 #include <algorithm>
-#include <map>
 
 #include "csg/tree/dag.h"
 #include "csg/tree/suggest.h"

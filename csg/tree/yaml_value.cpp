@@ -6,8 +6,6 @@
 #include <yaml-cpp/eventhandler.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <optional>
 #include <sstream>
 #include <unordered_set>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "csg/curves/surface_placed.h"
 #include "csg/geometry/planar_polygon.h"

@@ -1,8 +1,6 @@
 // Stars and closures, read from the arrays of incidence, and points in the interior of edges and faces.
 #include "kernel/complex/complex.h"
 
-#include <algorithm>
-
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 

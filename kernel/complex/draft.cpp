@@ -5,7 +5,6 @@
 
 #include <optional>
 
-#include "kernel/base/sorted.h"
 #include "kernel/complex/builder.h"
 #include "kernel/exact/predicates.h"
 

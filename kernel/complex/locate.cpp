@@ -1,6 +1,5 @@
 // Point location: vertices whose boxes hold the point are tested exactly, then edges, then faces; off all of them
 // a ray tells the region.
-#include <algorithm>
 
 #include "kernel/base/error.h"
 #include "kernel/complex/ray.h"

@@ -6,7 +6,6 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "kernel/exact/predicates.h"
 

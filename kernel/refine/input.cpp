@@ -7,7 +7,6 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>

@@ -5,8 +5,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
-#include <utility>
-
 #include "kernel/refine/identity.h"
 
 namespace cnrg {

@@ -4,7 +4,6 @@
 // both faces cover are the traces.
 #include "kernel/refine/pair_tester.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "kernel/exact/predicates.h"

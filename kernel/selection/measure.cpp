@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "kernel/base/sorted.h"
 #include "kernel/exact/exact_vectors.h"

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <new>
-#include <vector>
 
 #include "kernel/base/per_thread.h"
 

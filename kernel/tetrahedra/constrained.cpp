@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/tetrahedra/recovery.h"
 #include "kernel/tetrahedra/steiner_points.h"

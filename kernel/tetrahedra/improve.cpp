@@ -9,7 +9,6 @@
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
-#include "kernel/tetrahedra/bounds.h"
 #include "kernel/tetrahedra/lengths.h"
 #include "kernel/tetrahedra/moves.h"
 #include "kernel/tetrahedra/shapes.h"

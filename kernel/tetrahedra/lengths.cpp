@@ -1,6 +1,5 @@
 #include "kernel/tetrahedra/lengths.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "kernel/base/sorted.h"

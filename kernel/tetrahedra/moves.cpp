@@ -1,6 +1,5 @@
 #include "kernel/tetrahedra/moves.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 

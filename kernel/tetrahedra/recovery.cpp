@@ -4,7 +4,6 @@
 #include "kernel/tetrahedra/recovery.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"

@@ -1,7 +1,6 @@
 #include "kernel/tetrahedra/shapes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "kernel/base/vectors.h"

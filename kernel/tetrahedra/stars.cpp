@@ -1,8 +1,6 @@
 #include "kernel/tetrahedra/stars.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "kernel/base/error.h"
 #include "kernel/base/per_thread.h"

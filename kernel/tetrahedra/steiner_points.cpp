@@ -1,7 +1,6 @@
 #include "kernel/tetrahedra/steiner_points.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include "kernel/base/sorted.h"

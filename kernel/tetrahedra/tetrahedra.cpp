@@ -3,9 +3,7 @@
 // tetrahedron, which ends since tetrahedra are Delaunay.
 #include "kernel/tetrahedra/tetrahedra.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "kernel/base/error.h"
 #include "kernel/base/per_thread.h"
