@@ -57,6 +57,12 @@ std::string front_of(std::string text, std::size_t columns) {
 
 }  // namespace
 
+std::optional<double> left_of_stage(std::size_t done, std::size_t total, double seconds) {
+  constexpr double kFirst = 1, kLeast = 0.01;
+  if (done == 0 || done >= total || double(done) < kLeast * double(total) || seconds < kFirst) return std::nullopt;
+  return seconds * double(total - done) / double(done);
+}
+
 std::string left_text(std::optional<double> of_stage, const Foretold& foretold, double now) {
   if (of_stage) return clock_text(std::ceil(*of_stage)) + " left of this stage";
   const double left = foretold.until - now;
@@ -103,7 +109,7 @@ ProgressBar::~ProgressBar() {
 void ProgressBar::draw() {
   last_ = seconds_so_far();
   const std::size_t columns = columns_of_terminal() - 1;  // in the last one some terminals begin a new line
-  const std::string left = left_text(pace_.left(last_), foretold_, last_);
+  const std::string left = left_text(left_of_stage(done_, total_, last_ - begun_), foretold_, last_);
   put(kErase + progress_line(shown(stage_), done_, total_, last_, columns, left));
   drawn_ = true;
 }
@@ -120,8 +126,7 @@ void ProgressBar::show(std::string_view stage, std::size_t done, std::size_t tot
   const std::lock_guard lock(mutex_);
   const bool same = stage == stage_;
   const double now = seconds_so_far();
-  if (!same) pace_.begin(now);
-  pace_.see(done, total, now);
+  if (!same || done < done_) begun_ = now;
   stage_ = stage;
   done_ = done;
   total_ = total;

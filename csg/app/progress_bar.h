@@ -2,7 +2,7 @@
 //
 // Some stages cannot say how far they are, and others say nothing for minutes: a thread of the bar draws it again
 // and again, so that the time on it goes on and a person sees that the program lives. What is left of a stage is
-// told from its pace; what is left of all of the work only where somebody has foretold how long that takes.
+// told from its steps; what is left of all of the work only where somebody has foretold how long that takes.
 #pragma once
 
 #include <condition_variable>
@@ -12,7 +12,6 @@
 #include <string_view>
 #include <thread>
 
-#include "csg/app/pace.h"
 #include "kernel/base/progress.h"
 
 namespace cnrg::app {
@@ -49,11 +48,14 @@ class ProgressBar {
   bool ends_ = false, drawn_ = false;
   std::string stage_;
   std::size_t done_ = 0, total_ = 0;
-  double last_ = 0;
-  Pace pace_;
+  double begun_ = 0, last_ = 0;  // of the stage, and of what was drawn
   Foretold foretold_;
   std::thread thread_;
 };
+
+/// Seconds until all steps of a stage are done, at its speed so far; nothing in its first second and before a
+/// hundredth of them is done, where steps are not known, and at the end.
+std::optional<double> left_of_stage(std::size_t done, std::size_t total, double seconds);
 
 /// `0:18 left of this stage` where `of_stage` (seconds) is known; else `about 0:40 left of the mesh`, or `up to`,
 /// until what was foretold is over; else nothing.
