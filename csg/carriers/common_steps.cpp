@@ -5,9 +5,9 @@
 
 namespace cnrg {
 
-std::size_t CommonSteps::number(const BezierCurve& curve, std::size_t kind) {
+std::uint32_t CommonSteps::number(const BezierCurve& curve, std::size_t kind) {
   BezierCurve least = canonical(curve).curve;
-  const auto [it, is_new] = numbers_.try_emplace({kind, least.net}, asked_.size());
+  const auto [it, is_new] = numbers_.try_emplace({kind, least.net}, std::uint32_t(classes_.size()));
   if (is_new) {
     asked_.push_back({std::move(least), std::nullopt, {}});
     classes_.add();
@@ -15,9 +15,9 @@ std::size_t CommonSteps::number(const BezierCurve& curve, std::size_t kind) {
   return it->second;
 }
 
-std::size_t CommonSteps::ask(const BezierCurve& curve, const Fineness& fineness,
-                             const std::vector<Rational>& lines) {
-  const std::size_t i = number(curve, 0);
+std::uint32_t CommonSteps::ask(const BezierCurve& curve, const Fineness& fineness,
+                               const std::vector<Rational>& lines) {
+  const std::uint32_t i = number(curve, 0);
   if (!lines.empty()) {
     const bool reversed = canonical(curve).reversed;
     for (const Rational& t : lines) asked_[i].lines.insert(reversed ? Rational(1 - t) : t);
@@ -29,22 +29,22 @@ std::size_t CommonSteps::ask(const BezierCurve& curve, const Fineness& fineness,
 }
 
 AgreedSteps CommonSteps::agree() {
-  std::map<std::size_t, Fineness> joined;
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
+  std::map<std::uint32_t, Fineness> joined;
+  for (std::uint32_t i = 0; i < asked_.size(); ++i) {
     if (!asked_[i].fineness) continue;
-    const auto [it, is_new] = joined.try_emplace(classes_.first_of(i), *asked_[i].fineness);
+    const auto [it, is_new] = joined.try_emplace(classes_.find(i), *asked_[i].fineness);
     if (!is_new) it->second.join(*asked_[i].fineness);
   }
-  std::map<std::size_t, int> most;
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
+  std::map<std::uint32_t, int> most;
+  for (std::uint32_t i = 0; i < asked_.size(); ++i) {
     if (!asked_[i].fineness) continue;
-    int& steps = most[classes_.first_of(i)];
-    steps = std::max(steps, BoundaryCurves(joined.at(classes_.first_of(i))).steps(asked_[i].curve));
+    int& steps = most[classes_.find(i)];
+    steps = std::max(steps, BoundaryCurves(joined.at(classes_.find(i))).steps(asked_[i].curve));
   }
   AgreedSteps result;
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
+  for (std::uint32_t i = 0; i < asked_.size(); ++i) {
     if (asked_[i].fineness)
-      result[asked_[i].curve.net] = {most.at(classes_.first_of(i)), rounded_lines(asked_[i].lines)};
+      result[asked_[i].curve.net] = {most.at(classes_.find(i)), rounded_lines(asked_[i].lines)};
   }
   return result;
 }

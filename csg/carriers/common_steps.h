@@ -5,14 +5,15 @@
 // curve in it needs for all that is asked of the class.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "csg/carriers/classes.h"
 #include "csg/curves/boundary_curves.h"
+#include "kernel/base/union_find.h"
 
 namespace cnrg {
 
@@ -20,11 +21,11 @@ class CommonSteps {
  public:
   /// A leaf has the curve and asks for a fineness and further lines, at parameters between 0 and 1. Returns its
   /// number.
-  std::size_t ask(const BezierCurve& curve, const Fineness& fineness, const std::vector<Rational>& lines);
+  std::uint32_t ask(const BezierCurve& curve, const Fineness& fineness, const std::vector<Rational>& lines);
   /// A number for what is no curve of a leaf: a projected one; those of different `kind`, from 1, are different.
-  std::size_t number(const BezierCurve& curve, std::size_t kind);
+  std::uint32_t number(const BezierCurve& curve, std::size_t kind);
   /// Both get the same even steps.
-  void tie(std::size_t a, std::size_t b) { classes_.join(a, b); }
+  void tie(std::uint32_t a, std::uint32_t b) { classes_.unite(a, b); }
   /// Steps of all curves that were asked for.
   AgreedSteps agree();
 
@@ -34,9 +35,9 @@ class CommonSteps {
     std::optional<Fineness> fineness;
     std::set<Rational> lines{};
   };
-  std::map<std::pair<std::size_t, ControlRow>, std::size_t> numbers_;
+  std::map<std::pair<std::size_t, ControlRow>, std::uint32_t> numbers_;
   std::vector<Asked> asked_;
-  Classes classes_;
+  UnionFind classes_;
 };
 
 }  // namespace cnrg

@@ -8,12 +8,12 @@
 #include <memory>
 #include <utility>
 
-#include "csg/carriers/classes.h"
 #include "csg/carriers/common_steps.h"
 #include "csg/carriers/cuts.h"
 #include "csg/carriers/net_carriers.h"
 #include "csg/carriers/placed_nets.h"
 #include "kernel/base/leaf_words.h"
+#include "kernel/base/union_find.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {
@@ -72,7 +72,7 @@ struct Run {
 struct Wall {
   Run run;
   RationalRange heights;
-  std::size_t number;  // of `walls_alike_`
+  std::uint32_t number;  // of `walls_alike_`
 };
 /// A piece of a patch on its carrier: by the carrier's parameters.
 struct Sheet {
@@ -227,7 +227,7 @@ class CommonNetsOfLeaves {
           [&](const Wall& a, const Wall& b) {
             if (a.heights[1] < b.heights[0] || b.heights[1] < a.heights[0]) return;
             cuts_.link(a.run.strand, a.run.at, b.run.strand, b.run.at);
-            walls_alike_.join(a.number, b.number);
+            walls_alike_.unite(a.number, b.number);
           });
     }
     for (const std::vector<Sheet>& sheets : sheets_) {
@@ -277,11 +277,11 @@ class CommonNetsOfLeaves {
   /// The rims of a wall have the steps of all walls on the same surface.
   void tie(const BezierCurve& rim, const Sweep& sweep, std::size_t strand, const Fineness& fineness,
            const std::vector<Rational>& lines) {
-    const std::size_t near = common_steps_.ask(rim, fineness, lines);
+    const std::uint32_t near = common_steps_.ask(rim, fineness, lines);
     common_steps_.tie(near, common_steps_.ask({sweep.far_rim(rim.net)}, fineness, lines));
     const auto wall = wall_of_.find(strand);
     if (wall == wall_of_.end()) return;  // flat
-    const std::size_t kind = 1 + walls_alike_.first_of(wall->second);
+    const std::size_t kind = 1 + walls_alike_.find(wall->second);
     common_steps_.tie(near, common_steps_.number({sweep.projected(rim.net)}, kind));
   }
 
@@ -298,11 +298,11 @@ class CommonNetsOfLeaves {
   std::vector<PlacedNets> leaves_;
   CurveCarriers curves_;
   SurfaceCarriers surfaces_;
-  std::vector<std::vector<Run>> runs_;          // by carrier
-  std::vector<std::vector<Wall>> walls_;        // by carrier
-  std::vector<std::vector<Sheet>> sheets_;      // by carrier
-  Classes walls_alike_;                         // walls that need the same rulings
-  std::map<std::size_t, std::size_t> wall_of_;  // by strand
+  std::vector<std::vector<Run>> runs_;            // by carrier
+  std::vector<std::vector<Wall>> walls_;          // by carrier
+  std::vector<std::vector<Sheet>> sheets_;        // by carrier
+  UnionFind walls_alike_;                         // walls that need the same rulings
+  std::map<std::size_t, std::uint32_t> wall_of_;  // by strand
   Cuts cuts_;
   FinestPatches finest_;
   CommonSteps common_steps_;

@@ -56,14 +56,6 @@ std::optional<CadParameters> CadLayout::near(const Chart* chart, Index point) co
   return it == near_.end() ? std::nullopt : std::optional(it->second);
 }
 
-std::vector<Index> CadLayout::sources_of(const Chart* chart) const {
-  std::vector<Index> result;
-  for (const LaidFace& face : faces_) {
-    if (face.chart == chart && !chart->flat()) result.push_back(face.source);
-  }
-  return result;
-}
-
 const Chart* CadLayout::chart_of_surface(Index surface) {
   const auto known = chart_of_.find(surface);
   if (known != chart_of_.end()) return known->second;

@@ -60,8 +60,6 @@ class CadLayout {
   /// The pieces of an edge of the result.
   const std::vector<Index>& pieces_of(Index edge) const { return pieces_of_[edge]; }
   std::optional<CadParameters> near(const Chart* chart, Index point) const;
-  /// Numbers of faces of the result on a curved chart.
-  std::vector<Index> sources_of(const Chart* chart) const;
 
  private:
   const CadParts& parts_;

@@ -38,7 +38,6 @@ struct StoredValue {
   std::optional<double> volume_bound = 0.0;    ///< as of PreparedLeaf
 
   Index label(Index region) const { return cells.regions[region].bounded ? region + 1 : 0; }
-  Component entities() const { return Component(components.size() + 1); }
 };
 
 /// The value as a leaf.
