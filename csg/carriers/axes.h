@@ -2,7 +2,6 @@
 // axes.
 #pragma once
 
-#include <compare>
 #include <optional>
 
 #include "csg/curves/revolved.h"

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <set>
-#include <string>
 #include <vector>
 
 #include "csg/carriers/drawn_leaves.h"

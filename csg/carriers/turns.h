@@ -6,7 +6,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <set>
 
 #include "csg/curves/revolved.h"

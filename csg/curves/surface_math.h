@@ -8,7 +8,6 @@
 // Taylor polynomials, over intervals with a bound of the rest.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

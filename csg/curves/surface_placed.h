@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "csg/curves/surface_math.h"
 #include "csg/geometry/transform.h"

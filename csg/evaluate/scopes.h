@@ -6,12 +6,9 @@
 // carried on.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "csg/evaluate/drawings.h"

@@ -7,7 +7,6 @@
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "csg/exports/occt_curves.h"

@@ -1,8 +1,6 @@
 // Which simplices of a mesh are elements of a structural analysis, and what replaces the others.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <utility>
 #include <vector>
 

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 
 #include "csg/geometry/transform.h"
 

@@ -1,7 +1,6 @@
 // ESRI ASCII grids.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

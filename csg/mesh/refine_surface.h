@@ -28,8 +28,6 @@
 //     they nearly touch, so that triangles between them are short and do not lie upon each other by thousands.
 #pragma once
 
-#include <string>
-
 #include "csg/mesh/facet_mesh.h"
 #include "csg/result/result.h"
 

@@ -11,7 +11,6 @@
 //     component. What is not closed needs the operator `closure`.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "csg/operators/group.h"

@@ -13,7 +13,6 @@
 
 #include <memory>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 

@@ -6,7 +6,6 @@
 // both. Which cells of these leaves it lies in is read off the complex (`leaf_cells`).
 #pragma once
 
-#include <array>
 #include <map>
 #include <span>
 #include <tuple>

@@ -9,7 +9,6 @@
 
 #include <span>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "csg/operators/entity_marks.h"

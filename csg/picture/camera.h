@@ -6,9 +6,6 @@
 // hides what is decided exactly. Denominators are multiplied away: coordinates of few bits stay doubles.
 #pragma once
 
-#include <array>
-#include <span>
-
 #include "csg/geometry/transform.h"
 #include "csg/picture/draw.h"
 

@@ -3,7 +3,6 @@
 // Who reads options knows neither files nor trees; a fault names the option as the person wrote it.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "csg/picture/draw.h"

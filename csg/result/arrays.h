@@ -7,7 +7,6 @@
 // part of the result but bounds a part of it); kNone stands for "none".
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>

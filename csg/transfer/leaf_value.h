@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "csg/operators/node_value.h"

@@ -6,10 +6,8 @@
 // a chain of 300 unions has a thirtieth of its size, and a browser reads it faster.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -4,7 +4,6 @@
 // triangles; the parameters of patches and curves move with their corners.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "csg/leaves/leaf.h"

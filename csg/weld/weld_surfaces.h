@@ -6,7 +6,6 @@
 // numbers had been equal in the tree (csg/carriers), and all that is flat is welded after that.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "csg/leaves/leaf.h"
