@@ -158,8 +158,8 @@ std::string text_of(const CurvedReport& bent) {
 }
 
 std::string text_of(const SplitReport& parted) {
-  return counted(parted.nodes, "node", "nodes") + " split, with " + counted(parted.twins, "twin", "twins") +
-         (parted.wedges > 0 ? "; " + counted(parted.wedges, "wedge", "wedges") + " between them" : "") + "\n";
+  return "split: " + counted(parted.twins, "node", "nodes") + " more, " +
+         counted(parted.wedges, "wedge", "wedges") + "\n";
 }
 
 std::string short_number(double value) { return decimal(value, "%.6g"); }

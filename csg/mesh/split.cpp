@@ -171,6 +171,7 @@ class Splitter {
   explicit Splitter(Mesh& mesh) : mesh_(mesh) {}
 
   SplitReport run(const std::vector<std::string>& names, bool interfaces) {
+    const std::size_t before = mesh_.points.size();
     find_groups(names);
     std::vector<char> asked;
     for (Index face = 0; face < mesh_.entities[2].size(); ++face) asked.push_back(!asked_of(face).empty());
@@ -185,7 +186,7 @@ class Splitter {
       points = sectors.nodes_at(i, points);
     }
     part_middles();
-    return report();
+    return {mesh_.points.size() - before, mesh_.wedges.size()};
   }
 
  private:
@@ -340,20 +341,6 @@ class Splitter {
       mesh_.middles.emplace_back(edge, used[it->second] ? add_twin(mesh_, it->second) : it->second);
       used[it->second] = 1;
     }
-  }
-
-  SplitReport report() const {
-    SplitReport out;
-    std::vector<Index> parted;
-    for (Index p = 0; p < mesh_.twins.size(); ++p) {
-      if (mesh_.twins[p] == p) continue;
-      ++out.twins;
-      parted.push_back(mesh_.twins[p]);
-    }
-    sort_unique(parted);
-    out.nodes = parted.size();
-    out.wedges = mesh_.wedges.size();
-    return out;
   }
 };
 

@@ -13,7 +13,6 @@
 namespace cnrg {
 
 struct SplitReport {
-  std::size_t nodes = 0;  ///< that have twins now
   std::size_t twins = 0;  ///< nodes that were added
   std::size_t wedges = 0;
 };
