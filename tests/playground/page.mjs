@@ -1,6 +1,6 @@
 // Opens the playground in a browser, from its file: nothing asks the network or complains; a tree that is typed is evaluated
 // and shown, a fault stands at its line, a later change ends an evaluation, exercises are checked, links hold trees, files
-// that are saved have the bytes of the native program, keys are completed.
+// that are saved have the bytes of the native program, keys are completed, the keyboard reaches all.
 import {execFileSync} from 'node:child_process';
 import {existsSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -40,7 +40,7 @@ await page.goto(`file://${file}`);
 await page.locator('html[data-ready]').waitFor({state: 'attached', timeout: 60000});
 await shown();
 await frame.locator('html[data-ready]').waitFor({state: 'attached', timeout: 60000});
-check(statSync(file).size <= 4e6, `the page has ${statSync(file).size} bytes`);
+check(statSync(file).size <= 3e6, `the page has ${statSync(file).size} bytes`);
 check((await page.locator('#rows').innerText()).includes('operator'), 'the first model has rows');
 await picture('first');
 
@@ -75,6 +75,20 @@ await page.locator('#messages .error').waitFor({timeout: 60000});
 check((await page.locator('#messages .error').first().innerText()).startsWith('3:'), 'a fault is told with its line');
 check((await page.locator('.cm-lint-marker-error').count()) === 1, 'a fault is marked at its line');
 await picture('fault');
+await accessible(page, 'playground with a fault', false);
+
+// By keys alone: into the editor by Tab, out of it by Escape and Tab, to the message, which goes back to its place.
+const focus = () => page.evaluate(() => document.activeElement.closest('#editor') ? 'editor' : document.activeElement.closest('[id]')?.id ?? '');
+await page.locator('#models').focus();
+const reached = [];
+for (const word of ['', 'Tab', 'Tab', 'Tab', 'Tab', 'Escape', 'Tab', 'Tab', 'Tab']) {
+  if (word) await page.keyboard.press(word);
+  reached.push(await focus());
+}
+check(reached.join(' ') === 'models trace link save editor editor messages rows view', `keys reach ${reached.join(' ')}`);
+await page.locator('#messages .error').first().focus();
+await page.keyboard.press('Enter');
+check((await focus()) === 'editor', 'a message leads to its place');
 
 // A link.
 await evaluated(box);

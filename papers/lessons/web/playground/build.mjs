@@ -7,6 +7,7 @@ import {existsSync, readdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {basename, dirname, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 import {bundler, filled, policyOf} from '../../../../csg/view/web/bundling.mjs';
+import {lettersOf} from './letters.js';
 import {run} from './program.mjs';
 
 const [modules, output, program, view] = process.argv.slice(2).map((path) => resolve(path));
@@ -47,22 +48,22 @@ function models() {
   return [...lessons, ...exercises, ...others.filter(Boolean)];
 }
 
-/** What unpack.js reads: `xz` leaves the size open. */
-function packed(content) {
-  const bytes = execFileSync('xz', ['--format=lzma', '-9e', '--stdout'], {input: content, maxBuffer: 2 ** 30});
-  bytes.writeBigUInt64LE(BigInt(Buffer.byteLength(content)), 5);
+/** What boot.js unpacks: texts by name, and the program, in which zeros may be. */
+function packed(texts, program) {
+  const content = Buffer.concat([Buffer.from(JSON.stringify(texts)), Buffer.of(0), program]);
+  const bytes = execFileSync('xz', ['--format=lzma', '--lzma1=preset=9e,dict=64MiB,lc=4,lp=0,pb=0,nice=273', '--stdout'], {input: content, maxBuffer: 2 ** 30});
+  bytes.writeBigUInt64LE(BigInt(content.length), 5);  // `xz` leaves the size open
   return bytes;
 }
-const carried = (id, content) => `<script type="text/plain" id="${id}">${packed(content).toString('base64')}</script>`;
 const places = {'<!--cnrg:title-->': '', '<!--cnrg:stamp-->': '', '<!--cnrg:data-->': ''};
-const page = await bundler(modules)(join(here, 'playground.js'));
-const worker = await bundler(modules, {alias: {'cnrg-module': join(program, 'cnrg.mjs'), module: join(here, 'no_node.js')}, define: {'import.meta.url': '""'}})(join(here, 'worker.js'));
-writeFileSync(output, filled(readFileSync(join(here, 'page.html'), 'utf8'), {
+const bundled = (file, more) => bundler(modules, more)(join(here, file));
+const boot = await bundled('boot.js'), page = await bundled('playground.js');
+const worker = await bundled('worker.js', {alias: {'cnrg-module': join(program, 'cnrg.mjs'), module: join(here, 'no_node.js')}, define: {'import.meta.url': '""'}});
+const texts = {script: page.script, worker: worker.script, view: filled(readFileSync(view, 'utf8'), places), schema: await schemaOf(), trees: models()};
+const text = filled(readFileSync(join(here, 'page.html'), 'utf8'), {
   '<!--bundle:policy-->': policyOf("worker-src blob:; frame-src 'self'").replace("script-src 'unsafe-inline'", "script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:"),
   '<!--bundle:style-->': `<style>${page.style}</style>`,
-  '<!--bundle:data-->': [
-    carried('cnrg-wasm', readFileSync(join(program, 'cnrg.wasm'))), carried('cnrg-view', filled(readFileSync(view, 'utf8'), places)), carried('cnrg-worker', worker.script),
-    carried('cnrg-data', JSON.stringify({schema: await schemaOf(), trees: models()})),
-  ].join('\n'),
-  '<!--bundle:script-->': `<script>${page.script}</script>`,
-}));
+  '<!--bundle:data-->': `<script type="text/plain" id="packed">${lettersOf(packed(texts, readFileSync(join(program, 'cnrg.wasm'))))}</script>`,
+  '<!--bundle:script-->': `<script>${boot.script}</script>`,
+});
+writeFileSync(output, `\ufeff${text}`, 'utf16le');  // with the mark by which browsers know it

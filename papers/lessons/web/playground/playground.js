@@ -1,21 +1,15 @@
 // The page: a tree is typed, and each change is evaluated by the program in a worker, which the next change ends.
 import './style.css';
 import {makeEditor} from './editor.js';
-import {unpacked} from './unpack.js';
 
 const $ = (id) => document.getElementById(id);
 const FILE = 'tree.yaml', PAUSE = 250;
 
-// --- what the page carries, and a tree in its address
+// --- a tree in the address of the page
 
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
 const base64Of = (bytes) => btoa(Array.from(bytes, (b) => String.fromCharCode(b)).join(''));
 const through = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream));
-function carried(id) {
-  const element = $(id), bytes = unpacked(bytesOf(element.textContent));
-  element.remove();
-  return bytes;
-}
 async function hashOf(text) {
   const bytes = new Uint8Array(await through(new TextEncoder().encode(text), new CompressionStream('deflate')).arrayBuffer());
   return `#tree=${base64Of(bytes).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
@@ -41,6 +35,13 @@ function start(commands, told) {
   worker.onmessage = ({data}) => (data.ended ? (worker.terminate(), (worker = null), told(null)) : told(data));
   worker.onerror = (fault) => showMessages([{severity: 'error', line: 1, column: 1, message: `the worker failed: ${fault.message}`}]);
   worker.postMessage({compiled, commands});
+}
+
+/** What a command gives that is run by itself, beside those of the page. */
+function alone(words, files, input) {
+  const one = new Worker(workerUrl);
+  one.postMessage({compiled, commands: [{words, files, input}]});
+  return new Promise((told) => (one.onmessage = ({data}) => (one.terminate(), told(data))));
 }
 
 const decode = (bytes) => new TextDecoder().decode(bytes);
@@ -167,20 +168,21 @@ function wire() {
 }
 
 async function begin() {
-  const {schema, trees} = JSON.parse(decode(carried('cnrg-data')));
+  const {schema, trees, view, worker: ran, program} = window.carried;  // by boot.js
+  delete window.carried;
   models = trees;
   editor = makeEditor($('editor'), schema, changed);
   listModels();
   wire();
-  workerUrl = URL.createObjectURL(new Blob([carried('cnrg-worker')], {type: 'text/javascript'}));
+  workerUrl = URL.createObjectURL(new Blob([ran], {type: 'text/javascript'}));
   const shown = new Promise((done) => ($('view').onload = done));
-  $('view').srcdoc = decode(carried('cnrg-view'));
-  compiled = await WebAssembly.compile(carried('cnrg-wasm'));
+  $('view').srcdoc = view;
+  compiled = await WebAssembly.compile(program);
   await shown;
   const given = await textOfHash(location.hash);
   if (given === null) choose(0);
   else (model = null, editor.text = given);
-  window.playground = {editor, models, choose: (i) => (($('models').value = i), choose(i)), hashOf};
+  window.playground = {editor, models, choose: (i) => (($('models').value = i), choose(i)), hashOf, alone};
   document.documentElement.dataset.ready = 'true';
 }
 begin();

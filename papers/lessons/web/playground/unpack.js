@@ -1,10 +1,11 @@
-// Unpacks LZMA, as `xz --format=lzma` packs it: a third less than by deflate, and unknown to browsers.
+// Unpacks LZMA, as `xz --format=lzma` packs it where places do not count (lp=0, pb=0): a third less than by deflate, and unknown to
+// browsers.
 //
 // What is packed is a row of decisions between 0 and 1. Each has a chance of its own, which learns from every answer; a range
 // coder makes one long number of them all. They tell bytes, by the byte before, and copies: of how many bytes, from how far
 // back, or from as far as one of the last four.
 
-const HEAD = 13, LEARNING = 5, WHOLE = 11, STATES = 12, PLACES = 16;
+const HEAD = 13, LEARNING = 5, WHOLE = 11, STATES = 12;
 
 class Decisions {
   constructor(packed) {
@@ -65,12 +66,12 @@ const even = (count) => new Uint16Array(count).fill(1 << (WHOLE - 1));
 
 /** How many bytes are copied, less 2. */
 class Lengths {
-  chances = even(2 + 2 * 8 * PLACES + 256);
-  next(decisions, place) {
+  chances = even(2 + 2 * 8 + 256);
+  next(decisions) {
     const {chances} = this;
-    if (!decisions.next(chances, 0)) return decisions.number(chances, 2 + 8 * place, 3);
-    if (!decisions.next(chances, 1)) return 8 + decisions.number(chances, 2 + 8 * (PLACES + place), 3);
-    return 16 + decisions.number(chances, 2 + 2 * 8 * PLACES, 8);
+    if (!decisions.next(chances, 0)) return decisions.number(chances, 2, 3);
+    if (!decisions.next(chances, 1)) return 8 + decisions.number(chances, 2 + 8, 3);
+    return 16 + decisions.number(chances, 2 + 2 * 8, 8);
   }
 }
 
@@ -88,17 +89,16 @@ class Distances {
   }
 }
 
-/** The bytes that were packed; the head tells how many. */
+/** The bytes that were packed; the head tells how many, and how many bits of the byte before count. */
 export function unpacked(packed) {
-  const size = new DataView(packed.buffer, packed.byteOffset).getUint32(5, true), out = new Uint8Array(size);
-  const before = packed[0] % 9, low = Math.floor(packed[0] / 9) % 5, places = (1 << Math.floor(packed[0] / 45)) - 1;
-  const decisions = new Decisions(packed), bytes = even(0x300 << (before + low)), lengths = new Lengths(), again = new Lengths(), distances = new Distances();
-  const copies = even(STATES * PLACES), repeats = even(STATES), others = [even(STATES), even(STATES), even(STATES)], longs = even(STATES * PLACES);
+  const size = new DataView(packed.buffer, packed.byteOffset).getUint32(5, true), out = new Uint8Array(size), before = packed[0];
+  const decisions = new Decisions(packed), bytes = even(0x300 << before), lengths = new Lengths(), again = new Lengths(), distances = new Distances();
+  const copies = even(STATES), repeats = even(STATES), others = [even(STATES), even(STATES), even(STATES)], longs = even(STATES);
   const back = [0, 0, 0, 0];  // the last distances, less 1
   let state = 0, at = 0;      // the state tells what the last few were
 
   function byte() {
-    const from = 0x300 * (((at & ((1 << low) - 1)) << before) + (at > 0 ? out[at - 1] >> (8 - before) : 0));
+    const from = 0x300 * (at > 0 ? out[at - 1] >> (8 - before) : 0);
     let node = 1;
     if (state >= 7) {  // after a copy: beside the byte that would have gone on with it
       let expected = out[at - back[0] - 1], alike = true;
@@ -118,11 +118,10 @@ export function unpacked(packed) {
   }
 
   while (at < size) {
-    const place = at & places;
-    if (!decisions.next(copies, state * PLACES + place)) {
+    if (!decisions.next(copies, state)) {
       byte();
     } else if (!decisions.next(repeats, state)) {
-      const length = lengths.next(decisions, place);
+      const length = lengths.next(decisions);
       back.unshift(distances.next(decisions, length));
       back.pop();
       state = state < 7 ? 7 : 10;
@@ -130,13 +129,13 @@ export function unpacked(packed) {
     } else {
       let which = 0;
       while (which < 3 && decisions.next(others[which], state)) ++which;
-      if (which === 0 && !decisions.next(longs, state * PLACES + place)) {
+      if (which === 0 && !decisions.next(longs, state)) {
         state = state < 7 ? 9 : 11;
         copy(1);
         continue;
       }
       back.unshift(...back.splice(which, 1));
-      const length = again.next(decisions, place);
+      const length = again.next(decisions);
       state = state < 7 ? 8 : 11;
       copy(length + 2);
     }

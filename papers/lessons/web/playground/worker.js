@@ -3,9 +3,9 @@ import create from 'cnrg-module';
 import {run} from './program.mjs';
 
 onmessage = async ({data: {compiled, commands}}) => {
-  for (const {words, files, id} of commands) {
+  for (const {words, files, input, id} of commands) {
     const begin = performance.now();
-    const done = await run(create, compiled, words, files);
+    const done = await run(create, compiled, words, files, input);
     postMessage({id, ...done, seconds: (performance.now() - begin) / 1000});
   }
   postMessage({ended: true});
