@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "csg/curves/parametric.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 
@@ -19,6 +20,48 @@ CornerKey corner_of(const Mould::Cell& cell, std::size_t i) {
 }
 bool alike(const Interval& a, const Interval& b) { return a.inf() == b.inf() && a.sup() == b.sup(); }
 
+/// The sides of the nets of a leaf, by patch, as curves.
+class SideCurves {
+ public:
+  explicit SideCurves(const CurvedForm* form) {
+    const auto* const nets = dynamic_cast<const NetForm*>(form);
+    std::map<ControlRow, std::uint32_t> numbers;
+    for (std::size_t p = 0; nets != nullptr && p < nets->patches.size(); ++p) {
+      for (const auto& [patch, span] : nets->patches[p].pieces) {
+        for (std::size_t k = 0; k < 4; ++k) {
+          const BezierCurve curve = patch.side(k);
+          if (curve.is_point()) continue;
+          const std::size_t fixed = 1 - k % 2;
+          sides_[static_cast<std::uint32_t>(p)].push_back(
+              {fixed, span[fixed][k == 1 || k == 2 ? 1 : 0], span[1 - fixed],
+               numbers.try_emplace(canonical(curve).curve.net, numbers.size() + 1).first->second});
+        }
+      }
+    }
+  }
+  /// Of the side from a to b; 0 if it is none.
+  std::uint32_t number(std::uint32_t patch, const Parameters& a, const Parameters& b) const {
+    const auto it = sides_.find(patch);
+    if (it == sides_.end()) return 0;
+    for (const auto& [fixed, at, along, number] : it->second) {
+      const auto on = [&](const Parameters& x) {
+        return x[fixed] == at && along[0] <= x[1 - fixed] && x[1 - fixed] <= along[1];
+      };
+      if (on(a) && on(b)) return number;
+    }
+    return 0;
+  }
+
+ private:
+  struct Side {
+    std::size_t fixed;
+    Rational at;
+    Span along;
+    std::uint32_t number;
+  };
+  std::map<std::uint32_t, std::vector<Side>> sides_;
+};
+
 }  // namespace
 
 Mould::Mould(const PreparedLeaf& leaf) {
@@ -33,6 +76,7 @@ Mould::Mould(const PreparedLeaf& leaf) {
     if (n == kNone) n = this->number_of(exact_value(soup, p));
     return n;
   };
+  const SideCurves curves(leaf.form().get());
   std::vector<Interval> values;
   if (parameters_) {
     for (const Rational& value : parameters_->values()) values.push_back(enclose(value));
@@ -47,6 +91,12 @@ Mould::Mould(const PreparedLeaf& leaf) {
           cell.points.push_back(corner.point);
           cell.at.push_back({values[corner.u], values[corner.v]});
         }
+        const auto at = [&](std::size_t i) -> Parameters {
+          const LeafParameters::Corner& corner = corners[i % corners.size()];
+          return {parameters_->values()[corner.u], parameters_->values()[corner.v]};
+        };
+        for (std::size_t i = 0; i < corners.size(); ++i)
+          cell.sides.push_back(curves.number(patch, at(i), at(i + 1)));
       }
       continue;
     }
@@ -103,7 +153,10 @@ void Mould::unite_triangles() {
     const auto pick = [&](const auto& of, const auto& other) {
       return std::decay_t<decltype(of)>{of[(from + 1) % 3], of[own], of[from], other[third]};
     };
-    one = {one.patch, pick(one.points, cells[i].points), pick(one.at, cells[i].at), true};
+    std::vector<std::uint32_t> sides{one.sides[(from + 1) % 3], one.sides[own], cells[i].sides[(side + 1) % 3],
+                                     cells[i].sides[third]};
+    if (one.points[from] == cells[i].points[side]) std::swap(sides[2], sides[3]);
+    one = {one.patch, pick(one.points, cells[i].points), pick(one.at, cells[i].at), std::move(sides), true};
     gone[i] = 1;
   }
   std::size_t kept = 0;

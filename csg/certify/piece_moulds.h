@@ -20,7 +20,8 @@ struct Mould {
     std::uint32_t patch = 0;
     std::vector<std::uint32_t> points;
     std::vector<std::array<Interval, 2>> at;
-    bool bent = false;  // Piece::bent
+    std::vector<std::uint32_t> sides;  // of each side a number, equal for parts of one curve; 0: not known
+    bool bent = false;                 // Piece::bent
   };
   struct Flat {
     std::uint32_t patch = 0;

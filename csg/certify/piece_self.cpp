@@ -86,9 +86,10 @@ bool meet_at_pole(const Piece& a, const Piece& b) {
   return common.size() > 1 && std::ranges::any_of(common, [&](std::uint32_t p) { return poles.contains(p); });
 }
 
-bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,
-                std::uint32_t b, std::size_t& steps) {
-  if (a != b && !side_by_side(all[a], all[b])) return apart_but_beside(all, a, b, steps);  // where it is closed
+bool one_to_one(const Pieces& pieces, std::span<const std::uint32_t> patch, std::uint32_t a, std::uint32_t b,
+                std::size_t& steps) {
+  const std::vector<Piece>& all = pieces.all();
+  if (a != b && !side_by_side(all[a], all[b])) return apart_but_beside(pieces, a, b, steps);  // where it is closed
   const PiecePart one = part_of(all, all[a], all[a].range);
   Neighbours question(all, patch);
   const bool proven = a == b ? question.alone(one) : question.ask(one, part_of(all, all[b], all[b].range));

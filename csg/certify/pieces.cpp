@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "csg/certify/piece_parts.h"
+#include "csg/curves/revolved.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 #include "kernel/base/error.h"
@@ -32,16 +33,26 @@ PlaneKey plane_key(const RationalPoint& normal, const RationalPoint& on) {
   return key;
 }
 
+/// A ball, a ring, the side of a cylinder or cone with its discs: it does not meet itself.
+bool is_one_round_surface(const PreparedLeaf& leaf) {
+  const auto* const round = dynamic_cast<const RevolvedForm*>(leaf.form().get());
+  return round != nullptr && round->lines.size() == 1 && round->lines[0].size() == 1 &&
+         round->lines[0][0].kind != MeridianPiece::Kind::net;
+}
+
 }  // namespace
 
 class PieceMaker {
  public:
   PieceMaker(Pieces& out, const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds,
              bool of_themselves)
-      : out_(out), leaves_(leaves), of_themselves_(of_themselves) {
+      : out_(out), leaves_(leaves) {
     const std::vector<LeafInstance>& instances = leaves.instances;
     for (std::size_t i = 0; i < instances.size(); ++i) {
-      if (!instances[i].leaf->unbounded()) place(LeafId(i), moulds.of(instances[i].leaf), instances[i].transform);
+      const PreparedLeaf& leaf = *instances[i].leaf;
+      if (leaf.unbounded()) continue;
+      place(LeafId(i), moulds.of(instances[i].leaf), instances[i].transform);
+      if (of_themselves && leaf.surfaces() && !is_one_round_surface(leaf)) out_.own_.insert(LeafId(i));
     }
     add_unbounded(instances, reach);
     choose_cells();
@@ -67,6 +78,7 @@ class PieceMaker {
     std::vector<char> asked{};   // of the flat faces likewise
     /// Pieces, and side of the piece; kNone for cells that are none.
     PieceSides sides{};
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::set<std::uint32_t>> curves{};  // of sides, by ends
   };
 
   /// Leaves by where their points are: what is asked first must not depend on their order in the tree.
@@ -86,11 +98,6 @@ class PieceMaker {
     const std::uint32_t number = known != nullptr && patch < known->size() ? (*known)[patch] : 0;
     if (number != 0) return sheet_number({0, number, 0});
     return sheet_number({1, static_cast<std::uint32_t>(leaf.index()), patch});
-  }
-  bool has_equation(LeafId leaf, std::uint32_t patch) const {
-    if (leaves_.surfaces.empty() || patch >= leaves_.surfaces[leaf.index()].size()) return false;
-    const std::uint32_t number = leaves_.surfaces[leaf.index()][patch];
-    return leaves_.equations.quadrics.contains(number) || leaves_.equations.tori.contains(number);
   }
   std::uint32_t sheet_number(const std::array<std::uint32_t, 3>& key) {
     return sheets_.try_emplace(key, next_).second ? next_++ : sheets_[key];
@@ -149,9 +156,7 @@ class PieceMaker {
     };
     for (std::uint32_t i = 0; i < places_.size(); ++i) {
       Place& one = places_[i];
-      one.chosen.assign(one.boxes.size(), 0);
-      for (std::uint32_t c = 0; of_themselves_ && c < one.boxes.size(); ++c)
-        one.chosen[c] = has_equation(one.leaf, one.mould.cells[c].patch) ? 0 : 1;
+      one.chosen.assign(one.boxes.size(), out_.own_.contains(one.leaf) ? 1 : 0);
       for (std::uint32_t c = 0; c < one.boxes.size(); ++c) add({i, c, kAll, false}, one.boxes[c]);
       one.asked.assign(one.mould.flats.size(), one.mould.cells.empty() ? 0 : 1);
       const auto box_around = [&](const auto& numbers) {
@@ -248,8 +253,11 @@ class PieceMaker {
     require(!piece.bent || piece.grid, "pieces: two triangles that are no rectangle of parameters");
     measure_turn(piece);
     const auto number = static_cast<std::uint32_t>(out_.pieces_.size());
-    for (std::size_t i = 0; i < cell.points.size(); ++i)
-      add_side(place, cell.points[i], cell.points[(i + 1) % cell.points.size()], number, i);
+    for (std::size_t i = 0; i < cell.points.size(); ++i) {
+      const std::uint32_t a = cell.points[i], b = cell.points[(i + 1) % cell.points.size()];
+      add_side(place, a, b, number, i);
+      if (cell.sides[i] != 0) place.curves[std::minmax(a, b)].insert(cell.sides[i]);
+    }
     out_.pieces_.push_back(std::move(piece));
   }
 
@@ -391,6 +399,9 @@ class PieceMaker {
       if (std::ranges::any_of(pieces, [](const auto& p) { return p.first == kNone; })) continue;
       std::vector<Piece>& all = out_.pieces_;
       const auto of = [&all, &pieces = pieces](std::size_t i) -> const Piece& { return all[pieces[i].first]; };
+      if (const auto it = place.curves.find(edge); it != place.curves.end() && it->second.size() > 1) {
+        for (const auto& [piece, side] : pieces) all[piece].torn |= std::uint8_t(1u << (side & 7u));
+      }
       const bool curved =
           std::ranges::any_of(pieces, [&](const auto& p) { return all[p.first].kind == Piece::Kind::cell; });
       std::set<std::uint32_t> sheets;
@@ -558,7 +569,6 @@ class PieceMaker {
 
   Pieces& out_;
   const PlacedLeaves& leaves_;
-  const bool of_themselves_;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> sheets_;
   std::map<PlaneKey, std::uint32_t> planes_;
   std::map<std::array<double, 4>, std::uint32_t> curves_;
@@ -569,8 +579,7 @@ class PieceMaker {
 };
 
 Pieces::Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds,
-               bool of_themselves)
-    : of_themselves_(of_themselves) {
+               bool of_themselves) {
   // Leaves are drawn once more, for that with numbers rounded to nearest.
   for (const LeafInstance& one : leaves.instances) {
     if (!one.leaf->unbounded()) moulds.of(one.leaf);

@@ -97,15 +97,16 @@ class Prover {
     std::vector<std::pair<Index, Index>> joined;
     for (const auto& [a, b] : pairs_) {
       if (!is_cell(a) || !is_cell(b)) continue;
-      const bool one_sheet = all_[a].sheet == all_[b].sheet;
-      if (all_[a].leaf != all_[b].leaf) {
-        if (!one_sheet) continue;
+      const bool one_sheet = all_[a].sheet == all_[b].sheet, one_leaf = all_[a].leaf == all_[b].leaf;
+      if (one_leaf && all_[a].patch == all_[b].patch) continue;
+      if (!one_leaf || !pieces_.adjacent(a, b)) {
+        if (!one_sheet || (one_leaf && !asked_of_itself(a))) continue;
         if (parted(std::array{part_of(all_, all_[a], all_[a].range), part_of(all_, all_[b], all_[b].range)},
                    Between::facets_and_surfaces))
           continue;
         if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, doubles(middle_of(all_[a].corners[0])), 0});
-        joined.emplace_back(a, b);
-      } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b)) {
+        if (!one_leaf) joined.emplace_back(a, b);
+      } else {
         const PiecePart x = part_beside(a, b), y = part_beside(b, a);
         if (!one_sheet && !x.blind && !y.blind && independent(x.cone, y.cone)) continue;
         joined.emplace_back(a, b);
@@ -122,11 +123,13 @@ class Prover {
 
   void ask_pair(Index a, Index b) {
     const bool one_leaf = all_[a].leaf == all_[b].leaf;
-    if (one_leaf && is_cell(a) && of_one_surface(a, b) && is_cell(b)) return ask_of_itself(a, b);
+    if (is_cell(a) && is_cell(b) && of_one_surface(a, b)) {
+      if (one_leaf && all_[a].patch == all_[b].patch) return ask_of_itself(a, b);
+      return ask_on_surface(a, b);
+    }
     if (one_leaf ? of_one_surface(a, b) : answered_by_fewer(a, b)) return;
     if (one_leaf && pieces_.adjacent(a, b)) {
-      if (asked_beside(a, b))
-        ask_own(a, b, [&](std::size_t& steps) { return apart_but_beside(all_, a, b, steps); });
+      if (asked_beside(a, b)) ask_beside(a, b);
       return meet(a, b);
     }
     const bool curves = !is_cell(a) && !is_cell(b);
@@ -139,26 +142,42 @@ class Prover {
     else ++(some ? proof_.crossing : proof_.apart);
     if (some) meet(a, b);
   }
-  bool asked_of_itself(Index a) const { return pieces_.asked_of_itself(all_[a]); }
-  /// Two cells, two curves, or a wire and a cell, of one leaf and beside each other. Of other curves cells are
-  /// asked.
+  bool asked_of_itself(Index a) const { return pieces_.asked_of_itself(all_[a].leaf); }
+  /// Two cells, or a wire and another piece, of one leaf and beside each other. Of other curves cells are asked.
   bool asked_beside(Index a, Index b) const {
     const auto is_wire = [&](Index i) { return !is_cell(i) && all_[i].in_sheets.empty(); };
-    return (is_cell(a) == is_cell(b) || is_wire(a) || is_wire(b)) && (asked_of_itself(a) || asked_of_itself(b)) &&
+    return ((is_cell(a) && is_cell(b)) || is_wire(a) || is_wire(b)) && asked_of_itself(a) &&
            !meet_at_pole(all_[a], all_[b]);
+  }
+  void ask_beside(Index a, Index b) {
+    ask_own(a, b, [&](std::size_t& steps) { return apart_but_beside(pieces_, a, b, steps); });
+  }
+  /// Cells of two patches of one surface, which may cross itself unless it has an equation.
+  void ask_on_surface(Index a, Index b) {
+    const bool one_leaf = all_[a].leaf == all_[b].leaf, known = pieces_.has_equation(all_[a].sheet);
+    if (one_leaf ? known && !pieces_.adjacent(a, b) : known) return;  // whether they are drawn alike is known
+    if (one_leaf ? !asked_of_itself(a) || meet_at_pole(all_[a], all_[b])
+                 : all_[a].blind || all_[b].blind || pieces_.drawn_as_one(a, b))
+      return;
+    if (share_corner(pieces_, a, b)) return ask_beside(a, b);
+    bool some = false;
+    ++proof_.asked;
+    if (ask({a, b}, Question::apart, some)) ++proof_.apart;
   }
   /// Pieces of one leaf: not of those about a corner.
   bool asked_of_leaf(const std::vector<Index>& tuple) const {
-    return std::ranges::any_of(tuple, [&](Index i) { return asked_of_itself(i); }) &&
-           std::ranges::none_of(all_[tuple[0]].numbers(), [&](std::uint32_t p) {
+    return asked_of_itself(tuple[0]) && std::ranges::none_of(all_[tuple[0]].numbers(), [&](std::uint32_t p) {
              return std::ranges::all_of(tuple,
                                         [&](Index i) { return std::ranges::count(all_[i].numbers(), p) > 0; });
            });
   }
   /// Two cells of one surface, or one, or a wire.
   void ask_of_itself(Index a, Index b) {
-    if (!pieces_.asked_of_itself(all_[a]) || all_[a].patch != all_[b].patch) return;
-    if (!is_cell(a)) return ask_own(a, b, [&](std::size_t& steps) { return apart_but_beside(all_, a, b, steps); });
+    if (!asked_of_itself(a) || all_[a].exact() || pieces_.has_equation(all_[a].sheet)) return;
+    if (!is_cell(a)) {
+      if (all_[a].curve) ask_beside(a, b);
+      return;
+    }
     bool some = false;
     if (a != b && !pieces_.adjacent(a, b)) {
       ++proof_.asked;
@@ -166,7 +185,7 @@ class Prover {
       return;
     }
     if (meet_at_pole(all_[a], all_[b])) return;
-    ask_own(a, b, [&](std::size_t& steps) { return one_to_one(all_, of_patch(all_[a]), a, b, steps); });
+    ask_own(a, b, [&](std::size_t& steps) { return one_to_one(pieces_, of_patch(all_[a]), a, b, steps); });
   }
   /// Of pieces beside each other in a leaf, or one.
   template <class Proven>
