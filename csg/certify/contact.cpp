@@ -123,19 +123,21 @@ Polynomial derivative(const Polynomial& p) {
   for (std::size_t i = 1; i < p.size(); ++i) d.push_back(p[i] * Rational(to_integer(i)));
   return d;
 }
-Polynomial remainder(Polynomial p, const Polynomial& q) {
+/// What is left of p after division by q, and the quotient.
+std::pair<Polynomial, Polynomial> divided(Polynomial p, const Polynomial& q) {
+  Polynomial quotient(p.size() < q.size() ? 0 : p.size() - q.size() + 1, 0);
   while (p.size() >= q.size()) {
-    const Rational factor = p.back() / q.back();
     const std::size_t shift = p.size() - q.size();
+    const Rational factor = quotient[shift] = p.back() / q.back();
     for (std::size_t i = 0; i < q.size(); ++i) p[i + shift] -= factor * q[i];
     p.pop_back();
     trim(p);
   }
-  return p;
+  return {std::move(p), std::move(quotient)};
 }
 Polynomial common_divisor(Polynomial p, Polynomial q) {
   while (!q.empty()) {
-    Polynomial r = remainder(std::move(p), q);
+    Polynomial r = divided(std::move(p), q).first;
     p = std::move(q);
     q = std::move(r);
   }
@@ -145,7 +147,7 @@ Polynomial common_divisor(Polynomial p, Polynomial q) {
 /// det(a - l b) as a polynomial in l, from its values at 0, 1, ... n.
 Polynomial characteristic(const Matrix& a, const Matrix& b) {
   const std::size_t n = a.size();
-  Polynomial result, basis{1};
+  Polynomial result(n + 1, 0), basis{1};
   std::vector<Rational> values;
   for (std::size_t x = 0; x <= n; ++x) {
     Matrix m = a;
@@ -158,7 +160,6 @@ Polynomial characteristic(const Matrix& a, const Matrix& b) {
   for (std::size_t level = 1; level <= n; ++level) {
     for (std::size_t i = n; i >= level; --i) values[i] = (values[i] - values[i - 1]) / Rational(to_integer(level));
   }
-  result.assign(n + 1, 0);
   for (std::size_t k = 0; k <= n; ++k) {
     for (std::size_t i = 0; i < basis.size(); ++i) result[i] += values[k] * basis[i];
     Polynomial next(basis.size() + 1, 0);
@@ -178,17 +179,7 @@ std::vector<Rational> double_roots(const Polynomial& p) {
   Polynomial g = common_divisor(p, derivative(p));
   if (g.size() < 2) return {};
   const Polynomial repeated = common_divisor(g, derivative(g));
-  if (repeated.size() > 1) {  // each factor once: g / repeated
-    Polynomial quotient(g.size() - repeated.size() + 1, 0), rest = g;
-    while (rest.size() >= repeated.size()) {
-      const std::size_t shift = rest.size() - repeated.size();
-      quotient[shift] = rest.back() / repeated.back();
-      for (std::size_t i = 0; i < repeated.size(); ++i) rest[i + shift] -= quotient[shift] * repeated[i];
-      rest.pop_back();
-      trim(rest);
-    }
-    g = std::move(quotient);
-  }
+  if (repeated.size() > 1) g = divided(std::move(g), repeated).second;  // each factor once
   if (g.size() == 2) return {Rational(-g[0] / g[1])};
   if (g.size() != 3) return {};
   const auto root = rational_root(g[1] * g[1] - 4 * g[0] * g[2]);

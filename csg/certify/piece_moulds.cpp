@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "csg/curves/parametric.h"
+#include "csg/curves/revolved.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 
@@ -77,6 +78,9 @@ Mould::Mould(const PreparedLeaf& leaf) {
     return n;
   };
   const SideCurves curves(leaf.form().get());
+  if (const auto* const round = dynamic_cast<const RevolvedForm*>(leaf.form().get()))
+    one_round_surface = round->lines.size() == 1 && round->lines[0].size() == 1 &&
+                        round->lines[0][0].kind != MeridianPiece::Kind::net;
   std::vector<Interval> values;
   if (parameters_) {
     for (const Rational& value : parameters_->values()) values.push_back(enclose(value));

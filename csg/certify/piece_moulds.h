@@ -37,6 +37,7 @@ struct Mould {
   std::vector<Wire> wires;
   std::vector<std::uint32_t> isolated;
   std::shared_ptr<const LeafSurfaces> surfaces;
+  bool one_round_surface = false;  // a ball, a ring, a cylinder or cone with its discs: it does not meet itself
 
   explicit Mould(const PreparedLeaf& leaf);
   /// Equal points have one number.

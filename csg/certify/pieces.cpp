@@ -7,7 +7,6 @@
 #include <unordered_map>
 
 #include "csg/certify/piece_parts.h"
-#include "csg/curves/revolved.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 #include "kernel/base/error.h"
@@ -33,13 +32,6 @@ PlaneKey plane_key(const RationalPoint& normal, const RationalPoint& on) {
   return key;
 }
 
-/// A ball, a ring, the side of a cylinder or cone with its discs: it does not meet itself.
-bool is_one_round_surface(const PreparedLeaf& leaf) {
-  const auto* const round = dynamic_cast<const RevolvedForm*>(leaf.form().get());
-  return round != nullptr && round->lines.size() == 1 && round->lines[0].size() == 1 &&
-         round->lines[0][0].kind != MeridianPiece::Kind::net;
-}
-
 }  // namespace
 
 class PieceMaker {
@@ -49,10 +41,10 @@ class PieceMaker {
       : out_(out), leaves_(leaves) {
     const std::vector<LeafInstance>& instances = leaves.instances;
     for (std::size_t i = 0; i < instances.size(); ++i) {
-      const PreparedLeaf& leaf = *instances[i].leaf;
-      if (leaf.unbounded()) continue;
-      place(LeafId(i), moulds.of(instances[i].leaf), instances[i].transform);
-      if (of_themselves && leaf.surfaces() && !is_one_round_surface(leaf)) out_.own_.insert(LeafId(i));
+      if (instances[i].leaf->unbounded()) continue;
+      const Mould& mould = moulds.of(instances[i].leaf);
+      place(LeafId(i), mould, instances[i].transform);
+      if (of_themselves && mould.surfaces && !mould.one_round_surface) out_.own_.insert(LeafId(i));
     }
     add_unbounded(instances, reach);
     choose_cells();

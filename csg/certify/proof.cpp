@@ -97,16 +97,15 @@ class Prover {
     std::vector<std::pair<Index, Index>> joined;
     for (const auto& [a, b] : pairs_) {
       if (!is_cell(a) || !is_cell(b)) continue;
-      const bool one_sheet = all_[a].sheet == all_[b].sheet, one_leaf = all_[a].leaf == all_[b].leaf;
-      if (one_leaf && all_[a].patch == all_[b].patch) continue;
-      if (!one_leaf || !pieces_.adjacent(a, b)) {
-        if (!one_sheet || (one_leaf && !asked_of_itself(a))) continue;
+      const bool one_sheet = all_[a].sheet == all_[b].sheet;
+      if (all_[a].leaf != all_[b].leaf) {
+        if (!one_sheet) continue;
         if (parted(std::array{part_of(all_, all_[a], all_[a].range), part_of(all_, all_[b], all_[b].range)},
                    Between::facets_and_surfaces))
           continue;
         if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, doubles(middle_of(all_[a].corners[0])), 0});
-        if (!one_leaf) joined.emplace_back(a, b);
-      } else {
+        joined.emplace_back(a, b);
+      } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b)) {
         const PiecePart x = part_beside(a, b), y = part_beside(b, a);
         if (!one_sheet && !x.blind && !y.blind && independent(x.cone, y.cone)) continue;
         joined.emplace_back(a, b);
@@ -154,12 +153,14 @@ class Prover {
   }
   /// Cells of two patches of one surface, which may cross itself unless it has an equation.
   void ask_on_surface(Index a, Index b) {
-    const bool one_leaf = all_[a].leaf == all_[b].leaf, known = pieces_.has_equation(all_[a].sheet);
-    if (one_leaf ? known && !pieces_.adjacent(a, b) : known) return;  // whether they are drawn alike is known
+    const bool one_leaf = all_[a].leaf == all_[b].leaf, blind = all_[a].blind || all_[b].blind;
     if (one_leaf ? !asked_of_itself(a) || meet_at_pole(all_[a], all_[b])
-                 : all_[a].blind || all_[b].blind || pieces_.drawn_as_one(a, b))
+                 : blind || pieces_.has_equation(all_[a].sheet) || pieces_.drawn_as_one(a, b))
       return;
     if (share_corner(pieces_, a, b)) return ask_beside(a, b);
+    ask_apart(a, b);
+  }
+  void ask_apart(Index a, Index b) {
     bool some = false;
     ++proof_.asked;
     if (ask({a, b}, Question::apart, some)) ++proof_.apart;
@@ -178,12 +179,7 @@ class Prover {
       if (all_[a].curve) ask_beside(a, b);
       return;
     }
-    bool some = false;
-    if (a != b && !pieces_.adjacent(a, b)) {
-      ++proof_.asked;
-      if (ask({a, b}, Question::apart, some)) ++proof_.apart;
-      return;
-    }
+    if (a != b && !pieces_.adjacent(a, b)) return ask_apart(a, b);
     if (meet_at_pole(all_[a], all_[b])) return;
     ask_own(a, b, [&](std::size_t& steps) { return one_to_one(pieces_, of_patch(all_[a]), a, b, steps); });
   }
