@@ -18,7 +18,7 @@ using Row = std::vector<Rational>;
 using Matrix = std::vector<Row>;  // rows
 using Polynomial = Row;           // the constant first; no zero at the end
 
-Matrix transposed(const Matrix& m) {
+Matrix flipped(const Matrix& m) {
   Matrix t(m.empty() ? 0 : m[0].size(), Row(m.size()));
   for (std::size_t i = 0; i < m.size(); ++i) {
     for (std::size_t j = 0; j < m[i].size(); ++j) t[j][i] = m[i][j];
@@ -36,7 +36,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 /// The form on the space that the columns of `basis` span.
-Matrix on(const Matrix& form, const Matrix& basis) { return product(product(transposed(basis), form), basis); }
+Matrix on(const Matrix& form, const Matrix& basis) { return product(product(flipped(basis), form), basis); }
 
 /// Columns that span the kernel.
 Matrix kernel(Matrix m, std::size_t n) {
@@ -187,11 +187,6 @@ std::vector<Rational> double_roots(const Polynomial& p) {
   return {Rational((-g[1] + *root) / (2 * g[2])), Rational((-g[1] - *root) / (2 * g[2]))};
 }
 
-RationalPoint point_of(const Matrix& columns, std::size_t k) {
-  const Rational& w = columns[3][k];
-  return {Rational(columns[0][k] / w), Rational(columns[1][k] / w), Rational(columns[2][k] / w)};
-}
-
 /// Nearly the real roots of the derivative: between two roots of p in which it keeps its sign there is one.
 std::vector<Rational> turning_points(const Polynomial& p) {
   const Polynomial exact = derivative(p);
@@ -236,7 +231,7 @@ std::optional<Contact> contact_in(const Matrix& zeros, const Matrix& surface) {
   const Matrix there = on(surface, zeros);
   const bool all = std::ranges::all_of(
       there, [](const Row& row) { return std::ranges::all_of(row, [](const Rational& x) { return x == 0; }); });
-  result.point = point_of(zeros, proper);
+  for (std::size_t k = 0; k < 3; ++k) result.point[k] = zeros[k][proper] / zeros[3][proper];
   if (dimension == 1) {
     if (all) result.kind = Contact::Kind::point;
     return result;
@@ -250,7 +245,7 @@ std::optional<Contact> contact_in(const Matrix& zeros, const Matrix& surface) {
   }
   if (dimension > 3) return std::nullopt;
   result.kind = Contact::Kind::conic;
-  const Matrix covector = kernel(transposed(zeros), 4);
+  const Matrix covector = kernel(flipped(zeros), 4);
   result.direction = {covector[0][0], covector[1][0], covector[2][0]};
   return result;
 }
@@ -287,7 +282,7 @@ std::optional<Contact> contact(const Quadric& first, const Quadric& second) {
   both.insert(both.end(), b.begin(), b.end());
   const Matrix idle = kernel(both, 4);
   Matrix basis = idle.empty() || idle[0].empty() ? Matrix{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}
-                                                 : kernel(transposed(idle), 4);
+                                                 : kernel(flipped(idle), 4);
   const Matrix small_a = on(a, basis), small_b = on(b, basis);
   const Polynomial p = characteristic(small_a, small_b);
   std::vector<Rational> roots = double_roots(p);

@@ -21,47 +21,33 @@ CornerKey corner_of(const Mould::Cell& cell, std::size_t i) {
 }
 bool alike(const Interval& a, const Interval& b) { return a.inf() == b.inf() && a.sup() == b.sup(); }
 
-/// The sides of the nets of a leaf, by patch, as curves.
-class SideCurves {
- public:
-  explicit SideCurves(const CurvedForm* form) {
-    const auto* const nets = dynamic_cast<const NetForm*>(form);
-    std::map<ControlRow, std::uint32_t> numbers;
-    for (std::size_t p = 0; nets != nullptr && p < nets->patches.size(); ++p) {
-      for (const auto& [patch, span] : nets->patches[p].pieces) {
-        for (std::size_t k = 0; k < 4; ++k) {
-          const BezierCurve curve = patch.side(k);
-          if (curve.is_point()) continue;
-          const std::size_t fixed = 1 - k % 2;
-          sides_[static_cast<std::uint32_t>(p)].push_back(
-              {fixed, span[fixed][k == 1 || k == 2 ? 1 : 0], span[1 - fixed],
-               numbers.try_emplace(canonical(curve).curve.net, numbers.size() + 1).first->second});
-        }
+/// A side of a net: the number of its curve, by the parameter that is fixed there.
+struct SideCurve {
+  std::uint32_t number;
+  std::size_t fixed;
+  Rational at;
+  Span along;
+  bool has(const Parameters& x) const {
+    return x[fixed] == at && along[0] <= x[1 - fixed] && x[1 - fixed] <= along[1];
+  }
+};
+/// Of the nets of a leaf, by patch.
+std::map<std::uint32_t, std::vector<SideCurve>> side_curves(const CurvedForm* form) {
+  std::map<std::uint32_t, std::vector<SideCurve>> sides;
+  const auto* const nets = dynamic_cast<const NetForm*>(form);
+  std::map<ControlRow, std::uint32_t> numbers;
+  for (std::uint32_t p = 0; nets != nullptr && p < nets->patches.size(); ++p) {
+    for (const auto& [patch, span] : nets->patches[p].pieces) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (patch.side(k).is_point()) continue;
+        const auto known = numbers.try_emplace(canonical(patch.side(k)).curve.net, numbers.size() + 1).first;
+        const std::size_t fixed = 1 - k % 2;
+        sides[p].push_back({known->second, fixed, span[fixed][k == 1 || k == 2 ? 1 : 0], span[1 - fixed]});
       }
     }
   }
-  /// Of the side from a to b; 0 if it is none.
-  std::uint32_t number(std::uint32_t patch, const Parameters& a, const Parameters& b) const {
-    const auto it = sides_.find(patch);
-    if (it == sides_.end()) return 0;
-    for (const auto& [fixed, at, along, number] : it->second) {
-      const auto on = [&](const Parameters& x) {
-        return x[fixed] == at && along[0] <= x[1 - fixed] && x[1 - fixed] <= along[1];
-      };
-      if (on(a) && on(b)) return number;
-    }
-    return 0;
-  }
-
- private:
-  struct Side {
-    std::size_t fixed;
-    Rational at;
-    Span along;
-    std::uint32_t number;
-  };
-  std::map<std::uint32_t, std::vector<Side>> sides_;
-};
+  return sides;
+}
 
 }  // namespace
 
@@ -77,7 +63,7 @@ Mould::Mould(const PreparedLeaf& leaf) {
     if (n == kNone) n = this->number_of(exact_value(soup, p));
     return n;
   };
-  const SideCurves curves(leaf.form().get());
+  auto curves = side_curves(leaf.form().get());
   if (const auto* const round = dynamic_cast<const RevolvedForm*>(leaf.form().get()))
     one_round_surface = round->lines.size() == 1 && round->lines[0].size() == 1 &&
                         round->lines[0][0].kind != MeridianPiece::Kind::net;
@@ -99,8 +85,12 @@ Mould::Mould(const PreparedLeaf& leaf) {
           const LeafParameters::Corner& corner = corners[i % corners.size()];
           return {parameters_->values()[corner.u], parameters_->values()[corner.v]};
         };
-        for (std::size_t i = 0; i < corners.size(); ++i)
-          cell.sides.push_back(curves.number(patch, at(i), at(i + 1)));
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+          cell.sides.push_back(0);
+          for (const SideCurve& one : curves[patch]) {
+            if (one.has(at(i)) && one.has(at(i + 1))) cell.sides.back() = one.number;
+          }
+        }
       }
       continue;
     }

@@ -37,6 +37,7 @@ inline Interval hull(const Interval& a, const Interval& b) {
 inline Interval3 hull(const Interval3& a, const Interval3& b) {
   return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2])};
 }
+inline double largest(const Interval& x) { return std::max(x.sup(), -x.inf()); }
 inline Interval3 enclose3(const RationalPoint& p) {
   return {surface_math::enclose(p[0]), surface_math::enclose(p[1]), surface_math::enclose(p[2])};
 }

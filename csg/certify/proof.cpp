@@ -22,13 +22,10 @@ using Why = UncertainPlace::Why;
 using PieceParts = std::vector<PiecePart>;
 
 constexpr std::size_t kMostSteps = 250;         // of one question
-constexpr std::size_t kMostInContact = 64;      // of one to three, of which two touch as it is known
-constexpr std::size_t kMostIfHopeless = 8;      // of one to more than two, of which some touch otherwise
+constexpr std::size_t kMostInContact = 64;      // of one to more than two, of which some touch
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
 constexpr std::size_t kMostOfOwn = 20000;       // of a leaf, whether it meets itself
-constexpr std::size_t kMostTold =
-    64;  // places of the same patches of which it is asked whether facets are to blame
-constexpr std::size_t kMostOpen = 1000;  // places of the same patches, after which no more are looked for
+constexpr std::size_t kMostOpen = 1000;         // places of the same patches, after which no more are looked for
 
 double size_of(const Interval3& x) {
   Upward size = 0;
@@ -193,9 +190,12 @@ class Prover {
     if ((before != nullptr && before->kind == Proof::Answer::Kind::apart) || (asked && proven(spent))) {
       proof_.answers.try_emplace(key, Proof::Answer{Proof::Answer::Kind::apart});
     } else if (!proof_.answers.contains(key)) {
-      add_open(key,
-               {{a, b}, doubles(middle_of(root(a).box)), size_of(root(a).box), asked ? Why::facets : Why::budget});
+      add_open(key, open_place({a, b}, asked ? Why::facets : Why::budget));
     }
+  }
+  OpenPlace open_place(const std::vector<Index>& tuple, Why why) {
+    const Interval3& box = root(tuple[0]).box;
+    return {tuple, doubles(middle_of(box)), size_of(box), why};
   }
   const std::vector<Index>& of_patch(const Piece& piece) {
     const auto [it, fresh] = of_patch_.try_emplace({piece.leaf, piece.patch});
@@ -300,9 +300,7 @@ class Prover {
     const bool little = contacts > 0 || (hopeless && tuple.size() > 2);
     std::size_t& spent = proof_.spent[leaves];
     if (!little && spent >= most_steps_) {
-      if (++proof_.left[leaves] == 1)
-        proof_.open.push_back(
-            {tuple, doubles(middle_of(root(tuple[0]).box)), size_of(root(tuple[0]).box), Why::budget});
+      if (++proof_.left[leaves] == 1) proof_.open.push_back(open_place(tuple, Why::budget));
       return false;
     }
     const std::size_t before = proof_.steps;
@@ -326,9 +324,7 @@ class Prover {
       some = coaxial == Coaxial::crossing;
       return answered(key, some);
     }
-    const std::size_t steps = tuple.size() == 2 || (contacts == 0 && !hopeless) ? kMostSteps
-                              : contacts == 1 && !hopeless                      ? kMostInContact
-                                                                                : kMostIfHopeless;
+    const std::size_t steps = tuple.size() > 2 && (contacts > 0 || hopeless) ? kMostInContact : kMostSteps;
     if (answer(tuple, question, Between::facets_and_surfaces, steps, some, left)) return answered(key, some);
     some = true;
     OpenPlace place{tuple, doubles(middle_of(left)), size_of(left), contacts > 1 ? Why::budget : Why::facets};
@@ -336,11 +332,7 @@ class Prover {
     ++open;
     if (contacts < 2 && !hopeless && !place.coaxial) {
       bool any = false;
-      const bool by_facets =
-          answer(tuple, question, Between::surfaces, open <= kMostTold ? kMostOfSurfaces : kMostSteps / 2, any,
-                 left) ||
-          (open > kMostTold && answer(tuple, question, Between::surfaces, kMostOfSurfaces, any, left));
-      if (!by_facets) {
+      if (!answer(tuple, question, Between::surfaces, kMostOfSurfaces, any, left)) {
         place.why = Why::near;
         place.at = doubles(middle_of(left));
         place.size = size_of(left);
@@ -426,14 +418,11 @@ class Prover {
   }
   /// True if no part has to be halved for the answer.
   bool answered_at_once(const std::vector<Index>& tuple, Question question, bool& some) {
-    PieceParts parts;
-    for (const Index i : tuple) parts.push_back(root(i));
-    std::size_t steps = 0;
     Interval3 left{};
     some = false;
     // Pieces that meet are asked about with others, so it is worth to know which do not.
-    if (tuple.size() == 2 && parted_along_sides(parts[0], parts[1])) return true;
-    return answer(parts, question, Between::facets_and_surfaces, steps, some, left);
+    if (tuple.size() == 2 && parted_along_sides(root(tuple[0]), root(tuple[1]))) return true;
+    return answer(tuple, question, Between::facets_and_surfaces, 0, some, left);
   }
   bool answer(const std::vector<Index>& tuple, Question question, Between between, std::size_t steps, bool& some,
               Interval3& left) {

@@ -131,9 +131,7 @@ std::optional<Contact> with_cylinder(const Torus& torus, const Tube& cylinder) {
   const RationalPoint across = cross(axis, cylinder.direction), seen = part_along(way, across);
   const Rational off = dot(seen, seen), height = dot(part_along(way, axis), part_along(way, axis));
   const Rational reach = tube + thick;
-  if (off < radius * radius) {
-    if (height > reach * reach) return Contact{};
-  }
+  if (off < radius * radius && height > reach * reach) return Contact{};
   const Rational square = off + height + radius * radius, root2 = radius * radius * off;
   const auto meet = [&](int sign, const Rational& distance, const Rational& to_axis) -> std::optional<Contact> {
     if (off == 0 || distance == 0) return std::nullopt;
