@@ -37,16 +37,15 @@ std::string UncertainPlace::text() const {
 }
 
 std::string Certificate::doubt(const Tree& tree) const {
+  const std::string text = "its surfaces may not meet as its faces say: ";
   if (!places.empty()) {
     const std::size_t more = places.size() - 1;
-    return "its surfaces may not meet as its faces say: " + places[0].text() +
+    return text + places[0].text() +
            (more == 0 ? "" : "; and " + std::to_string(more) + (more == 1 ? " more place" : " more places"));
   }
   if (!unknown.empty())
-    return "its surfaces may not meet as its faces say: of curved faces of `" + tree.nodes[unknown[0]].name +
-           "` only the facets were asked";
-  return left == 0 ? ""
-                   : "its surfaces may not meet as its faces say: not all was asked within the budget of steps";
+    return text + "of curved faces of `" + tree.nodes[unknown[0]].name + "` only the facets were asked";
+  return left == 0 ? "" : text + "not all was asked within the budget of steps";
 }
 
 void Certificate::add(const Certificate& more) {
@@ -74,20 +73,15 @@ std::vector<Diagnostic> Certificate::told(const Tree& tree) const {
   const auto count = [](std::size_t n, const char* what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };
-  if (places.size() > kTold) {
-    result.push_back({tree.file,
-                      {},
-                      Diagnostic::Level::notice,
-                      count(places.size() - kTold, "more place") +
-                          " where curved surfaces may not meet as their facets do; --certify tells of ten"});
-  }
-  if (left > 0) {
-    result.push_back({tree.file,
-                      {},
-                      Diagnostic::Level::notice,
-                      count(left, "question") +
-                          " whether curved surfaces meet as their facets do left open; --certify asks on"});
-  }
+  const auto tell = [&](const std::string& text) {
+    result.push_back({tree.file, {}, Diagnostic::Level::notice, text});
+  };
+  if (places.size() > kTold)
+    tell(count(places.size() - kTold, "more place") +
+         " where curved surfaces may not meet as their facets do; --certify tells of ten");
+  if (left > 0)
+    tell(count(left, "question") +
+         " whether curved surfaces meet as their facets do left open; --certify asks on");
   return result;
 }
 

@@ -18,7 +18,7 @@ using Row = std::vector<Rational>;
 using Matrix = std::vector<Row>;  // rows
 using Polynomial = Row;           // the constant first; no zero at the end
 
-Matrix transposed(const Matrix& m) {
+Matrix flipped(const Matrix& m) {
   Matrix t(m.empty() ? 0 : m[0].size(), Row(m.size()));
   for (std::size_t i = 0; i < m.size(); ++i) {
     for (std::size_t j = 0; j < m[i].size(); ++j) t[j][i] = m[i][j];
@@ -36,7 +36,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 /// The form on the space that the columns of `basis` span.
-Matrix on(const Matrix& form, const Matrix& basis) { return product(product(transposed(basis), form), basis); }
+Matrix on(const Matrix& form, const Matrix& basis) { return product(product(flipped(basis), form), basis); }
 
 /// Columns that span the kernel.
 Matrix kernel(Matrix m, std::size_t n) {
@@ -123,19 +123,21 @@ Polynomial derivative(const Polynomial& p) {
   for (std::size_t i = 1; i < p.size(); ++i) d.push_back(p[i] * Rational(to_integer(i)));
   return d;
 }
-Polynomial remainder(Polynomial p, const Polynomial& q) {
+/// What is left of p after division by q, and the quotient.
+std::pair<Polynomial, Polynomial> divided(Polynomial p, const Polynomial& q) {
+  Polynomial quotient(p.size() < q.size() ? 0 : p.size() - q.size() + 1, 0);
   while (p.size() >= q.size()) {
-    const Rational factor = p.back() / q.back();
     const std::size_t shift = p.size() - q.size();
+    const Rational factor = quotient[shift] = p.back() / q.back();
     for (std::size_t i = 0; i < q.size(); ++i) p[i + shift] -= factor * q[i];
     p.pop_back();
     trim(p);
   }
-  return p;
+  return {std::move(p), std::move(quotient)};
 }
 Polynomial common_divisor(Polynomial p, Polynomial q) {
   while (!q.empty()) {
-    Polynomial r = remainder(std::move(p), q);
+    Polynomial r = divided(std::move(p), q).first;
     p = std::move(q);
     q = std::move(r);
   }
@@ -145,7 +147,7 @@ Polynomial common_divisor(Polynomial p, Polynomial q) {
 /// det(a - l b) as a polynomial in l, from its values at 0, 1, ... n.
 Polynomial characteristic(const Matrix& a, const Matrix& b) {
   const std::size_t n = a.size();
-  Polynomial result, basis{1};
+  Polynomial result(n + 1, 0), basis{1};
   std::vector<Rational> values;
   for (std::size_t x = 0; x <= n; ++x) {
     Matrix m = a;
@@ -158,7 +160,6 @@ Polynomial characteristic(const Matrix& a, const Matrix& b) {
   for (std::size_t level = 1; level <= n; ++level) {
     for (std::size_t i = n; i >= level; --i) values[i] = (values[i] - values[i - 1]) / Rational(to_integer(level));
   }
-  result.assign(n + 1, 0);
   for (std::size_t k = 0; k <= n; ++k) {
     for (std::size_t i = 0; i < basis.size(); ++i) result[i] += values[k] * basis[i];
     Polynomial next(basis.size() + 1, 0);
@@ -178,27 +179,12 @@ std::vector<Rational> double_roots(const Polynomial& p) {
   Polynomial g = common_divisor(p, derivative(p));
   if (g.size() < 2) return {};
   const Polynomial repeated = common_divisor(g, derivative(g));
-  if (repeated.size() > 1) {  // each factor once: g / repeated
-    Polynomial quotient(g.size() - repeated.size() + 1, 0), rest = g;
-    while (rest.size() >= repeated.size()) {
-      const std::size_t shift = rest.size() - repeated.size();
-      quotient[shift] = rest.back() / repeated.back();
-      for (std::size_t i = 0; i < repeated.size(); ++i) rest[i + shift] -= quotient[shift] * repeated[i];
-      rest.pop_back();
-      trim(rest);
-    }
-    g = std::move(quotient);
-  }
+  if (repeated.size() > 1) g = divided(std::move(g), repeated).second;  // each factor once
   if (g.size() == 2) return {Rational(-g[0] / g[1])};
   if (g.size() != 3) return {};
   const auto root = rational_root(g[1] * g[1] - 4 * g[0] * g[2]);
   if (!root) return {};
   return {Rational((-g[1] + *root) / (2 * g[2])), Rational((-g[1] - *root) / (2 * g[2]))};
-}
-
-RationalPoint point_of(const Matrix& columns, std::size_t k) {
-  const Rational& w = columns[3][k];
-  return {Rational(columns[0][k] / w), Rational(columns[1][k] / w), Rational(columns[2][k] / w)};
 }
 
 /// Nearly the real roots of the derivative: between two roots of p in which it keeps its sign there is one.
@@ -245,7 +231,7 @@ std::optional<Contact> contact_in(const Matrix& zeros, const Matrix& surface) {
   const Matrix there = on(surface, zeros);
   const bool all = std::ranges::all_of(
       there, [](const Row& row) { return std::ranges::all_of(row, [](const Rational& x) { return x == 0; }); });
-  result.point = point_of(zeros, proper);
+  for (std::size_t k = 0; k < 3; ++k) result.point[k] = zeros[k][proper] / zeros[3][proper];
   if (dimension == 1) {
     if (all) result.kind = Contact::Kind::point;
     return result;
@@ -259,7 +245,7 @@ std::optional<Contact> contact_in(const Matrix& zeros, const Matrix& surface) {
   }
   if (dimension > 3) return std::nullopt;
   result.kind = Contact::Kind::conic;
-  const Matrix covector = kernel(transposed(zeros), 4);
+  const Matrix covector = kernel(flipped(zeros), 4);
   result.direction = {covector[0][0], covector[1][0], covector[2][0]};
   return result;
 }
@@ -296,7 +282,7 @@ std::optional<Contact> contact(const Quadric& first, const Quadric& second) {
   both.insert(both.end(), b.begin(), b.end());
   const Matrix idle = kernel(both, 4);
   Matrix basis = idle.empty() || idle[0].empty() ? Matrix{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}
-                                                 : kernel(transposed(idle), 4);
+                                                 : kernel(flipped(idle), 4);
   const Matrix small_a = on(a, basis), small_b = on(b, basis);
   const Polynomial p = characteristic(small_a, small_b);
   std::vector<Rational> roots = double_roots(p);

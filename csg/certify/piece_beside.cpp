@@ -23,7 +23,9 @@ using Range = std::array<Interval, 2>;
 struct CommonCorners {
   std::vector<std::size_t> of_a, of_b;
 };
-CommonCorners common_corners(const std::vector<Piece>& all, const Piece& a, const Piece& b) {
+CommonCorners common_corners(const Pieces& pieces, std::uint32_t first, std::uint32_t second) {
+  const std::vector<Piece>& all = pieces.all();
+  const Piece &a = all[first], &b = all[second];
   CommonCorners common;
   if (b.kind == Piece::Kind::flat) {
     std::set<std::uint32_t> in_plane;
@@ -36,10 +38,9 @@ CommonCorners common_corners(const std::vector<Piece>& all, const Piece& a, cons
     }
     return common;
   }
-  const auto numbers = b.numbers();
   for (std::size_t i = 0; i < a.numbers().size(); ++i) {
-    for (std::size_t j = 0; j < numbers.size(); ++j) {
-      if (a.points[i] != numbers[j]) continue;
+    for (std::size_t j = 0; j < b.numbers().size(); ++j) {
+      if (!pieces.same_corner(first, i, second, j)) continue;
       const bool again =
           std::ranges::any_of(common.of_a, [&](std::size_t k) { return a.points[k] == a.points[i]; });
       if (again) continue;  // a pole
@@ -77,7 +78,8 @@ class Opened {
     std::erase_if(ends_, [&](std::size_t end) { return piece.points[end] == piece.points[corner_]; });
     if (corners.size() < 2 || ends_.size() < 2) return;
     if (corners[1] == before) std::swap(ends_[0], ends_[1]);
-    by_side_ = ends_[0] == corners[1];
+    const std::size_t side = corners[1] == before ? before : corner_;
+    by_side_ = ends_[0] == corners[1] && (piece.torn >> side & 1u) == 0;
   }
 
   /// False if the corners are no side.
@@ -101,14 +103,6 @@ class Opened {
     const Interval all = hull(range[k], wide);
     range[k] = Interval(std::max(all.inf(), piece_.range[k].inf()), std::min(all.sup(), piece_.range[k].sup()));
     return range;
-  }
-  bool touches_common(const Range& range) const {
-    if (piece_.kind == Piece::Kind::curve) return corner_ == 0 ? range[0].inf() <= 0 : range[0].sup() >= 1;
-    const auto holds = [&](std::size_t k) {
-      return range[k].inf() <= at(corner_, k) && at(corner_, k) <= range[k].sup();
-    };
-    if (!piece_.grid) return true;
-    return (by_side_ || holds(parameter(0))) && holds(parameter(ends_.size() - 1));
   }
   /// The derivatives of all H there, away from the common corner: of a side the first is along it.
   std::vector<Interval3> ways(const Range& range) const {
@@ -185,9 +179,9 @@ class Beside {
     side_ = side_ && b_->by_side();
   }
 
-  /// True if two parts have no more in common than the side or corner, or cross at an angle.
+  /// True if two parts have no more in common than the side or corner.
   bool proven(const PiecePart& a, const PiecePart& b) const {
-    return parted(std::array{a, b}, Between::facets_and_surfaces) || joined(a, b) || at_angle(a, b);
+    return parted(std::array{a, b}, Between::facets_and_surfaces) || joined(a, b);
   }
 
  private:
@@ -206,13 +200,6 @@ class Beside {
     const Interval3 e = hull(of_a[0], of_b[0]);
     return independent(e, hull(of_a[1], scaled(Interval(-1), of_b[1]))) || independent(e, of_a[1], of_b[1]);
   }
-  /// Away from what they have in common they may cross.
-  bool at_angle(const PiecePart& a, const PiecePart& b) const {
-    if (a.blind || b.blind || a.piece->kind == Piece::Kind::curve || b.piece->kind == Piece::Kind::curve)
-      return false;
-    if (a_.touches_common(a.range) && (!b_ || b_->touches_common(b.range))) return false;
-    return independent(a.cone, b.cone);
-  }
 
   Opened a_;
   std::optional<Opened> b_;
@@ -222,13 +209,18 @@ class Beside {
 
 }  // namespace
 
-bool apart_but_beside(const std::vector<Piece>& all, std::uint32_t a, std::uint32_t b, std::size_t& steps) {
+bool share_corner(const Pieces& pieces, std::uint32_t a, std::uint32_t b) {
+  return !common_corners(pieces, a, b).of_a.empty();
+}
+
+bool apart_but_beside(const Pieces& pieces, std::uint32_t a, std::uint32_t b, std::size_t& steps) {
+  const std::vector<Piece>& all = pieces.all();
   if (a == b) {  // a curve does not return where all its directions are on one side
     const Interval3 way = along_curve(all, all[a], all[a].range);
     return dot(thin(middle_of(way)), way).inf() > 0;
   }
   if (all[a].kind == Piece::Kind::flat) std::swap(a, b);
-  const CommonCorners common = common_corners(all, all[a], all[b]);
+  const CommonCorners common = common_corners(pieces, a, b);
   if (common.of_a.size() > 2 || common.of_a.empty()) return false;
   const Beside beside(all, all[a], all[b], common);
   std::size_t left = kMostOwnSteps;

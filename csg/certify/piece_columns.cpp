@@ -20,8 +20,6 @@ namespace {
 Interval tangent_of(const Interval& turns) { return sine(turns) / cosine(turns); }
 Interval from_middle(const Interval& way) { return Interval(2) * way - Interval(1); }
 
-double largest(const Interval& x) { return std::max(x.sup(), -x.inf()); }
-
 /// How far a corner is from the plane of three others, at most, and the length of the shortest side.
 std::array<Upward, 2> flatness(const Piece& piece) {
   const auto way = [&](std::size_t a, std::size_t b) { return difference(piece.corners[b], piece.corners[a]); };
@@ -34,8 +32,6 @@ std::array<Upward, 2> flatness(const Piece& piece) {
   }
   return {2 * Upward(largest(off)) / length(middle_of(normal)), shortest};
 }
-
-double longest(const Interval3& v) { return double(length(Guess3{largest(v[0]), largest(v[1]), largest(v[2])})); }
 
 /// The derivative of F in a half-plane of a side, and by how much that of S differs from it, at most.
 struct MeridianSlope {
@@ -54,7 +50,8 @@ MeridianSlope slope_of(const Piece& piece, std::size_t along) {
   for (int k = 0; k < kParts; ++k) {
     at[along] = start + step * Interval(double(k) / kParts, double(k + 1) / kParts);
     const SurfaceJet<Interval> jet = piece.surface->over(at[0], at[1]);
-    slope.off = std::max(slope.off, longest(difference(along == 0 ? jet.along_u : jet.along_v, chord)));
+    const Interval3 off = difference(along == 0 ? jet.along_u : jet.along_v, chord);
+    slope.off = std::max(slope.off, double(length(Guess3{largest(off[0]), largest(off[1]), largest(off[2])})));
   }
   return slope;
 }

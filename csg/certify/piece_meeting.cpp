@@ -58,9 +58,10 @@ bool same(const Piece& a, const Piece& b) {
   }
   const bool cell = a.kind == Piece::Kind::cell;
   const auto corners = [&](const Piece& p) { return std::span(p.corners).first(cell ? p.corner_count : 2u); };
-  return a.corner_count == b.corner_count && a.grid == b.grid && a.bent == b.bent && a.blind == b.blind &&
-         a.at == b.at && same(a.range, b.range) && same(corners(a), corners(b)) && !a.surface == !b.surface &&
-         !a.curve == !b.curve && (cell || a.exact() || (same(a.side[0], b.side[0]) && same(a.side[1], b.side[1])));
+  return a.corner_count == b.corner_count && a.torn == b.torn && a.grid == b.grid && a.bent == b.bent &&
+         a.blind == b.blind && a.at == b.at && same(a.range, b.range) && same(corners(a), corners(b)) &&
+         !a.surface == !b.surface && !a.curve == !b.curve &&
+         (cell || a.exact() || (same(a.side[0], b.side[0]) && same(a.side[1], b.side[1])));
 }
 
 }  // namespace
@@ -182,7 +183,23 @@ bool Pieces::drawn_alike(std::uint32_t a, std::uint32_t b) const {
     return std::ranges::all_of(facets_of(b),
                                [&](const Facet& g) { return on_one_side(f, g) || on_one_side(g, f); });
   });
-  if (on_one_side_each) return true;
+  return on_one_side_each || drawn_as_one(a, b);
+}
+
+bool Pieces::same_corner(std::uint32_t a, std::size_t i, std::uint32_t b, std::size_t j) const {
+  const Piece &one = pieces_[a], &other = pieces_[b];
+  if (one.leaf == other.leaf) return one.points[i] == other.points[j];
+  return same(one.corners[i], other.corners[j]) &&
+         points_.at(one.leaf)[one.points[i]] == points_.at(other.leaf)[other.points[j]];
+}
+
+bool Pieces::drawn_as_one(std::uint32_t a, std::uint32_t b) const {
+  const std::vector<Facet> of_a = facets_of(a), of_b = facets_of(b);
+  const auto in_plane = [&, plane = equation_of(of_a[0])](const Facet& facet) {
+    std::vector<const RationalPoint*> on;
+    return sides(plane, facet, on) == 0;
+  };
+  if (std::ranges::all_of(of_a, in_plane) && std::ranges::all_of(of_b, in_plane)) return true;
   const auto facets = [&](std::uint32_t piece) {
     std::set<std::vector<RationalPoint>> all;
     for (const Facet& facet : facets_of(piece)) {

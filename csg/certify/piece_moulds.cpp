@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "csg/curves/parametric.h"
+#include "csg/curves/revolved.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 
@@ -19,6 +21,34 @@ CornerKey corner_of(const Mould::Cell& cell, std::size_t i) {
 }
 bool alike(const Interval& a, const Interval& b) { return a.inf() == b.inf() && a.sup() == b.sup(); }
 
+/// A side of a net: the number of its curve, by the parameter that is fixed there.
+struct SideCurve {
+  std::uint32_t number;
+  std::size_t fixed;
+  Rational at;
+  Span along;
+  bool has(const Parameters& x) const {
+    return x[fixed] == at && along[0] <= x[1 - fixed] && x[1 - fixed] <= along[1];
+  }
+};
+/// Of the nets of a leaf, by patch.
+std::map<std::uint32_t, std::vector<SideCurve>> side_curves(const CurvedForm* form) {
+  std::map<std::uint32_t, std::vector<SideCurve>> sides;
+  const auto* const nets = dynamic_cast<const NetForm*>(form);
+  std::map<ControlRow, std::uint32_t> numbers;
+  for (std::uint32_t p = 0; nets != nullptr && p < nets->patches.size(); ++p) {
+    for (const auto& [patch, span] : nets->patches[p].pieces) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (patch.side(k).is_point()) continue;
+        const auto known = numbers.try_emplace(canonical(patch.side(k)).curve.net, numbers.size() + 1).first;
+        const std::size_t fixed = 1 - k % 2;
+        sides[p].push_back({known->second, fixed, span[fixed][k == 1 || k == 2 ? 1 : 0], span[1 - fixed]});
+      }
+    }
+  }
+  return sides;
+}
+
 }  // namespace
 
 Mould::Mould(const PreparedLeaf& leaf) {
@@ -33,6 +63,10 @@ Mould::Mould(const PreparedLeaf& leaf) {
     if (n == kNone) n = this->number_of(exact_value(soup, p));
     return n;
   };
+  auto curves = side_curves(leaf.form().get());
+  if (const auto* const round = dynamic_cast<const RevolvedForm*>(leaf.form().get()))
+    one_round_surface = round->lines.size() == 1 && round->lines[0].size() == 1 &&
+                        round->lines[0][0].kind != MeridianPiece::Kind::net;
   std::vector<Interval> values;
   if (parameters_) {
     for (const Rational& value : parameters_->values()) values.push_back(enclose(value));
@@ -46,6 +80,16 @@ Mould::Mould(const PreparedLeaf& leaf) {
         for (const LeafParameters::Corner& corner : corners) {
           cell.points.push_back(corner.point);
           cell.at.push_back({values[corner.u], values[corner.v]});
+        }
+        const auto at = [&](std::size_t i) -> Parameters {
+          const LeafParameters::Corner& corner = corners[i % corners.size()];
+          return {parameters_->values()[corner.u], parameters_->values()[corner.v]};
+        };
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+          cell.sides.push_back(0);
+          for (const SideCurve& one : curves[patch]) {
+            if (one.has(at(i)) && one.has(at(i + 1))) cell.sides.back() = one.number;
+          }
         }
       }
       continue;
@@ -103,7 +147,10 @@ void Mould::unite_triangles() {
     const auto pick = [&](const auto& of, const auto& other) {
       return std::decay_t<decltype(of)>{of[(from + 1) % 3], of[own], of[from], other[third]};
     };
-    one = {one.patch, pick(one.points, cells[i].points), pick(one.at, cells[i].at), true};
+    std::vector<std::uint32_t> sides{one.sides[(from + 1) % 3], one.sides[own], cells[i].sides[(side + 1) % 3],
+                                     cells[i].sides[third]};
+    if (one.points[from] == cells[i].points[side]) std::swap(sides[2], sides[3]);
+    one = {one.patch, pick(one.points, cells[i].points), pick(one.at, cells[i].at), std::move(sides), true};
     gone[i] = 1;
   }
   std::size_t kept = 0;

@@ -20,7 +20,8 @@ struct Mould {
     std::uint32_t patch = 0;
     std::vector<std::uint32_t> points;
     std::vector<std::array<Interval, 2>> at;
-    bool bent = false;  // Piece::bent
+    std::vector<std::uint32_t> sides;  // of each side a number, equal for parts of one curve; 0: not known
+    bool bent = false;                 // Piece::bent
   };
   struct Flat {
     std::uint32_t patch = 0;
@@ -36,6 +37,7 @@ struct Mould {
   std::vector<Wire> wires;
   std::vector<std::uint32_t> isolated;
   std::shared_ptr<const LeafSurfaces> surfaces;
+  bool one_round_surface = false;  // a ball, a ring, a cylinder or cone with its discs: it does not meet itself
 
   explicit Mould(const PreparedLeaf& leaf);
   /// Equal points have one number.

@@ -79,16 +79,13 @@ Interval3 facet_box(const Piece& piece, const std::array<Interval, 2>& range,
                     const PiecePart::FacetCorners& corners) {
   Interval3 all = corners.all[0];
   for (std::size_t k = 1; k < corners.count; ++k) all = hull(all, corners.all[k]);
-  if (!piece.grid) {
-    if (piece.blind || piece.corner_count != 3) return all;
-    const Interval3 affine =
-        sum(piece.corners[0], sum(scaled(Interval(range[0] - Interval(piece.at[0][0])), piece.along_u),
-                                  scaled(Interval(range[1] - Interval(piece.at[0][1])), piece.along_v)));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double low = std::max(all[k].inf(), affine[k].inf()), high = std::min(all[k].sup(), affine[k].sup());
-      if (low <= high) all[k] = Interval(low, high);
-    }
-    return all;
+  if (piece.grid || piece.blind || piece.corner_count != 3) return all;
+  const Interval3 affine =
+      sum(piece.corners[0], sum(scaled(Interval(range[0] - Interval(piece.at[0][0])), piece.along_u),
+                                scaled(Interval(range[1] - Interval(piece.at[0][1])), piece.along_v)));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double low = std::max(all[k].inf(), affine[k].inf()), high = std::min(all[k].sup(), affine[k].sup());
+    if (low <= high) all[k] = Interval(low, high);
   }
   return all;
 }

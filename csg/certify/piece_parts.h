@@ -84,10 +84,12 @@ bool proven_by_halves(const std::vector<Piece>& all, const PiecePart& a, const P
 /// True if two pieces have a side in common that ends in a pole, or nothing is known of their directions.
 bool meet_at_pole(const Piece& a, const Piece& b);
 /// True if H is one to one on two cells of a patch that have corners in common, or on one. `patch`: all its cells.
-bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,
-                std::uint32_t b, std::size_t& steps);
-/// True if two pieces of a leaf have no more in common than their common side or corner, but where they cross at
-/// an angle away from it (piece_beside.cpp). They do not meet at a pole; a curve may be asked with itself.
-bool apart_but_beside(const std::vector<Piece>& all, std::uint32_t a, std::uint32_t b, std::size_t& steps);
+bool one_to_one(const Pieces& pieces, std::span<const std::uint32_t> patch, std::uint32_t a, std::uint32_t b,
+                std::size_t& steps);
+/// True if two pieces have no more in common than their common side or corner (piece_beside.cpp). They do not meet
+/// at a pole; a curve may be asked with itself.
+bool apart_but_beside(const Pieces& pieces, std::uint32_t a, std::uint32_t b, std::size_t& steps);
+/// True if two pieces that are not flat have a corner in common, of one leaf or of two.
+bool share_corner(const Pieces& pieces, std::uint32_t a, std::uint32_t b);
 
 }  // namespace cnrg

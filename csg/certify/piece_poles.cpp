@@ -95,13 +95,6 @@ Places places_of_row(const std::vector<Piece>& all, const std::vector<Wedge>& we
   return places;
 }
 
-/// Where far corners are on the circle about (0, 0): one more than wedges.
-Places places_of(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
-  const auto corner = [&](const Wedge& wedge, std::size_t k) { return all[wedge.piece].points[k]; };
-  const bool ring = corner(wedges.front(), wedges.front().from) == corner(wedges.back(), wedges.back().to);
-  return ring ? places_of_ring(all, wedges) : places_of_row(all, wedges);
-}
-
 /// Hulls of the derivatives by x and y.
 struct Directions {
   std::optional<std::array<Interval3, 2>> hulls{};
@@ -122,7 +115,10 @@ Interval near_pole(const Piece& piece, const Wedge& wedge) {
 /// At right angles to all that is near the pole; nothing where it is not known.
 std::optional<Interval3> normals_about(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
   constexpr int kParts = 4;  // of a cell, around
-  const Places places = places_of(all, wedges);
+  const Wedge &first = wedges.front(), &last = wedges.back();
+  // Where far corners are on the circle about (0, 0): one more than wedges.
+  const bool ring = all[first.piece].points[first.from] == all[last.piece].points[last.to];
+  const Places places = ring ? places_of_ring(all, wedges) : places_of_row(all, wedges);
   if (places.empty()) return std::nullopt;
   Directions found;
   for (std::size_t i = 0; i < wedges.size(); ++i) {

@@ -32,7 +32,8 @@ bool side_by_side(const Piece& a, const Piece& b) {
 
 class Neighbours {
  public:
-  Neighbours(const std::vector<Piece>& all, std::span<const std::uint32_t> patch) : all_(all), patch_(patch) {}
+  Neighbours(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::size_t& left)
+      : all_(all), patch_(patch), left_(left) {}
 
   bool alone(const PiecePart& part) {
     if (independent_between(part.range, part.range)) return true;
@@ -47,8 +48,6 @@ class Neighbours {
     };
     return proven_by_halves(all_, a, b, proven, left_);
   }
-
-  std::size_t steps() const { return kMostOwnSteps - left_; }
 
  private:
   bool independent_between(const Range& a, const Range& b) const {
@@ -67,7 +66,7 @@ class Neighbours {
 
   const std::vector<Piece>& all_;
   const std::span<const std::uint32_t> patch_;
-  std::size_t left_ = kMostOwnSteps;
+  std::size_t& left_;  // steps
 };
 
 }  // namespace
@@ -86,13 +85,15 @@ bool meet_at_pole(const Piece& a, const Piece& b) {
   return common.size() > 1 && std::ranges::any_of(common, [&](std::uint32_t p) { return poles.contains(p); });
 }
 
-bool one_to_one(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,
-                std::uint32_t b, std::size_t& steps) {
-  if (a != b && !side_by_side(all[a], all[b])) return apart_but_beside(all, a, b, steps);  // where it is closed
+bool one_to_one(const Pieces& pieces, std::span<const std::uint32_t> patch, std::uint32_t a, std::uint32_t b,
+                std::size_t& steps) {
+  const std::vector<Piece>& all = pieces.all();
+  if (a != b && !side_by_side(all[a], all[b])) return apart_but_beside(pieces, a, b, steps);  // where it is closed
   const PiecePart one = part_of(all, all[a], all[a].range);
-  Neighbours question(all, patch);
+  std::size_t left = kMostOwnSteps;
+  Neighbours question(all, patch, left);
   const bool proven = a == b ? question.alone(one) : question.ask(one, part_of(all, all[b], all[b].range));
-  steps += question.steps();
+  steps += kMostOwnSteps - left;
   return proven;
 }
 

@@ -38,10 +38,13 @@ class PieceMaker {
  public:
   PieceMaker(Pieces& out, const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds,
              bool of_themselves)
-      : out_(out), leaves_(leaves), of_themselves_(of_themselves) {
+      : out_(out), leaves_(leaves) {
     const std::vector<LeafInstance>& instances = leaves.instances;
     for (std::size_t i = 0; i < instances.size(); ++i) {
-      if (!instances[i].leaf->unbounded()) place(LeafId(i), moulds.of(instances[i].leaf), instances[i].transform);
+      if (instances[i].leaf->unbounded()) continue;
+      const Mould& mould = moulds.of(instances[i].leaf);
+      place(LeafId(i), mould, instances[i].transform);
+      if (of_themselves && mould.surfaces && !mould.one_round_surface) out_.own_.insert(LeafId(i));
     }
     add_unbounded(instances, reach);
     choose_cells();
@@ -67,6 +70,7 @@ class PieceMaker {
     std::vector<char> asked{};   // of the flat faces likewise
     /// Pieces, and side of the piece; kNone for cells that are none.
     PieceSides sides{};
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::set<std::uint32_t>> curves{};  // of sides, by ends
   };
 
   /// Leaves by where their points are: what is asked first must not depend on their order in the tree.
@@ -84,21 +88,20 @@ class PieceMaker {
   std::uint32_t sheet_of(LeafId leaf, std::uint32_t patch) {
     const std::vector<std::uint32_t>* known = leaves_.surfaces.empty() ? nullptr : &leaves_.surfaces[leaf.index()];
     const std::uint32_t number = known != nullptr && patch < known->size() ? (*known)[patch] : 0;
-    if (number != 0) return sheet_number({0, number, 0});
-    return sheet_number({1, static_cast<std::uint32_t>(leaf.index()), patch});
+    if (number != 0) return numbered(sheets_, {0, number, 0});
+    return numbered(sheets_, {1, static_cast<std::uint32_t>(leaf.index()), patch});
   }
-  bool has_equation(LeafId leaf, std::uint32_t patch) const {
-    if (leaves_.surfaces.empty() || patch >= leaves_.surfaces[leaf.index()].size()) return false;
-    const std::uint32_t number = leaves_.surfaces[leaf.index()][patch];
-    return leaves_.equations.quadrics.contains(number) || leaves_.equations.tori.contains(number);
-  }
-  std::uint32_t sheet_number(const std::array<std::uint32_t, 3>& key) {
-    return sheets_.try_emplace(key, next_).second ? next_++ : sheets_[key];
-  }
-  std::uint32_t sheet_of(const PlaneKey& key) {
-    const auto [it, fresh] = planes_.try_emplace(key, next_);
+  /// Of sheets and curves.
+  template <class Map>
+  std::uint32_t numbered(Map& numbers, const typename Map::key_type& key) {
+    const auto [it, fresh] = numbers.try_emplace(key, next_);
     if (fresh) ++next_;
     return it->second;
+  }
+  void set_plane(Piece& piece, const RationalPoint& normal, const RationalPoint& on) {
+    piece.sheet = numbered(planes_, plane_key(normal, on));
+    piece.normal = enclose3(normal);
+    piece.point = enclose3(on);
   }
 
   void place(LeafId leaf, const Mould& mould, const Transform& transform) {
@@ -149,9 +152,7 @@ class PieceMaker {
     };
     for (std::uint32_t i = 0; i < places_.size(); ++i) {
       Place& one = places_[i];
-      one.chosen.assign(one.boxes.size(), 0);
-      for (std::uint32_t c = 0; of_themselves_ && c < one.boxes.size(); ++c)
-        one.chosen[c] = has_equation(one.leaf, one.mould.cells[c].patch) ? 0 : 1;
+      one.chosen.assign(one.boxes.size(), out_.own_.contains(one.leaf) ? 1 : 0);
       for (std::uint32_t c = 0; c < one.boxes.size(); ++c) add({i, c, kAll, false}, one.boxes[c]);
       one.asked.assign(one.mould.flats.size(), one.mould.cells.empty() ? 0 : 1);
       const auto box_around = [&](const auto& numbers) {
@@ -248,8 +249,11 @@ class PieceMaker {
     require(!piece.bent || piece.grid, "pieces: two triangles that are no rectangle of parameters");
     measure_turn(piece);
     const auto number = static_cast<std::uint32_t>(out_.pieces_.size());
-    for (std::size_t i = 0; i < cell.points.size(); ++i)
-      add_side(place, cell.points[i], cell.points[(i + 1) % cell.points.size()], number, i);
+    for (std::size_t i = 0; i < cell.points.size(); ++i) {
+      const std::uint32_t a = cell.points[i], b = cell.points[(i + 1) % cell.points.size()];
+      add_side(place, a, b, number, i);
+      if (cell.sides[i] != 0) place.curves[std::minmax(a, b)].insert(cell.sides[i]);
+    }
     out_.pieces_.push_back(std::move(piece));
   }
 
@@ -319,13 +323,8 @@ class PieceMaker {
     for (std::size_t i = 1; i + 1 < outer.size() && is_zero(normal); ++i)
       normal = cross(exact[outer[i]] - exact[outer[0]], exact[outer[i + 1]] - exact[outer[0]]);
     if (is_zero(normal)) return;
-    Piece piece;
-    piece.kind = Piece::Kind::flat;
-    piece.leaf = place.leaf;
-    piece.patch = flat.patch;
-    piece.sheet = sheet_of(plane_key(normal, exact[outer[0]]));
-    piece.normal = enclose3(normal);
-    piece.point = place.points[outer[0]];
+    Piece piece{.kind = Piece::Kind::flat, .leaf = place.leaf, .patch = flat.patch};
+    set_plane(piece, normal, exact[outer[0]]);
     Interval3 all = piece.point;
     for (const auto& loop : flat.loops) {
       for (const std::uint32_t p : loop) {
@@ -391,6 +390,9 @@ class PieceMaker {
       if (std::ranges::any_of(pieces, [](const auto& p) { return p.first == kNone; })) continue;
       std::vector<Piece>& all = out_.pieces_;
       const auto of = [&all, &pieces = pieces](std::size_t i) -> const Piece& { return all[pieces[i].first]; };
+      if (const auto it = place.curves.find(edge); it != place.curves.end() && it->second.size() > 1) {
+        for (const auto& [piece, side] : pieces) all[piece].torn |= std::uint8_t(1u << (side & 7u));
+      }
       const bool curved =
           std::ranges::any_of(pieces, [&](const auto& p) { return all[p.first].kind == Piece::Kind::cell; });
       std::set<std::uint32_t> sheets;
@@ -425,7 +427,7 @@ class PieceMaker {
         const bool on_u = curve.side[0][0].inf() == curve.side[1][0].inf();
         const double fixed = on_u ? curve.side[0][0].inf() : curve.side[0][1].inf();
         curve.sheet =
-            curve_number({static_cast<double>(place.leaf.index()), double(curve.patch), double(on_u), fixed});
+            numbered(curves_, {static_cast<double>(place.leaf.index()), double(curve.patch), double(on_u), fixed});
       } else {
         curve.sheet = next_++;
       }
@@ -448,11 +450,9 @@ class PieceMaker {
   /// True if two pieces are proven to be at an angle all along a side.
   bool at_angle(const Piece& cell, std::size_t side, const Piece& other, std::size_t of_other) {
     if (cell.kind == Piece::Kind::flat) return independent(cell.normal, other.normal);
-    if (cell.blind || other.blind) return false;
-    if (other.kind == Piece::Kind::flat)
-      return at_angle(cell, range_of_side(cell, side), other.normal, kHalvedAlongSide);
-    const PiecePart part = part_of(out_.pieces_, other, range_of_side(other, of_other));
-    return !part.blind && at_angle(cell, range_of_side(cell, side), part.cone, 0);
+    const PiecePart part = part_of(out_.pieces_, other,
+                                   other.kind == Piece::Kind::flat ? other.range : range_of_side(other, of_other));
+    return !cell.blind && !part.blind && at_angle(cell, range_of_side(cell, side), part.cone, kHalvedAlongSide);
   }
   bool at_angle(const Piece& cell, const std::array<Interval, 2>& side, const Interval3& normals, int halved) {
     const PiecePart part = part_of(out_.pieces_, cell, side);
@@ -486,7 +486,7 @@ class PieceMaker {
       curve.curve = wire_curves_.at({place.leaf, wire.number});
       curve.side[0][0] = wire.at[0];
       curve.side[1][0] = wire.at[1];
-      curve.sheet = curve_number({static_cast<double>(place.leaf.index()), double(wire.number), 2, 0});
+      curve.sheet = numbered(curves_, {static_cast<double>(place.leaf.index()), double(wire.number), 2, 0});
     } else {
       curve.sheet = next_++;
     }
@@ -506,11 +506,6 @@ class PieceMaker {
     curve.range = {Interval(0, 1), 0};
     curve.along_u = difference(curve.corners[1], curve.corners[0]);
     out_.pieces_.push_back(std::move(curve));
-  }
-  std::uint32_t curve_number(const std::array<double, 4>& key) {
-    const auto [it, fresh] = curves_.try_emplace(key, next_);
-    if (fresh) ++next_;
-    return it->second;
   }
 
   /// Pieces of one curve that share an end.
@@ -545,10 +540,7 @@ class PieceMaker {
       Piece piece;
       piece.kind = Piece::Kind::flat;
       piece.leaf = leaf;
-      const RationalPoint normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-      piece.sheet = sheet_of(plane_key(normal, corners[0]));
-      piece.normal = enclose3(normal);
-      piece.point = enclose3(corners[0]);
+      set_plane(piece, cross(corners[1] - corners[0], corners[2] - corners[0]), corners[0]);
       Interval3 all = piece.point;
       for (const RationalPoint& p : corners) all = hull(all, enclose3(p));
       piece.box = box_of(all);
@@ -558,7 +550,6 @@ class PieceMaker {
 
   Pieces& out_;
   const PlacedLeaves& leaves_;
-  const bool of_themselves_;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> sheets_;
   std::map<PlaneKey, std::uint32_t> planes_;
   std::map<std::array<double, 4>, std::uint32_t> curves_;
@@ -569,8 +560,7 @@ class PieceMaker {
 };
 
 Pieces::Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds,
-               bool of_themselves)
-    : of_themselves_(of_themselves) {
+               bool of_themselves) {
   // Leaves are drawn once more, for that with numbers rounded to nearest.
   for (const LeafInstance& one : leaves.instances) {
     if (!one.leaf->unbounded()) moulds.of(one.leaf);

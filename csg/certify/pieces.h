@@ -37,6 +37,7 @@ inline Interval hull(const Interval& a, const Interval& b) {
 inline Interval3 hull(const Interval3& a, const Interval3& b) {
   return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2])};
 }
+inline double largest(const Interval& x) { return std::max(x.sup(), -x.inf()); }
 inline Interval3 enclose3(const RationalPoint& p) {
   return {surface_math::enclose(p[0]), surface_math::enclose(p[1]), surface_math::enclose(p[2])};
 }
@@ -91,6 +92,8 @@ struct Piece {
   bool bent = false;   ///< of a grid: its facets are two triangles, which share corners 0 and 2
   bool blind = false;  ///< its directions are not known: a net at its pole
   std::uint8_t corner_count = 0;
+  std::uint8_t torn =
+      0;  ///< of a cell, sides (bits): another curve than what goes beside it from corner to corner
   LeafId leaf;
   std::uint32_t patch = 0;                       ///< Soup::Face::patch; of a wire Soup::Wire::leaf_edge
   std::uint32_t sheet = 0;                       ///< of a curve: a number of its own, equal along one curve
@@ -153,7 +156,7 @@ struct Piece {
 /// All pieces of leaves as they are drawn.
 class Pieces {
  public:
-  /// `of_themselves`: patches of which no equation is known are asked whether they meet themselves.
+  /// `of_themselves`: leaves are asked whether they meet themselves, but for single surfaces with an equation.
   Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds, bool of_themselves);
   const std::vector<Piece>& all() const { return pieces_; }
   /// True if the pieces, of one leaf, have a corner in common.
@@ -164,16 +167,22 @@ class Pieces {
   std::vector<std::uint32_t> same_in(const Pieces& other) const;
   /// Says that one goes on smoothly as the other.
   void join(std::uint32_t a, std::uint32_t b);
-  /// True if two cells of one surface, of different leaves, are drawn so that they do not cross: they are equal,
+  /// True if two cells of one surface, of different patches, are drawn so that they do not cross: they are equal,
   /// lie in one plane, or one is on one side of the other.
   bool drawn_alike(std::uint32_t a, std::uint32_t b) const;
+  /// True if all their facets are in one plane, or those of one are those of the other or of a cell beside it:
+  /// what is asked of a patch itself tells how they meet.
+  bool drawn_as_one(std::uint32_t a, std::uint32_t b) const;
+  /// True if corners of two pieces that are not flat, by their places there, are one point.
+  bool same_corner(std::uint32_t a, std::size_t i, std::uint32_t b, std::size_t j) const;
   /// What two sheets have in common, if one is on one side of the other, exactly.
   const std::optional<Contact>& contact_of(std::uint32_t sheet, std::uint32_t other);
-  /// Whether it is asked if the patch of a cell, or a curved wire, meets itself. A quadric or torus does not.
-  bool asked_of_itself(const Piece& piece) const {
-    if (piece.kind != Piece::Kind::cell) return of_themselves_ && piece.curve;
-    return of_themselves_ && !equations_.quadrics.contains(piece.sheet) && !equations_.tori.contains(piece.sheet);
+  /// A quadric or torus does not meet itself.
+  bool has_equation(std::uint32_t sheet) const {
+    return equations_.quadrics.contains(sheet) || equations_.tori.contains(sheet);
   }
+  /// Whether it is asked if pieces of the leaf meet.
+  bool asked_of_itself(LeafId leaf) const { return own_.contains(leaf); }
   /// Of a flat sheet.
   const PlaneEquation& plane_of(std::uint32_t sheet) const { return planes_.at(sheet); }
   /// How the facets of two cells, or of a cell and a flat piece, meet.
@@ -229,8 +238,7 @@ class Pieces {
   std::map<std::uint32_t, PlaneEquation> planes_;        // by sheet
   SurfaceEquations equations_;                           // by sheet
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<Contact>> contacts_;
-  std::set<LeafId> unknown_;
-  bool of_themselves_;
+  std::set<LeafId> unknown_, own_;
   friend class PieceMaker;
 };
 

@@ -22,13 +22,10 @@ using Why = UncertainPlace::Why;
 using PieceParts = std::vector<PiecePart>;
 
 constexpr std::size_t kMostSteps = 250;         // of one question
-constexpr std::size_t kMostInContact = 64;      // of one to three, of which two touch as it is known
-constexpr std::size_t kMostIfHopeless = 8;      // of one to more than two, of which some touch otherwise
+constexpr std::size_t kMostInContact = 64;      // of one to more than two, of which some touch
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
 constexpr std::size_t kMostOfOwn = 20000;       // of a leaf, whether it meets itself
-constexpr std::size_t kMostTold =
-    64;  // places of the same patches of which it is asked whether facets are to blame
-constexpr std::size_t kMostOpen = 1000;  // places of the same patches, after which no more are looked for
+constexpr std::size_t kMostOpen = 1000;         // places of the same patches, after which no more are looked for
 
 double size_of(const Interval3& x) {
   Upward size = 0;
@@ -122,11 +119,13 @@ class Prover {
 
   void ask_pair(Index a, Index b) {
     const bool one_leaf = all_[a].leaf == all_[b].leaf;
-    if (one_leaf && is_cell(a) && of_one_surface(a, b) && is_cell(b)) return ask_of_itself(a, b);
+    if (is_cell(a) && is_cell(b) && of_one_surface(a, b)) {
+      if (one_leaf && all_[a].patch == all_[b].patch) return ask_of_itself(a, b);
+      return ask_on_surface(a, b);
+    }
     if (one_leaf ? of_one_surface(a, b) : answered_by_fewer(a, b)) return;
     if (one_leaf && pieces_.adjacent(a, b)) {
-      if (asked_beside(a, b))
-        ask_own(a, b, [&](std::size_t& steps) { return apart_but_beside(all_, a, b, steps); });
+      if (asked_beside(a, b)) ask_beside(a, b);
       return meet(a, b);
     }
     const bool curves = !is_cell(a) && !is_cell(b);
@@ -139,34 +138,47 @@ class Prover {
     else ++(some ? proof_.crossing : proof_.apart);
     if (some) meet(a, b);
   }
-  bool asked_of_itself(Index a) const { return pieces_.asked_of_itself(all_[a]); }
-  /// Two cells, two curves, or a wire and a cell, of one leaf and beside each other. Of other curves cells are
-  /// asked.
+  bool asked_of_itself(Index a) const { return pieces_.asked_of_itself(all_[a].leaf); }
+  /// Two cells, or a wire and another piece, of one leaf and beside each other. Of other curves cells are asked.
   bool asked_beside(Index a, Index b) const {
     const auto is_wire = [&](Index i) { return !is_cell(i) && all_[i].in_sheets.empty(); };
-    return (is_cell(a) == is_cell(b) || is_wire(a) || is_wire(b)) && (asked_of_itself(a) || asked_of_itself(b)) &&
+    return ((is_cell(a) && is_cell(b)) || is_wire(a) || is_wire(b)) && asked_of_itself(a) &&
            !meet_at_pole(all_[a], all_[b]);
+  }
+  void ask_beside(Index a, Index b) {
+    ask_own(a, b, [&](std::size_t& steps) { return apart_but_beside(pieces_, a, b, steps); });
+  }
+  /// Cells of two patches of one surface, which may cross itself unless it has an equation.
+  void ask_on_surface(Index a, Index b) {
+    const bool one_leaf = all_[a].leaf == all_[b].leaf, blind = all_[a].blind || all_[b].blind;
+    if (one_leaf ? !asked_of_itself(a) || meet_at_pole(all_[a], all_[b])
+                 : blind || pieces_.has_equation(all_[a].sheet) || pieces_.drawn_as_one(a, b))
+      return;
+    if (share_corner(pieces_, a, b)) return ask_beside(a, b);
+    ask_apart(a, b);
+  }
+  void ask_apart(Index a, Index b) {
+    bool some = false;
+    ++proof_.asked;
+    if (ask({a, b}, Question::apart, some)) ++proof_.apart;
   }
   /// Pieces of one leaf: not of those about a corner.
   bool asked_of_leaf(const std::vector<Index>& tuple) const {
-    return std::ranges::any_of(tuple, [&](Index i) { return asked_of_itself(i); }) &&
-           std::ranges::none_of(all_[tuple[0]].numbers(), [&](std::uint32_t p) {
+    return asked_of_itself(tuple[0]) && std::ranges::none_of(all_[tuple[0]].numbers(), [&](std::uint32_t p) {
              return std::ranges::all_of(tuple,
                                         [&](Index i) { return std::ranges::count(all_[i].numbers(), p) > 0; });
            });
   }
   /// Two cells of one surface, or one, or a wire.
   void ask_of_itself(Index a, Index b) {
-    if (!pieces_.asked_of_itself(all_[a]) || all_[a].patch != all_[b].patch) return;
-    if (!is_cell(a)) return ask_own(a, b, [&](std::size_t& steps) { return apart_but_beside(all_, a, b, steps); });
-    bool some = false;
-    if (a != b && !pieces_.adjacent(a, b)) {
-      ++proof_.asked;
-      if (ask({a, b}, Question::apart, some)) ++proof_.apart;
+    if (!asked_of_itself(a) || all_[a].exact() || pieces_.has_equation(all_[a].sheet)) return;
+    if (!is_cell(a)) {
+      if (all_[a].curve) ask_beside(a, b);
       return;
     }
+    if (a != b && !pieces_.adjacent(a, b)) return ask_apart(a, b);
     if (meet_at_pole(all_[a], all_[b])) return;
-    ask_own(a, b, [&](std::size_t& steps) { return one_to_one(all_, of_patch(all_[a]), a, b, steps); });
+    ask_own(a, b, [&](std::size_t& steps) { return one_to_one(pieces_, of_patch(all_[a]), a, b, steps); });
   }
   /// Of pieces beside each other in a leaf, or one.
   template <class Proven>
@@ -178,9 +190,12 @@ class Prover {
     if ((before != nullptr && before->kind == Proof::Answer::Kind::apart) || (asked && proven(spent))) {
       proof_.answers.try_emplace(key, Proof::Answer{Proof::Answer::Kind::apart});
     } else if (!proof_.answers.contains(key)) {
-      add_open(key,
-               {{a, b}, doubles(middle_of(root(a).box)), size_of(root(a).box), asked ? Why::facets : Why::budget});
+      add_open(key, open_place({a, b}, asked ? Why::facets : Why::budget));
     }
+  }
+  OpenPlace open_place(const std::vector<Index>& tuple, Why why) {
+    const Interval3& box = root(tuple[0]).box;
+    return {tuple, doubles(middle_of(box)), size_of(box), why};
   }
   const std::vector<Index>& of_patch(const Piece& piece) {
     const auto [it, fresh] = of_patch_.try_emplace({piece.leaf, piece.patch});
@@ -285,9 +300,7 @@ class Prover {
     const bool little = contacts > 0 || (hopeless && tuple.size() > 2);
     std::size_t& spent = proof_.spent[leaves];
     if (!little && spent >= most_steps_) {
-      if (++proof_.left[leaves] == 1)
-        proof_.open.push_back(
-            {tuple, doubles(middle_of(root(tuple[0]).box)), size_of(root(tuple[0]).box), Why::budget});
+      if (++proof_.left[leaves] == 1) proof_.open.push_back(open_place(tuple, Why::budget));
       return false;
     }
     const std::size_t before = proof_.steps;
@@ -311,9 +324,7 @@ class Prover {
       some = coaxial == Coaxial::crossing;
       return answered(key, some);
     }
-    const std::size_t steps = tuple.size() == 2 || (contacts == 0 && !hopeless) ? kMostSteps
-                              : contacts == 1 && !hopeless                      ? kMostInContact
-                                                                                : kMostIfHopeless;
+    const std::size_t steps = tuple.size() > 2 && (contacts > 0 || hopeless) ? kMostInContact : kMostSteps;
     if (answer(tuple, question, Between::facets_and_surfaces, steps, some, left)) return answered(key, some);
     some = true;
     OpenPlace place{tuple, doubles(middle_of(left)), size_of(left), contacts > 1 ? Why::budget : Why::facets};
@@ -321,11 +332,7 @@ class Prover {
     ++open;
     if (contacts < 2 && !hopeless && !place.coaxial) {
       bool any = false;
-      const bool by_facets =
-          answer(tuple, question, Between::surfaces, open <= kMostTold ? kMostOfSurfaces : kMostSteps / 2, any,
-                 left) ||
-          (open > kMostTold && answer(tuple, question, Between::surfaces, kMostOfSurfaces, any, left));
-      if (!by_facets) {
+      if (!answer(tuple, question, Between::surfaces, kMostOfSurfaces, any, left)) {
         place.why = Why::near;
         place.at = doubles(middle_of(left));
         place.size = size_of(left);
@@ -411,14 +418,11 @@ class Prover {
   }
   /// True if no part has to be halved for the answer.
   bool answered_at_once(const std::vector<Index>& tuple, Question question, bool& some) {
-    PieceParts parts;
-    for (const Index i : tuple) parts.push_back(root(i));
-    std::size_t steps = 0;
     Interval3 left{};
     some = false;
     // Pieces that meet are asked about with others, so it is worth to know which do not.
-    if (tuple.size() == 2 && parted_along_sides(parts[0], parts[1])) return true;
-    return answer(parts, question, Between::facets_and_surfaces, steps, some, left);
+    if (tuple.size() == 2 && parted_along_sides(root(tuple[0]), root(tuple[1]))) return true;
+    return answer(tuple, question, Between::facets_and_surfaces, 0, some, left);
   }
   bool answer(const std::vector<Index>& tuple, Question question, Between between, std::size_t steps, bool& some,
               Interval3& left) {

@@ -14,9 +14,9 @@
 // in common is at an angle to a third sheet, and to what this has in common with one of them if they touch as
 // well; or it lies in the third, a plane that crosses both. Where a curve of a leaf is where two of its sheets
 // cross, it is no stratum of its own: the sheets decide. Sheets that are one surface in truth are asked whether
-// they are drawn alike. Cells about one axis are asked in a half-plane (coaxial.h). Patches that are no quadrics
-// or tori and have no pole, and curved wires, are asked on request whether they meet themselves (piece_self.cpp)
-// or what is beside them (piece_beside.cpp).
+// they are drawn alike. Cells about one axis are asked in a half-plane (coaxial.h). On request leaves are asked
+// whether they meet themselves, but for what is side by side at a pole: patches that are no quadrics or tori, and
+// wires (piece_self.cpp), and what is beside each other (piece_beside.cpp).
 //
 // All is decided by intervals on parts of pieces, which are halved until it is, or a number of steps is reached.
 #pragma once

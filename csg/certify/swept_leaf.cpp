@@ -30,8 +30,6 @@ constexpr std::array<std::array<int, 3>, Slabs::kDirections> kDirection{{{1, 0, 
                                                                          {1, -1, 1},
                                                                          {-1, 1, 1}}};
 
-double most(const Interval& x) { return std::max(std::abs(x.inf()), std::abs(x.sup())); }
-
 /// Unit vectors at right angles, the first about along `v`.
 std::array<Interval3, 3> frame_along(const Interval3& v) {
   const auto unit_of = [](const Guess3& x) { return direction(x).value_or(Guess3{1, 0, 0}); };
@@ -63,7 +61,7 @@ Rise by_slope(const Interval& slope) {
 }
 /// With a second derivative of at most m: m / 8 and m / 12.
 Rise by_bend(const Interval& second) {
-  const Interval m(most(second));
+  const Interval m(largest(second));
   return {m / Interval(8), m / Interval(12)};
 }
 Rise smaller(const Rise& a, const Rise& b) { return b.mean.sup() < a.mean.sup() ? b : a; }
@@ -107,11 +105,11 @@ Measure measure(const PlacedSurface& surface, const Part& part) {
   for (const Interval3& axis : frame_along(normal)) {
     Interval mean(0), top(0);
     for (std::size_t i = 0; i <= last; ++i) {
-      const double off = most(dot(axis, part.off[i]));
+      const double off = largest(dot(axis, part.off[i]));
       mean += Interval(off) / Interval(static_cast<double>(part.count));
       top = Interval(std::max(top.sup(), off));
     }
-    const Interval n(most(dot(axis, normal)));
+    const Interval n(largest(dot(axis, normal)));
     const Interval x = dot(axis, off_x), y = dot(axis, off_y);
     length += n;
     if (triangle) {  // to a point between corners 1 and 2, then on the way to it from corner 0
@@ -193,36 +191,26 @@ void Slabs::extend(const std::array<Interval, 3>& p, double far) {
 }
 
 Slabs Slabs::hull(const Slabs& other) const {
-  Slabs all = *this;
-  for (std::size_t i = 0; i < kDirections; ++i) {
-    all.low_[i] = std::min(low_[i], other.low_[i]);
-    all.high_[i] = std::max(high_[i], other.high_[i]);
-  }
+  Slabs all;
+  std::ranges::transform(low_, other.low_, all.low_.begin(), [](double x, double y) { return std::min(x, y); });
+  std::ranges::transform(high_, other.high_, all.high_.begin(), [](double x, double y) { return std::max(x, y); });
   return all;
 }
 
 Slabs Slabs::common(const Slabs& other) const {
-  Slabs both = *this;
-  for (std::size_t i = 0; i < kDirections; ++i) {
-    both.low_[i] = std::max(low_[i], other.low_[i]);
-    both.high_[i] = std::min(high_[i], other.high_[i]);
-  }
+  Slabs both;
+  std::ranges::transform(low_, other.low_, both.low_.begin(), [](double x, double y) { return std::max(x, y); });
+  std::ranges::transform(high_, other.high_, both.high_.begin(),
+                         [](double x, double y) { return std::min(x, y); });
   return both;
 }
 
 bool Slabs::meets(const Slabs& other) const {
-  for (std::size_t i = 0; i < kDirections; ++i) {
-    if (std::max(low_[i], other.low_[i]) > std::min(high_[i], other.high_[i])) return false;
-  }
-  return true;
+  const Slabs both = common(other);
+  return std::ranges::equal(both.low_, both.high_, std::ranges::less_equal());
 }
 
-bool Slabs::inside(const Slabs& other) const {
-  for (std::size_t i = 0; i < kDirections; ++i) {
-    if (low_[i] < other.low_[i] || high_[i] > other.high_[i]) return false;
-  }
-  return true;
-}
+bool Slabs::inside(const Slabs& other) const { return common(other) == *this; }
 
 SweptLeaf::SweptLeaf(const LeafInstance& placed) {
   const PreparedLeaf& leaf = *placed.leaf;
@@ -241,7 +229,7 @@ SweptLeaf::SweptLeaf(const LeafInstance& placed) {
     known_ = bound.has_value();
     slabs_ = Slabs::everything();
     const Interval size = enclose(transform.determinant());
-    if (known_) volume_ = (Interval(*bound) * Interval(most(size))).sup();
+    if (known_) volume_ = (Interval(*bound) * Interval(largest(size))).sup();
     return;
   }
   for (std::size_t p = 0; p < soup.point_count(); ++p) slabs_.extend(enclose3(exact_value(soup, PointId(p))), 0);
@@ -395,7 +383,7 @@ double SweptLeaf::volume(const Slabs& within) const {
     // Parts along the longer way.
     const auto length = [&](std::size_t a, std::size_t b) {
       Upward sum = 0;
-      for (std::size_t k = 0; k < 3; ++k) sum = sum + most(cell.corners[b][k] - cell.corners[a][k]);
+      for (std::size_t k = 0; k < 3; ++k) sum = sum + largest(cell.corners[b][k] - cell.corners[a][k]);
       return sum;
     };
     const bool x = std::max(length(0, 1), length(3, 2)) >= std::max(length(0, 3), length(1, 2));

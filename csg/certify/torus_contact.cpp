@@ -1,4 +1,5 @@
 // Distances from the circle in the middle of a torus; see the header.
+#include <initializer_list>
 #include <tuple>
 
 #include "csg/certify/contact.h"
@@ -28,6 +29,24 @@ Place place(const Rational& square, int sign, const Rational& root2, const Ratio
   const Rational rest = square - reach * reach;
   const int order = sign < 0 ? less_root(rest, 4 * root2) : -less_root(-rest, 4 * root2);
   return order == 0 ? Place::touch : (order > 0) != within ? Place::clear : Place::neither;
+}
+
+/// A distance of which less (with `within`) or more is clear, and where the contact is then.
+struct Limit {
+  Rational distance;
+  bool within;
+  Rational to;
+};
+/// Nothing, or what `meet` tells of the limit that sqrt(square) is; none where it is between them.
+template <class Meet>
+std::optional<Contact> by_limits(const Rational& square, std::initializer_list<Limit> limits, const Meet& meet) {
+  for (const Limit& limit : limits) {
+    if (limit.distance < 0) continue;
+    const int order = sgn(square - limit.distance * limit.distance);
+    if (order == 0) return meet(limit);
+    if ((order > 0) != limit.within) return Contact{};
+  }
+  return std::nullopt;
 }
 
 struct Tube {  // all points at a distance from a point, or with a direction from a line
@@ -100,28 +119,19 @@ std::optional<Contact> with_cylinder(const Torus& torus, const Tube& cylinder) {
   if (is_zero(cross(cylinder.direction, axis))) {
     const RationalPoint flat = way - part_along(way, axis);
     const Rational off = dot(flat, flat);
-    // The distance of the axes against one that is none, or the most or the least that leaves them clear.
-    for (const auto& [limit, within, on] :
-         {std::tuple(Rational(outer + thick), false, outer), std::tuple(Rational(inner - thick), true, inner),
-          std::tuple(Rational(thick - outer), true, Rational(-outer))}) {
-      if (limit < 0) continue;
-      const int order = sgn(off - limit * limit);
-      if (order == 0) {
-        if (off == 0) return circle_about(center, axis, abs(on));
-        return at(center + Rational(on / limit) * flat);
-      }
-      if ((order > 0) != within) return Contact{};
-    }
-    return std::nullopt;
+    return by_limits(off,
+                     {{outer + thick, false, outer}, {inner - thick, true, inner}, {thick - outer, true, -outer}},
+                     [&](const Limit& limit) {
+                       return off == 0 ? circle_about(center, axis, abs(limit.to))
+                                       : at(center + Rational(limit.to / limit.distance) * flat);
+                     });
   }
   if (dot(cylinder.direction, axis) != 0) return std::nullopt;
   // Along the cylinder the circle is seen as a segment.
   const RationalPoint across = cross(axis, cylinder.direction), seen = part_along(way, across);
   const Rational off = dot(seen, seen), height = dot(part_along(way, axis), part_along(way, axis));
   const Rational reach = tube + thick;
-  if (off < radius * radius) {
-    if (height > reach * reach) return Contact{};
-  }
+  if (off < radius * radius && height > reach * reach) return Contact{};
   const Rational square = off + height + radius * radius, root2 = radius * radius * off;
   const auto meet = [&](int sign, const Rational& distance, const Rational& to_axis) -> std::optional<Contact> {
     if (off == 0 || distance == 0) return std::nullopt;
@@ -170,34 +180,25 @@ std::optional<Contact> contact(const Torus& a, const Torus& b) {
   const RationalPoint way = b.center - a.center;
   const Rational off = dot(way, way);
   if (is_zero(cross(way, a.axis))) {  // circles in a half-plane of the axis
-    const Rational apart = b.radius - a.radius, square = off + apart * apart;
-    for (const auto& [limit, within, to] : {std::tuple(Rational(a.tube + b.tube), false, a.tube),
-                                            std::tuple(Rational(a.tube - b.tube), true, a.tube),
-                                            std::tuple(Rational(b.tube - a.tube), true, Rational(-a.tube))}) {
-      if (limit < 0) continue;
-      const int order = sgn(square - limit * limit);
-      if (order == 0) {
-        if (limit == 0) return std::nullopt;  // one surface
-        const Rational share = to / limit;
-        return circle_about(a.center + share * way, a.axis, a.radius + share * apart);
-      }
-      if ((order > 0) != within) return Contact{};
-    }
-    return std::nullopt;
+    const Rational apart = b.radius - a.radius;
+    return by_limits(
+        off + apart * apart,
+        {{a.tube + b.tube, false, a.tube}, {a.tube - b.tube, true, a.tube}, {b.tube - a.tube, true, -a.tube}},
+        [&](const Limit& limit) -> std::optional<Contact> {
+          if (limit.distance == 0) return std::nullopt;  // one surface
+          const Rational share = limit.to / limit.distance;
+          return circle_about(a.center + share * way, a.axis, a.radius + share * apart);
+        });
   }
   if (dot(way, a.axis) != 0) return std::nullopt;
   // Rings seen along the axes, side by side or one in the hole of the other.
   const Rational outer_a = a.radius + a.tube, outer_b = b.radius + b.tube, inner_a = a.radius - a.tube,
                  inner_b = b.radius - b.tube;
-  for (const auto& [limit, within, on] : {std::tuple(Rational(outer_a + outer_b), false, outer_a),
-                                          std::tuple(Rational(inner_a - outer_b), true, inner_a),
-                                          std::tuple(Rational(inner_b - outer_a), true, Rational(-outer_a))}) {
-    if (limit < 0) continue;
-    const int order = sgn(off - limit * limit);
-    if (order == 0) return at(a.center + Rational(on / limit) * way);
-    if ((order > 0) != within) return Contact{};
-  }
-  return std::nullopt;
+  return by_limits(off,
+                   {{outer_a + outer_b, false, outer_a},
+                    {inner_a - outer_b, true, inner_a},
+                    {inner_b - outer_a, true, -outer_a}},
+                   [&](const Limit& limit) { return at(a.center + Rational(limit.to / limit.distance) * way); });
 }
 
 }  // namespace cnrg
