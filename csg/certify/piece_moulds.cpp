@@ -7,7 +7,6 @@
 #include "csg/curves/parametric.h"
 #include "csg/curves/revolved.h"
 #include "csg/leaves/geometry_leaf.h"
-#include "csg/leaves/parameters.h"
 
 namespace cnrg {
 

@@ -1,9 +1,6 @@
 // Parts of pieces, by intervals; see the header.
 #include "csg/certify/piece_parts.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "kernel/base/limits.h"
 
 namespace cnrg {

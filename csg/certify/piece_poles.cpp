@@ -4,7 +4,6 @@
 // point. Coordinates there are (x, y) = r (c + f (d - c)), in a cell whose far corners are at c and d: r from 0 at
 // the pole to 1 at the far side, f from 0 to 1 along that. F is linear in them. Derivatives of S by r, and by f
 // divided by r, which is a mean of the mixed derivative, give those by x and y.
-#include <cmath>
 #include <map>
 #include <set>
 

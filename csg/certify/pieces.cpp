@@ -2,9 +2,6 @@
 #include "csg/certify/pieces.h"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
-#include <unordered_map>
 
 #include "csg/certify/piece_parts.h"
 #include "csg/leaves/geometry_leaf.h"

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "csg/certify/coaxial.h"
 #include "csg/certify/piece_parts.h"

@@ -6,7 +6,6 @@
 
 #include "csg/certify/pieces.h"
 #include "csg/leaves/geometry_leaf.h"
-#include "csg/leaves/parameters.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
 

@@ -7,9 +7,7 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 

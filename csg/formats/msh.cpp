@@ -90,6 +90,7 @@ class MshWriter {
   std::array<std::vector<std::string>, 4> names_;          ///< of groups
   std::array<std::vector<std::vector<Index>>, 4> groups_;  ///< of entities
   std::set<std::string> given_;
+  std::size_t elements_ = 0;
 
   /// A name that the groups have left over.
   std::string unused(const std::string& first) {
@@ -273,18 +274,14 @@ class MshWriter {
     see(3, straight ? 4 : 11, mesh_.tetrahedra, kEdges3);
     see(3, 6, mesh_.wedges, kEdges0);
   }
-  std::size_t count() const {
-    std::size_t n = 0;
-    for_each_kind([&](std::size_t, int, const auto& simplices, const auto&) { n += simplices.size(); });
-    return n;
-  }
   void add_elements() {
     std::size_t blocks = 0, number = 0;
-    for_each_kind([&](std::size_t, int, const auto& simplices, const auto&) { blocks += blocks_of(simplices); });
-    const std::size_t n = count();
+    for_each_kind([&](std::size_t, int, const auto& simplices, const auto&) {
+      blocks += blocks_of(simplices), elements_ += simplices.size();
+    });
     text_ += "$Elements\n";
-    if (version_ == Version::two) Line(text_) << n << '\n';
-    else Line(text_) << blocks << ' ' << n << (n == 0 ? " 0 " : " 1 ") << n << '\n';
+    if (version_ == Version::two) Line(text_) << elements_ << '\n';
+    else Line(text_) << blocks << ' ' << elements_ << (elements_ == 0 ? " 0 " : " 1 ") << elements_ << '\n';
     for_each_kind([&](std::size_t dimension, int type, const auto& simplices, const auto& edges) {
       add_blocks(dimension, type, simplices, edges, number);
     });
@@ -301,9 +298,9 @@ class MshWriter {
     text_ += "$EndNodeData\n";
   }
 
-  /// Discontinuous fields, by element and node. Only wedges come after tetrahedra.
+  /// Discontinuous fields, by element and node. A mesh of tetrahedra has no quadrilaterals.
   void add_fields() {
-    const std::size_t before = count() - mesh_.tetrahedra.size() - mesh_.wedges.size();
+    const std::size_t before = mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size();
     for (const Mesh::Field& field : mesh_.fields) {
       text_ += "$ElementNodeData\n1\n\"" + shown_in_quotes(field.name) + "\"\n1\n0\n3\n0\n1\n" +
                std::to_string(mesh_.tetrahedra.size()) + "\n";
@@ -324,10 +321,9 @@ class MshWriter {
 
   /// A number for each element, not a number where nothing is said: meshio wants one for all or for none.
   void add_properties() {
-    const std::size_t n = count();
     for (const Mesh::Property& property : mesh_.properties) {
       text_ += "$ElementData\n1\n\"" + unused(gmsh_name(shown_in_quotes(property.key))) + "\"\n1\n0\n3\n0\n1\n" +
-               std::to_string(n) + "\n";
+               std::to_string(elements_) + "\n";
       std::size_t number = 0;
       for_each_kind([&](std::size_t dimension, int, const auto& simplices, const auto&) {
         for (const auto& s : simplices) {

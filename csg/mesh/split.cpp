@@ -54,13 +54,11 @@ Index group_of_faces(const std::vector<std::string>& groups, const std::string& 
     const auto it = std::ranges::find(groups, before + shown_in_quotes(name));
     if (it != groups.end()) return Index(it - groups.begin()) + 1;
   }
-  constexpr std::size_t kMostNamed = 12;
-  std::string all;
-  for (std::size_t i = 0; i < std::min(groups.size(), kMostNamed); ++i)  // those by leaves are the last ones
-    all += (i == 0 ? " `" : ", `") + groups[groups.size() - 1 - i] + "`";
+  std::string all;  // those by leaves are the last ones
+  for (auto it = groups.rbegin(); it != groups.rend() && all.size() < 300; ++it)
+    all += (all.empty() ? " `" : ", `") + *it + "`";
   throw InputError("--split: neither a group of faces nor a leaf with faces is called `" + shown(name) +
-                   "`; groups are" + (groups.empty() ? " none" : all) +
-                   (groups.size() > kMostNamed ? ", and others" : ""));
+                   "`; there are" + (all.empty() ? " none" : all));
 }
 
 /// The tetrahedra around triangles to split, and the node of each of their sectors.

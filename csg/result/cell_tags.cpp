@@ -84,26 +84,18 @@ void CellTagger::finish(CellTags& tags, const FlatComplex::Provenance& origin) c
   }
 }
 
-CellTags CellTagger::vertex(FlatComplex::Index i) const {
-  const auto& v = flat_.vertices[i];
+template <class Cell>
+CellTags CellTagger::in_region(std::int32_t dimension, FlatComplex::Index i, const Cell& cell) const {
   CellTags tags;
+  tags.dimension = dimension;
   tags.cell = std::int32_t(i);
-  tags.component = std::int32_t(v.component);
-  tags.region = region_number(v.region);
-  finish(tags, v.origin);
+  tags.component = std::int32_t(cell.component);
+  tags.region = region_number(cell.region);
+  finish(tags, cell.origin);
   return tags;
 }
-
-CellTags CellTagger::edge(FlatComplex::Index i) const {
-  const auto& e = flat_.edges[i];
-  CellTags tags;
-  tags.dimension = 1;
-  tags.cell = std::int32_t(i);
-  tags.component = std::int32_t(e.component);
-  tags.region = region_number(e.region);
-  finish(tags, e.origin);
-  return tags;
-}
+CellTags CellTagger::vertex(FlatComplex::Index i) const { return in_region(0, i, flat_.vertices[i]); }
+CellTags CellTagger::edge(FlatComplex::Index i) const { return in_region(1, i, flat_.edges[i]); }
 
 CellTags CellTagger::face(FlatComplex::Index i) const {
   const auto& f = flat_.faces[i];

@@ -59,6 +59,8 @@ class CellTagger {
   const ResultView& view_;
   const FlatComplex& flat_;
   std::int32_t region_number(FlatComplex::Index region) const;
+  template <class Cell>
+  CellTags in_region(std::int32_t dimension, FlatComplex::Index i, const Cell& cell) const;
   void finish(CellTags& tags, const FlatComplex::Provenance& origin) const;
 };
 
