@@ -10,7 +10,10 @@ const ESCAPE = '\uE00C', TAB = '\uE004';
 const file = resolve('out/lessons/playground.html');
 
 await finished(async () => {
-  if (!existsSync(file)) return console.log('not run: there is no out/lessons/playground.html; papers/lessons/playground makes it');
+  if (!existsSync(file)) {
+    console.error('not run: there is no out/lessons/playground.html; papers/lessons/playground makes it');
+    return 77;
+  }
   await ask('WebDriver:Navigate', {url: `file://${file}`});
   await until('document.documentElement.dataset.ready', 'the page comes up');
   await until('document.documentElement.dataset.shown', 'the first model is shown');

@@ -86,13 +86,14 @@ export async function accessible(what) {
   check(found.value.length === 0, `Firefox, ${what}: axe: ${found.value.join(' | ')}`);
 }
 
-/** Runs `checks`, ends Firefox, and says what was found. */
+/** Runs `checks`, ends Firefox, and says what was found, unless `checks` gives an exit status of its own. */
 export async function finished(checks) {
+  let status;
   try {
-    await checks();
+    status = await checks();
     await ask('Marionette:Quit', {flags: ['eForceQuit']}).catch(() => {});
   } finally {
     end();
   }
-  process.exit(told());
+  process.exit(status ?? told());
 }
