@@ -51,8 +51,8 @@ struct TetrahedraArrays : MeshArrays {
 /// A mesh that was made; copies share it.
 class TetrahedralResult {
  public:
-  /// Fills the regions of a closed and bounded result (csg/mesh/tetrahedra.h says what is proven). Throws InputError
-  /// for one that cannot be meshed, RoundingFault for one that rounding would break: `snap` it.
+  /// Fills the regions of a closed and bounded result (csg/mesh/tetrahedra.h says what is proven). Throws
+  /// InputError for one that cannot be meshed, RoundingFault for one that rounding would break: `snap` it.
   explicit TetrahedralResult(const Result& result, const TetrahedraOptions& options = {});
 
   TetrahedraArrays arrays() const;
