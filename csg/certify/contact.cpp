@@ -18,7 +18,7 @@ using Row = std::vector<Rational>;
 using Matrix = std::vector<Row>;  // rows
 using Polynomial = Row;           // the constant first; no zero at the end
 
-Matrix flipped(const Matrix& m) {
+Matrix transpose(const Matrix& m) {
   Matrix t(m.empty() ? 0 : m[0].size(), Row(m.size()));
   for (std::size_t i = 0; i < m.size(); ++i) {
     for (std::size_t j = 0; j < m[i].size(); ++j) t[j][i] = m[i][j];
@@ -36,7 +36,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 /// The form on the space that the columns of `basis` span.
-Matrix on(const Matrix& form, const Matrix& basis) { return product(product(flipped(basis), form), basis); }
+Matrix on(const Matrix& form, const Matrix& basis) { return product(product(transpose(basis), form), basis); }
 
 /// Columns that span the kernel.
 Matrix kernel(Matrix m, std::size_t n) {
@@ -245,7 +245,7 @@ std::optional<Contact> contact_in(const Matrix& zeros, const Matrix& surface) {
   }
   if (dimension > 3) return std::nullopt;
   result.kind = Contact::Kind::conic;
-  const Matrix covector = kernel(flipped(zeros), 4);
+  const Matrix covector = kernel(transpose(zeros), 4);
   result.direction = {covector[0][0], covector[1][0], covector[2][0]};
   return result;
 }
@@ -282,7 +282,7 @@ std::optional<Contact> contact(const Quadric& first, const Quadric& second) {
   both.insert(both.end(), b.begin(), b.end());
   const Matrix idle = kernel(both, 4);
   Matrix basis = idle.empty() || idle[0].empty() ? Matrix{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}
-                                                 : kernel(flipped(idle), 4);
+                                                 : kernel(transpose(idle), 4);
   const Matrix small_a = on(a, basis), small_b = on(b, basis);
   const Polynomial p = characteristic(small_a, small_b);
   std::vector<Rational> roots = double_roots(p);

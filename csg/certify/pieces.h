@@ -92,8 +92,7 @@ struct Piece {
   bool bent = false;   ///< of a grid: its facets are two triangles, which share corners 0 and 2
   bool blind = false;  ///< its directions are not known: a net at its pole
   std::uint8_t corner_count = 0;
-  std::uint8_t torn =
-      0;  ///< of a cell, sides (bits): another curve than what goes beside it from corner to corner
+  std::uint8_t torn = 0;  ///< of a cell: bits of the sides whose curve is not the one beside it
   LeafId leaf;
   std::uint32_t patch = 0;                       ///< Soup::Face::patch; of a wire Soup::Wire::leaf_edge
   std::uint32_t sheet = 0;                       ///< of a curve: a number of its own, equal along one curve

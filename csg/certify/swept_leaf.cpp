@@ -205,11 +205,18 @@ Slabs Slabs::common(const Slabs& other) const {
 }
 
 bool Slabs::meets(const Slabs& other) const {
-  const Slabs both = common(other);
-  return std::ranges::equal(both.low_, both.high_, std::ranges::less_equal());
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (std::max(low_[i], other.low_[i]) > std::min(high_[i], other.high_[i])) return false;
+  }
+  return true;
 }
 
-bool Slabs::inside(const Slabs& other) const { return common(other) == *this; }
+bool Slabs::inside(const Slabs& other) const {
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (low_[i] < other.low_[i] || high_[i] > other.high_[i]) return false;
+  }
+  return true;
+}
 
 SweptLeaf::SweptLeaf(const LeafInstance& placed) {
   const PreparedLeaf& leaf = *placed.leaf;

@@ -12,14 +12,6 @@ namespace {
 using Index = Mesh::Index;
 using Corners = std::array<Index, 3>;
 
-/// True if p, q, r are a cyclic exchange of the points of a triangle.
-bool runs_as(const Corners& points, const Corners& other) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (points[k] == other[0]) return points[(k + 1) % 3] == other[1];
-  }
-  return false;
-}
-
 template <class Simplices, class Ends>
 void collect(const Mesh& mesh, std::size_t dimension, const Simplices& simplices, const Ends& ends,
              std::vector<std::vector<std::size_t>>& nodes) {
@@ -74,20 +66,19 @@ ElementPlan::ElementPlan(const Mesh& mesh) : mesh_(mesh) {
 }
 
 std::vector<std::vector<ElementPlan::Side>> ElementPlan::sides() const {
-  // The sides as they are seen from outside of the tetrahedron.
-  static constexpr std::array<std::array<std::size_t, 3>, 4> kSides{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  static constexpr int kNumbers[]{3, 4, 2, 1};  // by the corner opposite
   std::vector<std::vector<Side>> result(mesh_.groups[2].size());
   std::map<Corners, std::pair<Index, Side>> found;  // by corners: the triangle, and the side at it
   for (Index i = 0; i < mesh_.triangles.size(); ++i) found[sorted(mesh_.triangles[i].points)] = {i, {0, 0}};
   for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
     for (std::size_t k = 0; k < 4; ++k) {
       Corners side;
-      for (std::size_t c = 0; c < 3; ++c) side[c] = mesh_.tetrahedra[t].points[kSides[k][c]];
+      for (std::size_t c = 0; c < 3; ++c) side[c] = mesh_.tetrahedra[t].points[kOutsides[k][c]];
       const auto it = found.find(sorted(side));
       if (it == found.end()) continue;
       // Seen from outside it runs as the triangle where the tetrahedron is behind that.
-      const bool behind = runs_as(mesh_.triangles[it->second.first].points, side);
-      if (behind || it->second.second.second == 0) it->second.second = {t, static_cast<int>(k) + 1};
+      const bool behind = is_odd(mesh_.triangles[it->second.first].points) == is_odd(side);
+      if (behind || it->second.second.second == 0) it->second.second = {t, kNumbers[k]};
     }
   }
   std::vector<Side> at(mesh_.triangles.size(), {0, 0});

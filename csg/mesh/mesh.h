@@ -100,6 +100,14 @@ struct Mesh {
   std::vector<Field> fields;  ///< fractions of graded materials
 };
 
+/// The sides of a tetrahedron as they are seen from outside, by the corner opposite.
+inline constexpr std::array<std::array<std::size_t, 3>, 4> kOutsides{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+/// True if an odd exchange puts three points in ascending order: triangles on the same points run alike if it is
+/// so of both, or of neither.
+inline bool is_odd(const std::array<Mesh::Index, 3>& c) {
+  return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 != 0;
+}
+
 /// Names of groups, and the groups of each active cell of a flattened result by its dimension and number.
 struct MeshGroups {
   std::array<std::vector<std::string>, 4> names;

@@ -184,13 +184,6 @@ TetrahedralMesh snapped_in_time(Result& result, const TetrahedraOptions& asked, 
   std::rethrow_exception(near);
 }
 
-/// Before the work.
-void require_split(const Result& result, const TetrahedraOptions& options) {
-  if (options.split.empty()) return;
-  const ResultView view = result.data().view();
-  require_groups(mesh_groups(view, flatten(view)).names[2], options.split);
-}
-
 void bend(const Result& result, TetrahedralMesh& made, const Watch& watch) {
   const ResultView view = result.data().view(true);
   if (view.parameters == nullptr) {
@@ -202,27 +195,35 @@ void bend(const Result& result, TetrahedralMesh& made, const Watch& watch) {
   add_properties(view, made.mesh);
 }
 
-}  // namespace
-
-TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& asked) {
-  require_split(result, asked);
-  TetrahedraOptions options = asked;
-  if (options.curved) options.order = 1;  // bent afterwards
+/// The straight mesh that `make` makes, curved and split as asked for; names to split are looked for before.
+template <class Make>
+TetrahedralMesh finished(const Result& result, TetrahedraOptions options, const Make& make) {
+  if (!options.split.empty()) {
+    const ResultView view = result.data().view();
+    require_groups(mesh_groups(view, flatten(view)).names[2], options.split);
+  }
+  if (options.curved) options.order = 1;
   if (options.curved && options.quality == 0) options.quality = kCurvedQuality;
   const Deadline deadline(options.watch, options.seconds.value_or(0));
-  TetrahedralMesh made = deadline.run([&] { return tetrahedra_in_time(result, options, deadline); });
+  TetrahedralMesh made = deadline.run([&] { return make(options, deadline); });
   if (options.curved) bend(result, made, options.watch);
   if (!options.split.empty()) made.parted = split(made.mesh, options.split, options.interfaces);
   return made;
 }
 
+}  // namespace
+
+TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options) {
+  return finished(result, options, [&](const TetrahedraOptions& asked, const Deadline& deadline) {
+    return tetrahedra_in_time(result, asked, deadline);
+  });
+}
+
 TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
   if (options.curved) return tetrahedra(result, options);
-  require_split(result, options);
-  const Deadline deadline(options.watch, options.seconds.value_or(0));
-  TetrahedralMesh made = deadline.run([&] { return snapped_in_time(result, options, report, deadline); });
-  if (!options.split.empty()) made.parted = split(made.mesh, options.split, options.interfaces);
-  return made;
+  return finished(result, options, [&](const TetrahedraOptions& asked, const Deadline& deadline) {
+    return snapped_in_time(result, asked, report, deadline);
+  });
 }
 
 SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& options) {

@@ -22,9 +22,6 @@ namespace {
 using Index = Mesh::Index;
 using Corners = std::array<Index, 3>;
 
-/// The sides of a tetrahedron as they are seen from outside.
-constexpr std::array<std::array<std::size_t, 3>, 4> kOutsides{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-
 /// A side of a tetrahedron that has a node of a face to split.
 struct OwnSide {
   Corners corners;    ///< ascending
@@ -32,9 +29,6 @@ struct OwnSide {
   bool odd;           ///< seen from outside the corners are clockwise
   auto operator<=>(const OwnSide&) const = default;
 };
-
-/// True if an odd exchange puts three in ascending order.
-bool is_odd(const Corners& c) { return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 != 0; }
 
 /// A triangle to split, and the tetrahedra there.
 struct PartedTriangle {

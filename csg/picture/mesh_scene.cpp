@@ -8,6 +8,7 @@
 #include "csg/picture/make_scene.h"
 #include "csg/result/result_data.h"
 #include "kernel/base/limits.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -15,11 +16,6 @@ namespace {
 
 using Index = Mesh::Index;
 using Triangle = std::array<Index, 3>;
-
-Triangle sorted_triangle(Triangle t) {
-  std::sort(t.begin(), t.end());
-  return t;
-}
 
 class MeshScene {
  public:
@@ -177,7 +173,6 @@ class MeshScene {
       Triangle seen;  ///< counter-clockwise from outside
       std::size_t tetrahedron;
     };
-    constexpr std::size_t kSides[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
     std::map<Triangle, Side> open;
     std::vector<Triangle> inside;
     for (std::size_t i = 0; i < mesh_.tetrahedra.size(); ++i) {
@@ -187,9 +182,9 @@ class MeshScene {
         continue;
       }
       ++kept_;
-      for (const auto& s : kSides) {
+      for (const auto& s : kOutsides) {
         const Triangle seen{t[s[0]], t[s[1]], t[s[2]]};
-        const auto [entry, fresh] = open.try_emplace(sorted_triangle(seen), Side{seen, i});
+        const auto [entry, fresh] = open.try_emplace(sorted(seen), Side{seen, i});
         if (fresh) continue;
         inside.push_back(entry->first);
         open.erase(entry);
@@ -198,7 +193,7 @@ class MeshScene {
     std::sort(inside.begin(), inside.end());
     std::map<Triangle, const Mesh::Simplex<3>*> faces;
     for (const auto& t : mesh_.triangles) {
-      const Triangle key = sorted_triangle(t.points);
+      const Triangle key = sorted(t.points);
       if (open.count(key) != 0) faces.emplace(key, &t);
       else if (parts_nothing(t) && stays(t.points) && !std::binary_search(inside.begin(), inside.end(), key))
         add_sheet(t);
