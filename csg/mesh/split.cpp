@@ -342,6 +342,16 @@ void require_groups(const std::vector<std::string>& groups, const std::vector<st
   for (const std::string& name : names) group_of_faces(groups, name);
 }
 
+Mesh joined_again(Mesh mesh) {
+  const auto join = [&](auto& simplices) {
+    for (auto& s : simplices) {
+      for (Index& p : s.points) p = mesh.twins[p];
+    }
+  };
+  if (!mesh.twins.empty()) join(mesh.vertices), join(mesh.segments), join(mesh.triangles), join(mesh.tetrahedra);
+  return mesh;
+}
+
 SplitReport split(Mesh& mesh, const std::vector<std::string>& names, bool interfaces) {
   if (interfaces && !mesh.middles.empty())
     throw InputError("--interfaces: wedges are of first order; leave out --order 2 and --curved");

@@ -31,4 +31,7 @@ void require_groups(const std::vector<std::string>& groups, const std::vector<st
 /// mesh of second order.
 SplitReport split(Mesh& mesh, const std::vector<std::string>& names, bool interfaces);
 
+/// For pictures: with nodes in one place again, but for wedges; a triangle that was split is there twice.
+Mesh joined_again(Mesh mesh);
+
 }  // namespace cnrg

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "csg/mesh/quality.h"
+#include "csg/mesh/split.h"
 #include "csg/picture/make_scene.h"
 #include "csg/result/result_data.h"
 #include "kernel/base/limits.h"
@@ -302,7 +303,8 @@ std::vector<Rgb> region_colors(const Result& result, const Mesh& mesh) {
 }
 
 std::optional<Figure> draw_mesh(const Result& result, const Mesh& mesh, const MeshDrawing& drawing, int threads) {
-  MeshScene scene(result, mesh, drawing);
+  const std::optional<Mesh> whole = mesh.twins.empty() ? std::nullopt : std::optional(joined_again(mesh));
+  MeshScene scene(result, whole ? *whole : mesh, drawing);
   if (!scene.make()) return std::nullopt;
   return scene.figure(drawing, threads);
 }

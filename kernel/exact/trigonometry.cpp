@@ -245,10 +245,4 @@ std::array<Rational, 4> rotation_quaternion(const RationalPoint& axis, const Rat
   return {best, a[0], a[1], a[2]};
 }
 
-std::pair<Rational, Rational> rational_cosine_sine(const Rational& degrees) {
-  const std::array<Rational, 4> q = rotation_quaternion({0, 0, 1}, degrees);
-  const Rational w2 = q[0] * q[0], z2 = q[3] * q[3];
-  return {(w2 - z2) / (w2 + z2), 2 * q[0] * q[3] / (w2 + z2)};
-}
-
 }  // namespace cnrg

@@ -44,8 +44,4 @@ std::array<Integer, 3> primitive_direction(const RationalPoint& direction);
 /// multiples of 180 degrees about any axis, and of 90 degrees about axes of rational length. `axis` is not zero.
 std::array<Rational, 4> rotation_quaternion(const RationalPoint& axis, const Rational& degrees);
 
-/// Cosine and sine (c, s) with c^2 + s^2 = 1 exactly, of an angle that differs from `degrees` by less than 1e-15
-/// radians; multiples of 90 degrees are exact.
-std::pair<Rational, Rational> rational_cosine_sine(const Rational& degrees);
-
 }  // namespace cnrg

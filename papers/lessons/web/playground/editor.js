@@ -14,7 +14,7 @@ export function makeEditor(holder, schema, changed) {
     lineNumbers(), highlightSpecialChars(), history(), drawSelection(), indentOnInput(), bracketMatching(), highlightActiveLine(), lintGutter(),
     syntaxHighlighting(defaultHighlightStyle, {fallback: true}), yaml(), autocompletion({override: [completeBy(schema)]}),
     keymap.of([...defaultKeymap, ...historyKeymap, ...completionKeymap, indentWithTab]), EditorView.lineWrapping,
-    EditorView.contentAttributes.of({'aria-label': 'The tree file', title: 'Escape, then Tab leaves the editor'}),
+    EditorView.contentAttributes.of({'aria-label': 'The tree file', tabindex: '0', title: 'Escape, then Tab leaves the editor'}),
     EditorView.updateListener.of((update) => update.docChanged && changed()),
   ];
   const view = new EditorView({parent: holder, state: EditorState.create({extensions})});
