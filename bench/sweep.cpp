@@ -8,7 +8,6 @@
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "bench/command.h"
 #include "bench/peers/program.h"

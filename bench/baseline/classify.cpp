@@ -6,7 +6,6 @@
 //
 // Without the departure `arcs`: sector_pairs.cpp.
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "bench/baseline/sectors.h"

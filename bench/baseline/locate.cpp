@@ -1,7 +1,6 @@
 // Points against a boundary, for shells that the intersection curve does not reach: the book leaves them to the
 // reader (problem 15.1). The parity of a ray's crossings decides; a ray that meets an edge, a vertex or runs in a
 // face is given up for the next of a fixed list of directions.
-#include <cmath>
 
 #include "bench/baseline/scene.h"
 

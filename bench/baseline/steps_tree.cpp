@@ -2,7 +2,6 @@
 // vision.
 #include "bench/baseline/steps_tree.h"
 
-#include <array>
 #include <map>
 #include <utility>
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstdint>
 #include <iosfwd>
-#include <string>
 #include <vector>
 
 #include "bench/cases/triangle_mesh.h"

@@ -1,7 +1,6 @@
 // Members of JSON objects, read strictly: each fault names the member.
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>

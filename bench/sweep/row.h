@@ -1,7 +1,6 @@
 // One run of one system on one problem, judged: the record that sweeps collect and reports are made of.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>

@@ -3,7 +3,6 @@
 #include "bench/sweep/tree_node.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "bench/cases/face_loops.h"
 #include "bench/cases/value_model.h"

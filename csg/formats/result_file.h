@@ -5,7 +5,6 @@
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/result/result.h"

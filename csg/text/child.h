@@ -22,7 +22,6 @@
 #include <functional>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 namespace cnrg {
 

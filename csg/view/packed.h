@@ -6,7 +6,6 @@
 // a chain of 300 unions has a thirtieth of its size, and a browser reads it faster.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <string_view>

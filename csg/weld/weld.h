@@ -21,12 +21,9 @@
 //      that point stays off that plane, and facets there are cut into triangles. It is counted. Triangles whose
 //      points alone are joined need no planes, and none are asked for.
 //   6. What is near nothing stays as it is, to the last bit; faces that only touch, as neighbours on a surface do,
-//   are
-//      near nothing for that. No point moves farther than d: that is decided
-//   exactly.
+//      are near nothing for that. No point moves farther than d: that is decided exactly.
 //   7. With `only_planes`, nothing is joined but planes (2), and each flat face with more than three corners gets
-//   one,
-//      alone or not. So polygons whose corners were rounded become planar.
+//      one, alone or not. So polygons whose corners were rounded become planar.
 //
 // Ties are decided by coordinates, never by numbers, so the order of leaves and faces does not matter.
 #pragma once

@@ -1,7 +1,6 @@
 // Names that would clear a terminal, turn a line around or forge one: every command and every file with them.
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 

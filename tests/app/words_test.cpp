@@ -3,7 +3,6 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "tests/app/program.h"
 #include "tests/catch.h"

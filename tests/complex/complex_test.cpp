@@ -2,7 +2,6 @@
 #include "kernel/complex/complex.h"
 
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <set>
 #include <type_traits>

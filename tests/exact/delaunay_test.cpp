@@ -3,7 +3,6 @@
 #include "kernel/exact/delaunay.h"
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 
 #include "kernel/exact/rational.h"

@@ -2,7 +2,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>

@@ -1,6 +1,5 @@
 // What a mesh leaf makes of a file's polygons: fill, closedness, coplanar faces, repairs.
 #include <random>
-#include <sstream>
 
 #include "csg/leaves/mesh_data.h"
 #include "kernel/exact/coplanar.h"

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "tests/app/program.h"
 #include "tests/catch.h"

@@ -3,7 +3,6 @@
 #ifdef CNRG_PYTHON
 
 #include <filesystem>
-#include <string>
 
 #include "tests/app/program.h"
 #include "tests/catch.h"

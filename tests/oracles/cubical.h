@@ -6,9 +6,7 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <random>
-#include <utility>
 #include <vector>
 
 namespace cubical {

@@ -5,7 +5,6 @@
 #include <array>
 #include <map>
 #include <set>
-#include <sstream>
 #include <vector>
 
 #include "tests/oracles/curved_trees.h"

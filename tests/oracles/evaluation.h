@@ -1,7 +1,6 @@
 // Our side of the comparison: results in forms that oracles know.
 #pragma once
 
-#include <vector>
 
 #include "csg/operators/boolean.h"
 #include "csg/operators/group.h"

@@ -1,7 +1,6 @@
 // Pictures as people ask for them: what is in the files, which options are whose, what is refused.
 #include <cairo/cairo.h>
 
-#include <cmath>
 #include <memory>
 
 #include "tests/app/program.h"

@@ -1,7 +1,6 @@
 // Small models by hand.
 #pragma once
 
-#include <initializer_list>
 
 #include "bench/cases/family.h"
 

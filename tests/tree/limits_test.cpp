@@ -1,6 +1,5 @@
 // What a tree file may hold at most, each tried at the limit and one beyond. Of trees: unfold_test.cpp. The table
 // of all limits is in tests/README.md.
-#include <optional>
 #include <string>
 
 #include "csg/leaves/leaf.h"

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace cnrg::fuzz {
