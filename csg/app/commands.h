@@ -86,6 +86,7 @@ struct MeshArguments {
   bool one_group = false;                                ///< as of `eval`
   std::size_t max_points = SurfaceOptions{}.max_points;  ///< of `surface`
   std::string join;                                      ///< as of `eval`
+  std::string chord;  ///< facets of curved faces become fewer within this distance; empty: they do not
   int threads = 0, finer = 1;
   ReadOptions reading;
 };

@@ -439,10 +439,16 @@ void add_mesh(CLI::App& program, Command& command) {
                     "TetGen fails");
   add_either(sub, "--certify", given->certify, kCertify, "--no-certify", given->no_certify, kNoCertify);
   CLI::Option* const joins = sub->add_option("--join", given->join, kJoin)->type_name("D")->check(distance_fault);
+  CLI::Option* const chord =
+      sub->add_option("--chord", given->chord,
+                      "Facets of curved faces become fewer, as large as sizes allow, within D of those that were")
+          ->type_name("D")
+          ->check(distance_fault);
   CLI::Option* const curved =
       sub->add_flag("--curved", given->options.curved,
                     "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes")
-          ->excludes(joins);
+          ->excludes(joins)
+          ->excludes(chord);
   CLI::Option* const surface =
       sub->add_flag("--surface", given->surface,
                     "Triangles on all faces and segments on edges and wires, without volumes: no angle below 25 "

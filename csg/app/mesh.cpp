@@ -14,6 +14,7 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
 #include "csg/formats/result_file.h"
+#include "csg/mesh/coarsen.h"
 #include "csg/mesh/forecast.h"
 #include "csg/text/file.h"
 #include "csg/text/input_file.h"
@@ -337,6 +338,18 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
   return kDone;
 }
 
+/// `--chord`.
+Result coarser(const MeshArguments& arguments, const Tree& tree, NodeId node, const Result& result) {
+  CoarsenReport report;
+  ProgressBar bar(arguments.quiet);
+  const double within = to_double(*parse_rational(arguments.chord));
+  const SizeOptions sizes{arguments.options.size, arguments.options.growth};
+  Result out = at_node(tree, node, [&] { return coarsen(result, within, sizes, report, {bar.progress(), {}}); });
+  bar.clear();
+  if (!arguments.quiet) tell("notice: " + report.text(within));
+  return out;
+}
+
 }  // namespace
 
 int run_mesh(const MeshArguments& arguments) {
@@ -372,6 +385,7 @@ int run_mesh(const MeshArguments& arguments) {
   }
   Result result = evaluation.result(node);
   if (!arguments.join.empty()) result = joined(tree, node, result, arguments.join, arguments.quiet);
+  if (!arguments.chord.empty()) result = coarser(arguments, tree, node, result);
   if (arguments.surface) return mesh_surface(arguments, tree, node, std::move(result));
   TetrahedralMesh made;
   SnapReport snapped;

@@ -407,14 +407,8 @@ class Joiner {
     const Plan plan = points ? planner.meet_points(pairs) : planner.meet(pairs);
     watch.begin("move");
     const auto made =
-        std::make_shared<Relabelled>(*relabel(view, flat_, move(parts, plan.moves, watch), false, watch));
-    Result::Data next = *data_;
-    next.complex = made->complex;
-    next.value = std::shared_ptr<const NodeValue>(made, &made->value);
-    next.simplified = std::shared_ptr<const SimplifiedComplex>(made, &made->simplified);
-    next.parameters = nullptr;
-    next.of_group = made->of_group;
-    next.region_parts = std::shared_ptr<const std::vector<LeafParts>>(made, &made->region_parts);
+        std::make_shared<const Relabelled>(*relabel(view, flat_, move(parts, plan.moves, watch), false, watch));
+    Result::Data next = relabelled(*data_, made);
     watch.check();
     FlatComplex flat = flatten(next.view());
     watch.check();

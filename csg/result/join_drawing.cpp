@@ -23,6 +23,7 @@ class Mover {
  public:
   Mover(const Parts& parts, const JoinMoves& moves, const Watch& watch)
       : watch_(watch), parts_(parts), at_(parts.points()), to_(moves.to) {
+    drawing_.triangles = moves.triangles;
     for (const Joint& joint : moves.joints) {
       const Index number = Index(at_.size());
       at_.push_back(joint.at);
@@ -78,6 +79,7 @@ class Mover {
       for (std::size_t k = 0; k + 1 < chain.size(); ++k)
         drawing_.pieces.push_back({{chain[k], chain[k + 1]}, edge});
     }
+    if (!drawing_.triangles.empty()) return;
     PointTable table;
     for (const RationalPoint& p : at_) {
       if (table.size() % kUncheckedFacets == 0) watch_.check();

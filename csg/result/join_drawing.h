@@ -16,8 +16,9 @@ struct Joint {
 };
 
 struct JoinMoves {
-  std::vector<RationalPoint> to;  ///< by point
-  std::vector<Joint> joints;      ///< at different points of each part
+  std::vector<RationalPoint> to;                       ///< by point
+  std::vector<Joint> joints{};                         ///< at different points of each part
+  std::vector<NumberedDrawing::Triangle> triangles{};  ///< drawn in place of those of the parts, without joints
 };
 
 /// All pieces of edges, triangles and free points of the parts' result, moved. What collapses is left out. Throws

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "csg/operators/cell_sources.h"
+#include "csg/result/result_data.h"
 #include "csg/result/sizes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
@@ -539,6 +540,16 @@ std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& fla
   out.simplified = simplify_relabelled(*out.complex, out.value.components(), kept,
                                        raw ? SimplifyMode::raw : SimplifyMode::features);
   return out;
+}
+
+Result::Data relabelled(Result::Data data, const std::shared_ptr<const Relabelled>& made) {
+  data.complex = made->complex;
+  data.value = std::shared_ptr<const NodeValue>(made, &made->value);
+  data.simplified = std::shared_ptr<const SimplifiedComplex>(made, &made->simplified);
+  data.parameters = nullptr;  // they are of points of the complex that it came from
+  data.of_group = made->of_group;
+  data.region_parts = std::shared_ptr<const std::vector<LeafParts>>(made, &made->region_parts);
+  return data;
 }
 
 }  // namespace cnrg

@@ -47,6 +47,9 @@ struct Relabelled {
 std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing, bool raw,
                                   const Watch& watch = {});
 
+/// A result with this in place of what it knew.
+Result::Data relabelled(Result::Data data, const std::shared_ptr<const Relabelled>& made);
+
 /// The cells of components of a complex that `relabel` made: facets of one face are one. `features` stay.
 SimplifiedComplex simplify_relabelled(const Complex& complex, const Components& components,
                                       const Features& features, SimplifyMode mode);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "csg/result/flat_drawing.h"
-#include "csg/result/relabel.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
 #include "csg/result/snap_drawing.h"
@@ -12,8 +11,6 @@
 #include "csg/text/table.h"
 
 namespace cnrg {
-
-struct SnappedResult::Data : Relabelled {};
 
 SnappedResult::SnappedResult(const ResultView& view, bool raw, const Watch& watch) {
   watch.begin("snap");
@@ -35,31 +32,20 @@ SnappedResult::SnappedResult(const ResultView& view, bool raw, const Watch& watc
     else left.insert(flat.regions[r].component), left_regions.push_back(r);
   }
   report_.lost_regions = lost.lines(left);
-  data_ = std::make_unique<Data>(Data{std::move(*made)});
+  made_ = std::make_shared<const Relabelled>(std::move(*made));
   const ResultView now = shown(view);
   report_.parted_regions = parted_warnings(flat, left_regions, now, flatten(now));
 }
 
-SnappedResult::~SnappedResult() = default;
-SnappedResult::SnappedResult(SnappedResult&&) noexcept = default;
-
 ResultView SnappedResult::shown(ResultView view) const {
-  if (data_ == nullptr) return view;
-  return data_->shown(std::move(view));
+  return made_ == nullptr ? view : made_->shown(std::move(view));
 }
 
 Result snap(const Result& result, SnapReport* report, const Watch& watch) {
-  const auto snapped = std::make_shared<const SnappedResult>(result.data().view(), result.data().raw, watch);
-  if (report != nullptr) *report = snapped->report();
-  if (snapped->report().rounds == 0) return result;
-  Result::Data data = result.data();
-  const ResultView shown = snapped->shown(data.view());
-  data.complex = std::shared_ptr<const Complex>(snapped, shown.complex);  // all live as long as `snapped`
-  data.value = std::shared_ptr<const NodeValue>(snapped, shown.value);
-  data.parameters = nullptr;  // they are of points of the exact complex
-  data.of_group = shown.of_group;
-  data.region_parts = std::shared_ptr<const std::vector<LeafParts>>(snapped, shown.region_parts);
-  return Result(settled(std::move(data)));
+  const SnappedResult snapped(result.data().view(), result.data().raw, watch);
+  if (report != nullptr) *report = snapped.report();
+  if (snapped.report().rounds == 0) return result;
+  return Result(settled(relabelled(result.data(), snapped.relabelled())));
 }
 
 std::string SnapReport::text() const {

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-#include "csg/result/result_view.h"
+#include "csg/result/relabel.h"
 
 namespace cnrg {
 
@@ -18,19 +18,18 @@ class SnappedResult {
   /// `raw`: the view shows unsimplified cells. Throws InputError for a result with faces or lines that reach the
   /// frame of unbounded leaves, for one that does not become stable, and beyond the range of doubles; Stopped.
   SnappedResult(const ResultView& view, bool raw, const Watch& watch = {});
-  ~SnappedResult();
-  SnappedResult(SnappedResult&&) noexcept;
 
   /// The view with the snapped result in place of the exact one, all of its vertices doubles; the view itself
   /// where nothing had to be snapped. Components keep their numbers, those of which nothing is left too. It refers
   /// to this object.
   ResultView shown(ResultView view) const;
   const SnapReport& report() const { return report_; }
+  /// Nothing when nothing had to be snapped.
+  const std::shared_ptr<const Relabelled>& relabelled() const { return made_; }
 
  private:
-  struct Data;
   SnapReport report_;
-  std::unique_ptr<Data> data_;  // nothing when nothing had to be snapped
+  std::shared_ptr<const Relabelled> made_;
 };
 
 }  // namespace cnrg

@@ -5,7 +5,6 @@
 // is an InputError that has the count.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>

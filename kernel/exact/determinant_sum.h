@@ -5,8 +5,6 @@
 // mostly the coordinates span few enough bits for numbers of fixed size, which stay in registers.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <vector>
 
 #include "kernel/exact/rational.h"

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <compare>
-#include <limits>
 
 #include "kernel/exact/cross_filter.h"
 #include "kernel/exact/points.h"

@@ -7,11 +7,9 @@
 #include <gmpxx.h>
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace cnrg {

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "kernel/base/error.h"

@@ -15,16 +15,12 @@ TEST_CASE("a shaft in its bore leaves no void, whatever their segments") {
   for (int i = 0; i < 12; ++i) {
     const int n = i == 0 ? 32 : segments(random), m = i == 0 ? 24 : segments(random);
     INFO(n << " and " << m << " segments");
-    const Evaluation both = evaluated(
-        "  block: {box: {min: [-2, -2, 0], max: [2, 2, 4]}}\n"
-        "  bore: {cylinder: {from: [0, 0, -1], to: [0, 0, 5], radius: 1, segments: " +
-        number(n) +
-        "}}\n"
-        "  shaft: {cylinder: {from: [0, 0, 4], to: [0, 0, 0], radius: 1, segments: " +
-        number(m) +
-        "}}\n"
-        "  plate: {difference: [block, bore]}\n"
-        "  model: {union: [plate, shaft], dominance: left}\n");
+    const std::string bore = "from: [0, 0, -1], to: [0, 0, 5], radius: 1, segments: " + number(n),
+                      shaft = "from: [0, 0, 4], to: [0, 0, 0], radius: 1, segments: " + number(m);
+    const Evaluation both =
+        evaluated("  block: {box: {min: [-2, -2, 0], max: [2, 2, 4]}}\n  bore: {cylinder: {" + bore +
+                  "}}\n  shaft: {cylinder: {" + shaft +
+                  "}}\n  plate: {difference: [block, bore]}\n  model: {union: [plate, shaft], dominance: left}\n");
     // The box, and the cylinder's side with its two rims, which part top and bottom.
     CHECK(both.rows.back().cells == Cells{8, 14, 9, 2});
     CHECK(both.rows.back().volume() == Rational(64));
@@ -62,21 +58,14 @@ TEST_CASE("an ellipsoid less the same one is nothing, however it was turned befo
 TEST_CASE("tubes in tubes about an oblique axis share their walls") {
   std::mt19937_64 random(3);
   for (int i = 0; i < 6; ++i) {
-    const std::string at = placed(random);
+    const std::string end = placed(random) + "}\n",
+                      there = "cylinder: {from: [0.1, 0, 0], to: [3.1, 4, 12], radius: ",
+                      back = "cylinder: {from: [3.1, 4, 12], to: [0.1, 0, 0], radius: ";
     const NodeRow both =
-        row("  o1: {cylinder: {from: [0.1, 0, 0], to: [3.1, 4, 12], radius: 2, segments: 20}" + at +
-            "}\n"
-            "  b1: {cylinder: {from: [0.1, 0, 0], to: [3.1, 4, 12], radius: 1, segments: 17}" +
-            at +
-            "}\n"
-            "  o2: {cylinder: {from: [3.1, 4, 12], to: [0.1, 0, 0], radius: 1, segments: 12}" +
-            at +
-            "}\n"
-            "  b2: {cylinder: {from: [3.1, 4, 12], to: [0.1, 0, 0], radius: 0.5, segments: 24}" +
-            at +
-            "}\n"
-            "  t1: {difference: [o1, b1]}\n  t2: {difference: [o2, b2]}\n"
-            "  model: {union: [t1, t2], dominance: left}\n");
+        row("  o1: {" + there + "2, segments: 20}" + end + "  b1: {" + there + "1, segments: 17}" + end +
+            "  o2: {" + back + "1, segments: 12}" + end + "  b2: {" + back + "0.5, segments: 24}" + end +
+            "  t1: {difference: [o1, b1]}\n  t2: {difference: [o2, b2]}\n  model: {union: [t1, t2], dominance: "
+            "left}\n");
     // Three cylinders, two rings at each end; six circles.
     CHECK(both.cells == Cells{0, 6, 7, 2});
   }
@@ -92,36 +81,27 @@ TEST_CASE("cylinders of one radius that overlap in length have one side") {
 
 TEST_CASE("a pin that ends in a ball meets it in one circle") {
   for (const int segments : {5, 16, 21}) {
-    const NodeRow both =
-        row("  pin: {cylinder: {from: [0, 0, -3], to: [0, 0, 0.8], radius: 0.6, segments: 20}}\n"
-            "  ball: {sphere: {center: [0, 0, 0], radius: 1, segments: " +
-            number(segments) +
-            "}}\n"
-            "  model: {unify: {union: [pin, ball]}}\n");
+    const std::string ball =
+        "  ball: {sphere: {center: [0, 0, 0], radius: 1, segments: " + number(segments) + "}}\n";
     // The pin comes out below; its rim above lies on the ball, the cap inside.
-    CHECK(both.cells == Cells{0, 2, 3, 1});
-    const NodeRow cap =
-        row("  pin: {cylinder: {from: [0, 0, 0.8], to: [0, 0, 3], radius: 0.6, segments: 20}}\n"
-            "  ball: {sphere: {center: [0, 0, 0], radius: 1, segments: " +
-            number(segments) +
-            "}}\n"
-            "  model: {union: [pin, ball], dominance: left}\n");
+    CHECK(row(ball + "  pin: {cylinder: {from: [0, 0, -3], to: [0, 0, 0.8], radius: 0.6, segments: 20}}\n"
+                     "  model: {unify: {union: [pin, ball]}}\n")
+              .cells == Cells{0, 2, 3, 1});
     // The cap of the ball is in the pin, whose disc is the wall between the two.
-    CHECK(cap.cells == Cells{0, 2, 4, 2});
+    CHECK(row(ball + "  pin: {cylinder: {from: [0, 0, 0.8], to: [0, 0, 3], radius: 0.6, segments: 20}}\n"
+                     "  model: {union: [pin, ball], dominance: left}\n")
+              .cells == Cells{0, 2, 4, 2});
   }
 }
 
 TEST_CASE("a ball in a pipe of its radius touches it along a circle") {
   std::mt19937_64 random(4);
   for (int i = 0; i < 6; ++i) {
-    const std::string at = placed(random);
-    const NodeRow air = row(
-        "  pipe: {cylinder: {from: [0, 0, -3], to: [0, 0, 3], radius: 1, segments: " + number(5 + i) + "}" + at +
-        "}\n"
-        "  ball: {sphere: {center: [0, 0, 0.3], radius: 1, segments: 15}" +
-        at +
-        "}\n"
-        "  model: {difference: [pipe, ball]}\n");
+    const std::string end = "}" + placed(random) + "}\n";
+    const NodeRow air =
+        row("  pipe: {cylinder: {from: [0, 0, -3], to: [0, 0, 3], radius: 1, segments: " + number(5 + i) + end +
+            "  ball: {sphere: {center: [0, 0, 0.3], radius: 1, segments: 15" + end +
+            "  model: {difference: [pipe, ball]}\n");
     CHECK(air.cells == Cells{0, 3, 6, 2});
   }
 }
@@ -228,9 +208,7 @@ TEST_CASE("balls, logs and rings touch a floor in a point, a line and a circle")
     // Upright, and against an oblique wall.
     CHECK(row("  wall: {prism: {base: [[0, 0, 0], [6, -3, 0], [6, 0, 0]], vector: [0, 0, 9]}}\n"
               "  ball: {sphere: {center: [0, -5, 4], radius: 1, segments: " +
-              number(n) +
-              "}}\n"
-              "  model: {union: [wall, ball]}\n")
+              number(n) + "}}\n  model: {union: [wall, ball]}\n")
               .cells == Cells{6, 9, 6, 2});
   }
 }

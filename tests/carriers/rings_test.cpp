@@ -98,12 +98,19 @@ Rational f(long n, long d) { return fraction(n, d); }
 const RationalPoint origin{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
 const Truth in_a_point{{1, 0, 0, 0}, {0, 0, 1, 1}};
 
-TEST_CASE("a ring touches a plane in any direction") {
-  for (const unsigned seed : {31U, 32U, 33U, 34U, 35U, 36U}) {
+/// `test` with leaves in six frames.
+template <class Test>
+void in_frames(unsigned first, const Test& test) {
+  for (unsigned seed = first; seed < first + 6; ++seed) {
     std::mt19937_64 random(seed);
     const Frame frame(random);
-    Leaves of(frame, random);
     CAPTURE(seed);
+    test(Leaves(frame, random));
+  }
+}
+
+TEST_CASE("a ring touches a plane in any direction") {
+  in_frames(31, [](Leaves of) {
     const std::string ring = of.ring(origin, z, "radius: 2, tube: 1");
     // Upright, oblique, from below; of a half-space and of a prism.
     const RationalPoint n{f(3, 5), 0, f(4, 5)}, along{f(4, 5), 0, f(-3, 5)};
@@ -114,15 +121,11 @@ TEST_CASE("a ring touches a plane in any direction") {
     check_contact(ring, of.half({1, 0, 0}, x), {{1, 2, 3, 1}, {1, 2, 3, 1}});
     // Through its middle, in two circles that cross in two contacts.
     check_contact(of.ring(origin, z, "radius: 2, tube: 6/5"), of.half(origin, n), {{2, 4, 3, 1}, {2, 4, 3, 1}});
-  }
+  });
 }
 
 TEST_CASE("a ring touches balls, tubes and rings beside it") {
-  for (const unsigned seed : {41U, 42U, 43U, 44U, 45U, 46U}) {
-    std::mt19937_64 random(seed);
-    const Frame frame(random);
-    Leaves of(frame, random);
-    CAPTURE(seed);
+  in_frames(41, [](Leaves of) {
     const std::string ring = of.ring(origin, z, "radius: 3, tube: 1");
     // Above its outer half, on its top, in its hole above the middle, in its middle.
     check_contact(ring, of.ball({f(21, 5), 0, f(8, 5)}, "1"), in_a_point);
@@ -137,15 +140,11 @@ TEST_CASE("a ring touches balls, tubes and rings beside it") {
     // In one plane, and in planes that cross at right angles.
     check_contact(ring, of.ring({f(18, 5), f(24, 5), 0}, z, "radius: 3/2, tube: 1/2"), in_a_point);
     check_contact(ring, of.ring({6, 0, 0}, {0, f(3, 5), f(4, 5)}, "radius: 3/2, tube: 1/2"), in_a_point);
-  }
+  });
 }
 
 TEST_CASE("a cone touches a plane along a line, and a ball beside it in a point") {
-  for (const unsigned seed : {51U, 52U, 53U, 54U, 55U, 56U}) {
-    std::mt19937_64 random(seed);
-    const Frame frame(random);
-    Leaves of(frame, random);
-    CAPTURE(seed);
+  in_frames(51, [](Leaves of) {
     const std::string cone = of.cone(origin, {0, 0, 4}, "radius: 3"),
                       part = of.cone(origin, {0, 0, 2}, "radius: 3, top: 3/2");
     const RationalPoint n{f(4, 5), 0, f(3, 5)}, along{f(-3, 5), 0, f(4, 5)};
@@ -154,19 +153,15 @@ TEST_CASE("a cone touches a plane along a line, and a ball beside it in a point"
     // Beside it, and in a conical hole.
     check_contact(cone, of.ball({f(3, 2) + f(8, 5), 0, 2 + f(6, 5)}, "2"), {{1, 0, 0, 0}, {0, 1, 2, 1}});
     check_contact(cone, of.ball({f(3, 2) - f(4, 5), 0, 2 - f(3, 5)}, "1"), {{0, 0, 1, 1}, {1, 1, 3, 1}});
-  }
+  });
 }
 
 TEST_CASE("a rod that touches a larger ball from inside leaves it above and below") {
-  for (const unsigned seed : {71U, 72U, 73U, 74U, 75U, 76U}) {
-    std::mt19937_64 random(seed);
-    const Frame frame(random);
-    Leaves of(frame, random);
-    CAPTURE(seed);
+  in_frames(71, [](Leaves of) {
     const Truth touching{{1, 2, 3, 1}, {1, 2, 2, 1}};
     check_contact(of.ball(origin, "2"), of.rod({f(3, 5), f(4, 5), -3}, {f(3, 5), f(4, 5), 3}, "1"), touching);
     check_contact(of.ball(origin, "5/2"), of.rod({2, 0, -3}, {2, 0, 3}, "1/2"), touching);
-  }
+  });
 }
 
 TEST_CASE("half a ring and its pipe have one circle, though even steps of both are not quite on it") {
