@@ -109,7 +109,4 @@ int run_tables();
 /// `cnrg schema`: the JSON schema of a tree file; with `tables`, its keys in Markdown.
 int run_schema(bool tables);
 
-/// `cnrg nodes`, which help does not list: names for completions.
-int run_nodes(const std::string& tree);
-
 }  // namespace cnrg::app

@@ -1,198 +1,194 @@
-// A function for bash that knows every option by the table of them, and asks the program for the nodes of a tree.
+// What shells complete: scripts that ask the program, and its answer.
 //
-// bash cuts words at `=` and gives them as they were typed, quotes, backslashes and `~` included. Nothing of them
-// is evaluated: a name of a file must not run a command because somebody pressed a key.
+// Nothing of what was typed is evaluated: a name of a file must not run a command because somebody pressed a key.
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <iostream>
-#include <string>
 
-#include "csg/app/completion_shells.h"
 #include "csg/app/exit_status.h"
 #include "csg/app/manual.h"
+#include "csg/text/escape.h"
+#include "csg/tree/tree.h"
 
 namespace cnrg::app {
 namespace {
 
-constexpr const char* kHead = R"BASH(# Completions of cnrg for bash, made by `cnrg completion`.
-
-# Every line that is a candidate.
-_cnrg_offer() {
-  local candidate
-  while IFS= read -r candidate; do
-    [[ $candidate == "$1"* ]] && COMPREPLY+=("$candidate")
-  done
-}
-
-# Files that end in one of these, and folders; files of all kinds if there is none.
-_cnrg_files() {
-  local word file ending
-  word=$(_cnrg_plain "$1")
-  shift
-  compopt -o filenames 2>/dev/null
-  while IFS= read -r file; do
-    if [[ $# -eq 0 || -d ${file/#\~/$HOME} ]]; then
-      COMPREPLY+=("$file")
-      continue
-    fi
-    for ending; do
-      [[ $file == *"$ending" ]] && COMPREPLY+=("$file")
-    done
-  done < <(compgen -f -- "$word")
-}
-
-_cnrg_folders() {
-  compopt -o filenames 2>/dev/null
-  local folder
-  while IFS= read -r folder; do COMPREPLY+=("$folder"); done < <(compgen -d -- "$(_cnrg_plain "$1")")
-}
-
-# A word as it was typed, without what quotes it; nothing of it is run.
-_cnrg_plain() {
-  local word=${1//\\/}
-  word=${word//\"/}
-  word=${word//\'/}
-  printf '%s' "$word"
-}
-
-# Names of the nodes of a tree, quoted where they need it.
-_cnrg_nodes() {
-  local name
-  [[ -n $2 && $2 != - ]] || return 0
-  while IFS= read -r name; do
-    [[ $name == "$3"* ]] && COMPREPLY+=("$(printf '%q' "$name")")
-  done < <("$1" nodes "${2/#\~/$HOME}" 2>/dev/null)
-}
+// bash cuts words at `=`, and gives them as they were typed, quotes, backslashes and `~` included.
+constexpr const char* kBash = R"BASH(# Completions of cnrg for bash, made by `cnrg completion`.
 
 _cnrg() {
+  local words=() word glued= line kind endings i
   COMPREPLY=()
-  local program=${1/#\~/$HOME} command=${COMP_WORDS[1]} word=${COMP_WORDS[COMP_CWORD]} before=
-  local options= valued= i at taken arguments=()
-  [[ $COMP_CWORD -gt 1 ]] && before=${COMP_WORDS[COMP_CWORD-1]}
-  if [[ $word == "=" ]]; then
-    word=
-  elif [[ $before == "=" ]]; then
-    before=${COMP_WORDS[COMP_CWORD-2]}
-  fi
-)BASH";
-
-constexpr const char* kArguments = R"BASH(
-  # The arguments that are no options.
-  taken=
-  for ((i = 2; i < COMP_CWORD; ++i)); do
-    at=${COMP_WORDS[i]}
-    if [[ $at == "=" ]]; then
-      taken=yes
-    elif [[ -n $taken ]]; then
-      taken=
-    elif [[ $valued == *" $at "* ]]; then
-      [[ ${COMP_WORDS[i+1]} == "=" ]] || taken=yes
-    elif [[ $at != -?* ]]; then
-      arguments+=("$(_cnrg_plain "$at")")
+  for ((i = 1; i <= COMP_CWORD; ++i)); do
+    word=${COMP_WORDS[i]//[\\\"\']/}
+    if [[ $word == "=" && i -gt 1 ]]; then
+      words[-1]+="=" glued=yes word=
+    elif [[ -n $glued ]]; then
+      words[-1]+=$word glued=
+    else
+      words+=("$word")
     fi
   done
+  {
+    read -r kind endings
+    if [[ $kind == :words ]]; then
+      while IFS= read -r line; do
+        line=${line%%$'\t'*}
+        [[ $line == "$word"* ]] && printf -v line %q "$line" && COMPREPLY+=("$line")
+      done
+    elif [[ $kind == :files ]]; then
+      compopt -o filenames 2>/dev/null
+      while IFS= read -r line; do
+        [[ -z $endings || -d ${line/#\~/$HOME} || " $endings " == *" ${line#"${line%.*}"} "* ]] &&
+          COMPREPLY+=("$line")
+      done < <(compgen -f -- "$word")
+    fi
+  } < <("${1/#\~/$HOME}" __complete "${words[@]}" 2>/dev/null)
+}
+
+complete -F _cnrg cnrg
 )BASH";
 
-std::string quoted_list(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += " '" + word + "'";
-  return out;
+constexpr const char* kZsh = R"ZSH(#compdef cnrg
+# Completions of cnrg for zsh, made by `cnrg completion zsh`.
+
+_cnrg() {
+  local program=${(Q)words[1]} line name
+  local -a lines offered
+  lines=("${(@f)$("${program/#\~/$HOME}" __complete "${(@Q)words[2,CURRENT]}" 2>/dev/null)}")
+  compset -P 1 '--*='
+  case $lines[1] in
+    ':files /') _files -/ ;;
+    :files) _files ;;
+    :files*) _files -g "*(${(j:|:)${=lines[1]#:files}})(-.)" ;;
+    :words)
+      for line in $lines[2,-1]; do
+        name=${line%%$'\t'*}
+        offered+=("${name//(#m)[\\:]/\\$MATCH}${${line:$#name}/$'\t'/:}")
+      done
+      _describe word offered
+      ;;
+  esac
 }
 
-std::string joined_words(const std::vector<std::string>& words, const std::string& between) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : between) + word;
-  return out;
+if [[ $funcstack[1] == _cnrg ]]; then _cnrg "$@"; else compdef _cnrg cnrg; fi
+)ZSH";
+
+constexpr const char* kFish = R"FISH(# Completions of cnrg for fish, made by `cnrg completion fish`.
+
+function __cnrg
+    set -l words (commandline -opc)
+    set -l token (commandline -ct)
+    set -l option (string match -r -- '^--[^=]*=' "$token")
+    set -l lines ($words[1] __complete $words[2..] "$token" 2>/dev/null)
+    set -l offered $lines[2..]
+    set -l endings (string split -n ' ' -- "$lines[1]")
+    if test "$endings[1]" = :files
+        # No program has this name, so files are all that there is.
+        set offered (complete -C"no-program-of-cnrg $(string replace -- "$option" '' "$token")")
+        set -q endings[2]; and set offered (for end in / $endings[2..]; string match -- "*$end" $offered; end)
+    end
+    set -q offered[1]; and printf '%s\n' "$option"$offered
+end
+
+complete -c cnrg -f -a '(__cnrg)'
+)FISH";
+
+/// An answer is `:words`, one a line, with a tabulator before what they mean; or `:files` with the ends that names
+/// of files have, if not all will do. Folders always do, and with `/` they alone.
+constexpr const char *kWords = ":words\n", *kFiles = ":files\n", *kFolders = ":files /\n",
+                     *kModels =
+                         ":files .yaml .yml .json .csg .off .obj .stl .ply .vtp .vtu .vtk .ts .step .stp "
+                         ".brep\n";
+
+void offer(const std::vector<std::string>& words) {
+  std::cout << kWords;
+  for (const std::string& word : words) std::cout << word << '\n';
 }
 
-std::string offer(const std::vector<std::string>& words) {
-  return "_cnrg_offer \"$word\" < <(printf '%s\\n'" + quoted_list(words) + ")";
-}
-
-/// Which argument the node of an option is of: of `--node-b` the one called B, else the first one.
-std::size_t place_of_tree(const CommandText& command, const OptionText& option) {
-  const std::string& name = option.names.back();
-  std::size_t i = 0;
-  for (const OptionText& other : command.options) {
-    if (!other.positional) continue;
-    std::string end = "-" + other.names[0];
-    std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    if (name.ends_with(end)) return i;
-    ++i;
-  }
-  return 0;
-}
-
-/// What completes the value of an option.
-std::string completed_value(const CommandText& command, const OptionText& option) {
-  if (!option.choices.empty()) return offer(option.choices);
-  if (option.value.starts_with("FILE")) return "_cnrg_files \"$word\"";
-  if (option.value == "FOLDER") return "_cnrg_folders \"$word\"";
-  if (option.value == "N") {
-    return "_cnrg_nodes \"$program\" \"${arguments[" + std::to_string(place_of_tree(command, option)) +
-           "]}\" \"$(_cnrg_plain \"$word\")\"";
-  }
-  return ":";
-}
-
-std::string command_case(const CommandText& command) {
-  std::vector<std::string> names, valued;
+void offer_options(const CommandText& command) {
   for (const OptionText& option : command.options) {
     if (option.positional) continue;
-    names.insert(names.end(), option.names.begin(), option.names.end());
-    if (!option.value.empty()) valued.insert(valued.end(), option.names.begin(), option.names.end());
+    for (const std::string& name : option.names) std::cout << name << '\t' << option.help << '\n';
   }
-  return "    " + command.name + ")\n      options='" + joined_words(names, " ") + "'\n      valued=' " +
-         joined_words(valued, " ") + " '\n      ;;\n";
 }
 
-std::string value_cases(const CommandText& command) {
-  std::string out;
-  for (const OptionText& option : command.options) {
-    if (option.positional || option.value.empty()) continue;
-    for (const std::string& name : option.names)
-      out += "    '" + command.name + " " + name + "') " + completed_value(command, option) + "; return ;;\n";
+/// Of all nodes with a name of their own. `~` is as it was typed.
+void offer_nodes(std::string tree) {
+  if (tree.empty() || tree == "-") return;
+  const char* const home = std::getenv("HOME");
+  if (tree.starts_with("~/") && home != nullptr) tree.replace(0, 1, home);
+  std::vector<std::string> names;
+  for (const Node& node : read_tree(tree).nodes) {
+    if (!node.is_inline) names.push_back(shown(node.name));
   }
-  return out;
+  offer(names);
 }
 
-std::string argument_cases(const CommandText& command) {
-  static constexpr const char* kModels =
-      " .yaml .yml .json .csg .off .obj .stl .ply .vtp .vtu .vtk .ts .step .stp .brep";
-  std::string out;
-  std::size_t i = 0;
-  for (const OptionText& option : command.options) {
-    if (!option.positional) continue;
-    const std::string files = "_cnrg_files \"$word\"" + std::string(option.names[0] == "TREE" ? kModels : "");
-    out += "    '" + command.name + " " + std::to_string(i++) + "') " +
-           (option.choices.empty() ? files : offer(option.choices)) + " ;;\n";
-  }
-  return out;
+/// Arguments of a command, with what was typed for each.
+using TypedArguments = std::vector<std::pair<const OptionText*, std::string>>;
+
+/// Of `--node-b` the argument that is called B, of other options the first one.
+std::string asked_tree(const OptionText& option, const TypedArguments& arguments) {
+  const std::string name(1, char(std::toupper(static_cast<unsigned char>(option.names.back().back()))));
+  for (const auto& [argument, word] : arguments)
+    if (argument->names[0] == name) return word;
+  return arguments.empty() ? "" : arguments[0].second;
 }
 
-std::string bash_completion(const ProgramText& text) {
-  std::vector<std::string> first;
-  for (const CommandText& command : text.commands) first.push_back(command.name);
-  for (const OptionText& option : text.program.options) {
-    first.insert(first.end(), option.names.begin(), option.names.end());
+void offer_values(const OptionText& option, const TypedArguments& arguments) {
+  if (!option.choices.empty()) offer(option.choices);
+  else if (option.positional) std::cout << (option.names[0] == "TREE" ? kModels : kFiles);
+  else if (option.value.starts_with("FILE")) std::cout << kFiles;
+  else if (option.value == "FOLDER") std::cout << kFolders;
+  else if (option.value == "N" && option.bounds.empty()) offer_nodes(asked_tree(option, arguments));
+}
+
+/// `words` are those behind the name of the command.
+void complete(const CommandText& command, const std::vector<std::string>& words) {
+  TypedArguments arguments;
+  for (const OptionText& option : command.options)
+    if (option.positional) arguments.emplace_back(&option, "");
+  const auto valued = [&](const std::string& name) -> const OptionText* {
+    for (const OptionText& option : command.options)
+      if (!option.value.empty() && std::ranges::count(option.names, name) > 0) return &option;
+    return nullptr;
+  };
+  const OptionText* asked = nullptr;  // what the next word is a value of
+  std::size_t next = 0;
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (asked != nullptr) asked = nullptr;
+    else if (words[i].starts_with('-') && words[i] != "-") asked = valued(words[i]);
+    else if (next++ < arguments.size()) arguments[next - 1].second = words[i];
   }
-  std::string out = kHead;
-  out += "  if [[ $COMP_CWORD -eq 1 ]]; then\n    " + offer(first) + "\n    return\n  fi\n  case $command in\n";
-  for (const CommandText& command : text.commands) out += command_case(command);
-  out += std::string("    *) return ;;\n  esac\n") + kArguments + "  case \"$command $before\" in\n";
-  for (const CommandText& command : text.commands) out += value_cases(command);
-  out +=
-      "  esac\n  if [[ $word == -* ]]; then\n    _cnrg_offer \"$word\" < <(printf '%s\\n' $options)\n    return\n"
-      "  fi\n  case \"$command ${#arguments[@]}\" in\n";
-  for (const CommandText& command : text.commands) out += argument_cases(command);
-  return out + "  esac\n}\n\ncomplete -F _cnrg cnrg\n";
+  const std::string& last = words.back();
+  if (asked == nullptr && !last.starts_with('-') && next < arguments.size()) asked = arguments[next].first;
+  if (const std::size_t sign = last.find('='); asked == nullptr && sign != std::string::npos)
+    asked = valued(last.substr(0, sign));
+  if (asked != nullptr) return offer_values(*asked, arguments);
+  if (!last.starts_with('-')) return;
+  std::cout << kWords;
+  offer_options(command);
 }
 
 }  // namespace
 
-int run_completion(const ProgramText& text, const std::string& shell) {
-  const auto completion = shell == "zsh" ? zsh_completion : shell == "fish" ? fish_completion : bash_completion;
-  std::cout << completion(text) << std::flush;
+int run_completion(const std::string& shell) {
+  std::cout << (shell == "zsh" ? kZsh : shell == "fish" ? kFish : kBash);
+  return kDone;
+}
+
+int run_complete(const ProgramText& text, const std::vector<std::string>& words) {
+  if (words.size() < 2) {
+    std::cout << kWords;
+    for (const CommandText& command : text.commands) std::cout << command.name << '\t' << command.help << '\n';
+    offer_options(text.program);
+    return kDone;
+  }
+  for (const CommandText& command : text.commands) {
+    if (command.name == words[0]) complete(command, {words.begin() + 1, words.end()});
+  }
   return kDone;
 }
 

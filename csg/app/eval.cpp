@@ -292,12 +292,4 @@ int run_eval(const EvalArguments& arguments) {
   return kDone;
 }
 
-int run_nodes(const std::string& path) {
-  const Tree tree = read_tree(path);
-  for (const Node& node : tree.nodes) {
-    if (!node.is_inline) std::cout << shown(node.name) << '\n';
-  }
-  return kDone;
-}
-
 }  // namespace cnrg::app

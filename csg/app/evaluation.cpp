@@ -14,15 +14,12 @@
 #include "csg/certify/certificate.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/text/input_file.h"
+#include "csg/text/table.h"
 #include "csg/tree/read_from_input.h"
 #include "csg/tree/tree_of_file.h"
 
 namespace cnrg::app {
 namespace {
-
-std::string count(std::size_t n, const std::string& what) {
-  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
 
 /// The rows of time, each with the stage of the evaluation at which it begins.
 struct Stage {
@@ -109,7 +106,7 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
       tell(tree.file + ": notice: certified: surfaces meet as their facets do: " +
            (certificate.asked == 0
                 ? "no curved face is near another one"
-                : "of " + count(certificate.asked, "pair") + " of facets near each other " +
+                : "of " + counted(certificate.asked, "pair", "pairs") + " of facets near each other " +
                       std::to_string(certificate.apart) + " are apart, " + std::to_string(certificate.crossing) +
                       " cross and " + std::to_string(certificate.contacts) + " touch"));
     }
@@ -119,7 +116,8 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
   for (std::size_t i = 1; i < notices.size(); ++i) print({notices[i]}, quiet);
   const Diagnostic& first = notices.front();
   throw TreeError(first.file, first.at,
-                  first.message + "; --certify found " + count(certificate.places.size(), "such place") +
+                  first.message + "; --certify found " +
+                      counted(certificate.places.size(), "such place", "such places") +
                       ": move leaves apart or together, make them finer, or leave it out");
 }
 

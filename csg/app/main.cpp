@@ -531,17 +531,17 @@ void add_compare(CLI::App& program, Command& command) {
   on_callback(sub, command, run_compare, given);
 }
 
-/// Of the commands that print what the program knows of itself, and of `nodes`, for completions.
+/// Of the commands that print what the program knows of itself.
 struct TextArguments {
   bool tables = false;
-  std::string shell = "bash", helped, tree;
+  std::string shell = "bash", helped;
 };
 
 void add_texts(CLI::App& program, Command& command) {
   const auto given = std::make_shared<TextArguments>();
   const auto add = [&](const char* name, const char* help, const char* footer, const Command& run) {
     CLI::App* const sub = program.add_subcommand(name, help);
-    if (footer != nullptr) sub->footer(footer);
+    sub->footer(footer);
     sub->callback([=, &command] { command = run; });
     return sub;
   };
@@ -554,7 +554,7 @@ void add_texts(CLI::App& program, Command& command) {
       [&] { return run_manual(program_text(program)); });
   add("completion", "Prints what a shell needs to complete commands, options, files and nodes",
       "Example:\n  source <(cnrg completion)\n  cnrg completion fish | source",
-      [=, &program] { return run_completion(program_text(program), given->shell); })
+      [=] { return run_completion(given->shell); })
       ->add_option("SHELL", given->shell, "Which")
       ->check(CLI::IsMember({"bash", "zsh", "fish"}))
       ->capture_default_str();
@@ -562,10 +562,6 @@ void add_texts(CLI::App& program, Command& command) {
       add("help", "Prints the help of a command, or of the program", "Example:\n  cnrg help mesh",
           [=, &program] { return run_help(program, given->helped); });
   help->add_option("COMMAND", given->helped, "Which")->check(CLI::IsMember(command_names(program)));
-  CLI::App* const nodes =
-      add("nodes", "Prints the names of the nodes of a tree", nullptr, [=] { return run_nodes(given->tree); });
-  nodes->group("");
-  nodes->add_option("TREE", given->tree, "Tree file")->required()->check(name_fault);
 }
 
 constexpr void (*kCommands[])(CLI::App&, Command&) = {add_eval, add_check, add_locate,  add_explain,
@@ -584,6 +580,8 @@ int run(int argc, char** argv) {
       "read or written or memory ran out, 4 of `cnrg compare`: different, 1 a bug.");
   Command command;
   for (const auto add : kCommands) add(program, command);
+  if (argc > 1 && argv[1] == std::string("__complete"))
+    return run_complete(program_text(program), {argv + 2, argv + argc});
   try {
     program.parse(command_line(argc, argv));
   } catch (const CLI::ParseError& e) {

@@ -9,6 +9,9 @@ namespace cnrg::app {
 int run_manual(const ProgramText& text);
 
 /// Prints a script for bash, zsh or fish.
-int run_completion(const ProgramText& text, const std::string& shell);
+int run_completion(const std::string& shell);
+
+/// `cnrg __complete`, which no help lists and those scripts run: what can stand where the last of `words` begins.
+int run_complete(const ProgramText& text, const std::vector<std::string>& words);
 
 }  // namespace cnrg::app

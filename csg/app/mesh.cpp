@@ -43,11 +43,7 @@ constexpr const char* kLegend = "(a block is as high as its count beside the hig
 
 /// How shapes are spread.
 std::string spread_of(const MeshQuality& q) {
-  Table table;
-  table.add_column("", Table::Align::left);
-  table.add_column("from");
-  table.add_column("tetrahedra", Table::Align::left);
-  table.add_column("to", Table::Align::left);
+  Table table({"<", "from", "<tetrahedra", "<to"});
   table.add_row({"shape", "0", bars(q.shapes), "1"});
   table.add_row({"smallest dihedral angle", "0", bars(q.dihedrals), "90 degrees"});
   table.add_row({"circumradius to shortest edge", "0.6", bars(q.ratios), "3.6 and more"});
@@ -57,12 +53,7 @@ std::string spread_of(const MeshQuality& q) {
 /// Where shapes are bad, and why.
 std::string bad_ones(const MeshQuality& quality, const PlaceText& place) {
   if (quality.worst_ones.empty()) return {};
-  Table table;
-  table.add_column("shape");
-  table.add_column("angle");
-  table.add_column("at", Table::Align::left);
-  table.add_column("nodes", Table::Align::left);
-  table.add_column("why", Table::Align::left);
+  Table table({"shape", "angle", "<at", "<nodes", "<why"});
   for (const MeshQuality::Bad& bad : quality.worst_ones) {
     std::string nodes;
     for (const std::string& name : bad.nodes) nodes += (nodes.empty() ? "" : ", ") + name;
@@ -100,28 +91,16 @@ std::string where_beyond(const TetrahedralMesh& made) {
 /// A row per region and one for all.
 std::string table_of(const TetrahedralMesh& made) {
   const std::optional<CurvedReport>& bent = made.bent;
-  Table table;
-  table.add_column("region", Table::Align::left);
-  table.add_column("tetrahedra");
-  if (bent) {
-    table.add_column("curved");
-    table.add_column("straight");
-  }
-  table.add_column("worst");
-  table.add_column("median");
-  table.add_column("below 0.1");
-  table.add_column("volume", Table::Align::left);
+  std::vector<std::string> columns{"<region", "tetrahedra"};
+  if (bent) columns.insert(columns.end(), {"curved", "straight"});
+  columns.insert(columns.end(), {"worst", "median", "below 0.1", "<volume"});
+  Table table(columns);
   const auto row = [&](const std::string& name, std::size_t all, std::size_t curved, std::size_t straight,
                        const MeshQuality::Region& shapes, const Rational& volume) {
     std::vector<std::string> cells{name, std::to_string(all)};
-    if (bent) {
-      cells.push_back(std::to_string(curved));
-      cells.push_back(std::to_string(straight));
-    }
-    cells.push_back(shape_text(shapes.worst));
-    cells.push_back(shape_text(shapes.median));
-    cells.push_back(std::to_string(shapes.bad));
-    cells.push_back(to_decimal(volume));
+    if (bent) cells.insert(cells.end(), {std::to_string(curved), std::to_string(straight)});
+    cells.insert(cells.end(), {shape_text(shapes.worst), shape_text(shapes.median), std::to_string(shapes.bad),
+                               to_decimal(volume)});
     table.add_row(std::move(cells));
   };
   std::size_t tetrahedra = 0, curved = 0, straight = 0;
@@ -167,18 +146,10 @@ std::string short_number(double value) { return decimal(value, "%.6g"); }
 
 /// A row per group of faces and one for all. `quads`: these were asked for.
 std::string table_of(const SurfaceTriangles& made, bool quads) {
-  Table table;
-  table.add_column("faces", Table::Align::left);
-  if (quads) {
-    table.add_column("quads");
-    table.add_column("least quality");
-  }
-  table.add_column("triangles");
-  table.add_column("area", Table::Align::left);
-  table.add_column("least angle");
-  table.add_column("at", Table::Align::left);
-  table.add_column("below 25");
-  table.add_column("since", Table::Align::left);
+  std::vector<std::string> columns{"<faces"};
+  if (quads) columns.insert(columns.end(), {"quads", "least quality"});
+  columns.insert(columns.end(), {"triangles", "<area", "least angle", "<at", "below 25", "<since"});
+  Table table(columns);
   const PlaceText place(made.mesh);
   const auto row = [&](const FaceTriangles& of) {
     static constexpr const char* kWhy[] = {"", "input angle", "digits", "--max-points"};
@@ -195,34 +166,18 @@ std::string table_of(const SurfaceTriangles& made, bool quads) {
       angle = decimal(of.least_angle, of.least_angle < 0.1 ? "%.3g" : "%.2f");
     }
     std::vector<std::string> cells{of.name};
-    if (quads) {
-      cells.push_back(std::to_string(of.quads));
-      cells.push_back(of.quads == 0 ? "" : decimal(of.least_quad, "%.2f"));
-    }
-    for (std::string& cell : std::vector<std::string>{std::to_string(of.triangles), short_number(of.area), angle,
-                                                      at, std::to_string(below), since})
-      cells.push_back(std::move(cell));
+    if (quads)
+      cells.insert(cells.end(), {std::to_string(of.quads), of.quads == 0 ? "" : decimal(of.least_quad, "%.2f")});
+    cells.insert(cells.end(),
+                 {std::to_string(of.triangles), short_number(of.area), angle, at, std::to_string(below), since});
     table.add_row(std::move(cells));
   };
-  FaceTriangles all{"all"};
-  for (const FaceTriangles& of : made.groups) {
-    row(of);
-    all.triangles += of.triangles;
-    all.quads += of.quads;
-    all.least_quad = std::min(all.least_quad, of.least_quad);
-    all.area += of.area;
-    for (std::size_t i = 0; i < of.why.size(); ++i) all.why[i] += of.why[i];
-    if (of.least_angle < all.least_angle) all.least_angle = of.least_angle, all.where = of.where;
-  }
-  if (!made.groups.empty()) row(all);
+  for (const FaceTriangles& of : made.groups) row(of);
+  if (!made.groups.empty()) row(all_groups(made));
   const Mesh& mesh = made.mesh;
   std::string rows;
   if (!made.groups.empty()) {
-    Table spread;
-    spread.add_column("", Table::Align::left);
-    spread.add_column("from");
-    spread.add_column("triangles", Table::Align::left);
-    spread.add_column("to", Table::Align::left);
+    Table spread({"<", "from", "<triangles", "<to"});
     spread.add_row({"smallest angle", "0", bars(triangle_quality_of(mesh, {}).angles), "60 degrees"});
     rows = table.text() + spread.text() + kLegend;
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <ios>
 #include <sstream>
 
@@ -16,11 +15,7 @@
 namespace cnrg::app {
 namespace {
 
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f", seconds);
-  return text;
-}
+std::string seconds_text(double seconds) { return decimal(seconds, "%.3f"); }
 
 std::string volume_text(const std::optional<Rational>& volume) {
   return volume ? number_text(*volume, "; -o FILE.json") : "unbounded";
@@ -73,15 +68,8 @@ std::string within(const NodeRow& row) {
 
 std::string row_table(const Evaluation& evaluation, const StageRows& stages, bool raw, bool trace) {
   const std::vector<const NodeRow*> rows = evaluation.all_rows();
-  Table table;
-  table.add_column("node", Table::Align::left);
-  table.add_column("operator", Table::Align::left);
-  for (const char* title :
-       {"vertices", "edges", "faces", "3-cells", "removed", "regions", "components", "seconds"}) {
-    table.add_column(title);
-  }
-  table.add_column("within");
-  table.add_column("volume", Table::Align::left);
+  Table table({"<node", "<operator", "vertices", "edges", "faces", "3-cells", "removed", "regions", "components",
+               "seconds", "within", "<volume"});
   const auto add_stage = [&](const char* name, const std::optional<double>& seconds,
                              std::array<std::string, 4> cells = {}) {
     if (!seconds) return;

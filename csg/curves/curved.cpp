@@ -127,7 +127,7 @@ void add_capped(LeafBuilder& builder, const Ring& bottom, const Ring& top,
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const CylinderShape& shape, LeafParameters* record) {
   check_positive("cylinder", "radius", shape.radius);
   check_fineness("cylinder", "segments", shape.segments, 3);
   const RationalPoint along = shape.to - shape.from;
@@ -143,13 +143,13 @@ std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape, LeafP
   return leaf;
 }
 
-std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const ConeShape& shape, LeafParameters* record) {
   if (shape.radius < 0 || shape.top < 0 || (shape.radius == 0 && shape.top == 0)) {
     throw InputError("cone: radius is " + to_decimal(shape.radius) + " and top is " + to_decimal(shape.top) +
                      ": neither may be negative, and one must be positive");
   }
   if (shape.radius == shape.top) {
-    return prepare_cylinder({shape.from, shape.to, shape.radius, shape.segments}, record);
+    return prepare_leaf(CylinderShape{shape.from, shape.to, shape.radius, shape.segments}, record);
   }
   check_fineness("cone", "segments", shape.segments, 3);
   const RationalPoint along = shape.to - shape.from;
@@ -168,7 +168,7 @@ std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape, LeafParameter
   return leaf;
 }
 
-std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const SphereShape& shape, LeafParameters* record) {
   check_positive("sphere", "radius", shape.radius);
   check_fineness("sphere", "segments", shape.segments, 3);
   const int rings = shape.rings == 0 ? std::max(2, shape.segments / 2) : shape.rings;
@@ -216,7 +216,7 @@ std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParam
   return leaf;
 }
 
-std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const TorusShape& shape, LeafParameters* record) {
   check_positive("torus", "radius", shape.radius);
   check_positive("torus", "tube", shape.tube);
   if (shape.tube >= shape.radius) {

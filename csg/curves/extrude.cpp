@@ -239,7 +239,7 @@ RationalPoint axis_point(const ExtrudeShape& shape) {
   return given + Rational(dot(first - given, shape.vector) / dot(shape.vector, shape.vector)) * shape.vector;
 }
 
-std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const ExtrudeShape& shape, LeafParameters* record) {
   std::unique_ptr<PreparedLeaf> leaf = Extrusion(shape, record).prepare();
   if (shape.twist == 0 && shape.scale == 1) leaf->set_form(std::make_shared<ExtrudeForm>(shape));
   return leaf;

@@ -286,11 +286,11 @@ std::shared_ptr<const NetForm> net_form(const CoonsShape& shape) {
   return form;
 }
 
-std::unique_ptr<PreparedLeaf> prepare_bezier(const BezierShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const BezierShape& shape, LeafParameters* record) {
   return prepare_nets(shape, record);
 }
 
-std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const CoonsShape& shape, LeafParameters* record) {
   return prepare_nets(shape, record);
 }
 

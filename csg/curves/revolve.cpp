@@ -97,7 +97,7 @@ std::shared_ptr<RevolvedForm> form_of(const RevolveShape& shape, const RationalP
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const RevolveShape& shape, LeafParameters* record) {
   check(shape);
   const Fineness fineness("revolve", shape.tessellation);
   BoundaryCurves boundary(fineness);

@@ -136,11 +136,11 @@ std::unique_ptr<PreparedLeaf> prepare_skin(std::shared_ptr<const NetForm> skin, 
   return leaf;
 }
 
-std::unique_ptr<PreparedLeaf> prepare_loft(const LoftShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const LoftShape& shape, LeafParameters* record) {
   return prepare_skin(skin_of(shape), record);
 }
 
-std::shared_ptr<const LeafSurfaces> loft_surfaces(const LoftShape& shape) {
+std::shared_ptr<const LeafSurfaces> true_surfaces(const LoftShape& shape) {
   return skin_surfaces(*skin_of(shape));
 }
 

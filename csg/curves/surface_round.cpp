@@ -66,7 +66,7 @@ std::shared_ptr<const LeafSurfaces> one_patch(std::uint32_t number,
 
 }  // namespace
 
-std::shared_ptr<const LeafSurfaces> cone_surfaces(const ConeShape& shape) {
+std::shared_ptr<const LeafSurfaces> true_surfaces(const ConeShape& shape) {
   const RationalPoint along = shape.to - shape.from;
   return one_patch(
       2, {.center = shape.from, .frame = CircleFrame(along)},
@@ -74,8 +74,8 @@ std::shared_ptr<const LeafSurfaces> cone_surfaces(const ConeShape& shape) {
       cone_form(shape));
 }
 
-std::shared_ptr<const LeafSurfaces> cylinder_surfaces(const CylinderShape& shape) {
-  return cone_surfaces({shape.from, shape.to, shape.radius, shape.radius, shape.segments});
+std::shared_ptr<const LeafSurfaces> true_surfaces(const CylinderShape& shape) {
+  return true_surfaces(ConeShape{shape.from, shape.to, shape.radius, shape.radius, shape.segments});
 }
 
 std::shared_ptr<const LeafSurfaces> sphere_surfaces(const RationalPoint& center, const Rational& radius,
@@ -86,18 +86,18 @@ std::shared_ptr<const LeafSurfaces> sphere_surfaces(const RationalPoint& center,
       sphere_form(center, radius, axis));
 }
 
-std::shared_ptr<const LeafSurfaces> sphere_surfaces(const SphereShape& shape) {
+std::shared_ptr<const LeafSurfaces> true_surfaces(const SphereShape& shape) {
   return sphere_surfaces(shape.center, shape.radius, {0, 0, 1});
 }
 
-std::shared_ptr<const LeafSurfaces> torus_surfaces(const TorusShape& shape) {
+std::shared_ptr<const LeafSurfaces> true_surfaces(const TorusShape& shape) {
   return one_patch(
       0, {.center = shape.center, .frame = CircleFrame(shape.axis)},
       RoundLine{constant(shape.tube), constant(shape.radius), constant(Rational(0)), constant(Rational(1))},
       torus_form(shape));
 }
 
-std::shared_ptr<const LeafSurfaces> revolve_surfaces(const RevolveShape& shape) {
+std::shared_ptr<const LeafSurfaces> true_surfaces(const RevolveShape& shape) {
   auto surfaces = std::make_shared<LeafSurfaces>();
   std::uint32_t number = shape.profile.closed && shape.degrees != 360 ? 2 : 0;
   for (const ProfileLine& line : shape.profile.lines) {

@@ -160,7 +160,7 @@ PatchNet net_of(const BezierPatch& patch) {
 
 }  // namespace
 
-std::shared_ptr<const LeafSurfaces> bezier_surfaces(const BezierShape& shape) {
+std::shared_ptr<const LeafSurfaces> true_surfaces(const BezierShape& shape) {
   auto surfaces = std::make_shared<LeafSurfaces>();
   std::uint32_t number = 0;
   for (const PatchNet& net : shape.patches) {
@@ -193,7 +193,7 @@ std::shared_ptr<const LeafSurfaces> skin_surfaces(const NetForm& skin) {
   return surfaces;
 }
 
-std::shared_ptr<const LeafSurfaces> coons_surfaces(const CoonsShape& shape) {
+std::shared_ptr<const LeafSurfaces> true_surfaces(const CoonsShape& shape) {
   auto surfaces = std::make_shared<LeafSurfaces>();
   std::uint32_t number = 0;
   for (const auto& round : shape.patches) {
@@ -205,7 +205,7 @@ std::shared_ptr<const LeafSurfaces> coons_surfaces(const CoonsShape& shape) {
   return surfaces;
 }
 
-std::shared_ptr<const LeafSurfaces> extrude_surfaces(const ExtrudeShape& shape) {
+std::shared_ptr<const LeafSurfaces> true_surfaces(const ExtrudeShape& shape) {
   auto surfaces = std::make_shared<LeafSurfaces>();
   std::uint32_t number = shape.profile.closed ? 2 : 0;
   const RationalPoint center = axis_point(shape);

@@ -131,11 +131,11 @@ class Sweeper {
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_sweep(const SweepShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const SweepShape& shape, LeafParameters* record) {
   return prepare_skin(Sweeper(shape).run(), record);
 }
 
-std::shared_ptr<const LeafSurfaces> sweep_surfaces(const SweepShape& shape) {
+std::shared_ptr<const LeafSurfaces> true_surfaces(const SweepShape& shape) {
   return skin_surfaces(*Sweeper(shape).run());
 }
 

@@ -593,7 +593,7 @@ class CadForm final : public BandedForm {
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_cad(const CadShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const CadShape& shape) {
   // The model is kept for parameters and to be drawn anew: read again, its file might be another one.
   const auto model = std::make_shared<CadLeaf>(shape);
   std::unique_ptr<PreparedLeaf> leaf = model->prepare();

@@ -362,6 +362,6 @@ class MeshLeaf {
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_mesh(const MeshShape& shape) { return MeshLeaf(shape).prepare(); }
+std::unique_ptr<PreparedLeaf> prepare_leaf(const MeshShape& shape) { return MeshLeaf(shape).prepare(); }
 
 }  // namespace cnrg

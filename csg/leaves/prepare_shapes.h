@@ -9,65 +9,65 @@
 namespace cnrg {
 
 // shapes/solids.cpp: closed, outward oriented, Fill::winding.
-std::unique_ptr<PreparedLeaf> prepare_box(const BoxShape& shape);
-std::unique_ptr<PreparedLeaf> prepare_prism(const PrismShape& shape);
-std::unique_ptr<PreparedLeaf> prepare_pyramid(const PyramidShape& shape);
-std::unique_ptr<PreparedLeaf> prepare_tetrahedron(const TetrahedronShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const BoxShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PrismShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PyramidShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const TetrahedronShape& shape);
 
 // shapes/hull.cpp: likewise.
-std::unique_ptr<PreparedLeaf> prepare_hull(const HullShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const HullShape& shape);
 
 // shapes/open_shapes.cpp: no regions.
-std::unique_ptr<PreparedLeaf> prepare_polygon(const PolygonShape& shape);
-std::unique_ptr<PreparedLeaf> prepare_disk(const DiskShape& shape);
-std::unique_ptr<PreparedLeaf> prepare_polyline(const PolylineShape& shape);
-std::unique_ptr<PreparedLeaf> prepare_points(const PointsShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PolygonShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const DiskShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PolylineShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PointsShape& shape);
 
 // curves/curved.cpp: tessellated solids, Fill::winding.
-std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParameters* record);
-std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape, LeafParameters* record);
-std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape, LeafParameters* record);
-std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const SphereShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const CylinderShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const ConeShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const TorusShape& shape, LeafParameters* record);
 
 // curves/parametric.cpp: Bézier and B-spline patches and curves, Coons patches; fill as the shape says.
-std::unique_ptr<PreparedLeaf> prepare_bezier(const BezierShape& shape, LeafParameters* record);
-std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const BezierShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const CoonsShape& shape, LeafParameters* record);
 
 // curves/extrude.cpp, curves/revolve.cpp: Fill::winding, or none for a curve.
-std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape, LeafParameters* record);
-std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const ExtrudeShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const RevolveShape& shape, LeafParameters* record);
 
 // curves/sweep.cpp, curves/skin.cpp: Fill::winding.
-std::unique_ptr<PreparedLeaf> prepare_sweep(const SweepShape& shape, LeafParameters* record);
-std::unique_ptr<PreparedLeaf> prepare_loft(const LoftShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const SweepShape& shape, LeafParameters* record);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const LoftShape& shape, LeafParameters* record);
 
 /// Where the axis of an extrusion meets the plane of its profile.
 RationalPoint axis_point(const ExtrudeShape& shape);
 
 // curves/surface_round.cpp, curves/surface_swept.cpp: the true surfaces of shapes that were prepared.
-std::shared_ptr<const LeafSurfaces> sphere_surfaces(const SphereShape& shape);
+std::shared_ptr<const LeafSurfaces> true_surfaces(const SphereShape& shape);
 /// With parameters about another axis than z, v growing along it.
 std::shared_ptr<const LeafSurfaces> sphere_surfaces(const RationalPoint& center, const Rational& radius,
                                                     const RationalPoint& axis);
-std::shared_ptr<const LeafSurfaces> cylinder_surfaces(const CylinderShape& shape);
-std::shared_ptr<const LeafSurfaces> cone_surfaces(const ConeShape& shape);
-std::shared_ptr<const LeafSurfaces> torus_surfaces(const TorusShape& shape);
-std::shared_ptr<const LeafSurfaces> bezier_surfaces(const BezierShape& shape);
-std::shared_ptr<const LeafSurfaces> coons_surfaces(const CoonsShape& shape);
-std::shared_ptr<const LeafSurfaces> extrude_surfaces(const ExtrudeShape& shape);
-std::shared_ptr<const LeafSurfaces> revolve_surfaces(const RevolveShape& shape);
-std::shared_ptr<const LeafSurfaces> sweep_surfaces(const SweepShape& shape);
-std::shared_ptr<const LeafSurfaces> loft_surfaces(const LoftShape& shape);
+std::shared_ptr<const LeafSurfaces> true_surfaces(const CylinderShape& shape);
+std::shared_ptr<const LeafSurfaces> true_surfaces(const ConeShape& shape);
+std::shared_ptr<const LeafSurfaces> true_surfaces(const TorusShape& shape);
+std::shared_ptr<const LeafSurfaces> true_surfaces(const BezierShape& shape);
+std::shared_ptr<const LeafSurfaces> true_surfaces(const CoonsShape& shape);
+std::shared_ptr<const LeafSurfaces> true_surfaces(const ExtrudeShape& shape);
+std::shared_ptr<const LeafSurfaces> true_surfaces(const RevolveShape& shape);
+std::shared_ptr<const LeafSurfaces> true_surfaces(const SweepShape& shape);
+std::shared_ptr<const LeafSurfaces> true_surfaces(const LoftShape& shape);
 
 // leaves/unbounded.cpp.
-std::unique_ptr<PreparedLeaf> prepare_plane(const PlaneShape& shape);
-std::unique_ptr<PreparedLeaf> prepare_halfspace(const HalfspaceShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PlaneShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const HalfspaceShape& shape);
 
 // imports/mesh.cpp, imports/cad.cpp, shapes/heightfield.cpp, shapes/group.cpp.
-std::unique_ptr<PreparedLeaf> prepare_heightfield(const HeightfieldShape& shape);
-std::unique_ptr<PreparedLeaf> prepare_mesh(const MeshShape& shape);
-std::unique_ptr<PreparedLeaf> prepare_cad(const CadShape& shape);
-std::unique_ptr<PreparedLeaf> prepare_group(const GroupShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const HeightfieldShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const MeshShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const CadShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_leaf(const GroupShape& shape);
 
 // transfer/result_check.cpp
 /// Reads a result that `cnrg eval -o file.json` wrote, of a group or of components: open, closed or neither, of

@@ -136,12 +136,12 @@ ExactBox frame_box(const ExactBox* points, const std::vector<ExactHalfspace>& gi
   }
 }
 
-std::unique_ptr<PreparedLeaf> prepare_plane(const PlaneShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PlaneShape& shape) {
   if (is_zero(shape.normal)) throw LeafKeyError("normal", "plane: the normal is [0, 0, 0]: give a direction");
   return std::make_unique<UnboundedLeaf>(shape.point, shape.normal, false);
 }
 
-std::unique_ptr<PreparedLeaf> prepare_halfspace(const HalfspaceShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const HalfspaceShape& shape) {
   if (is_zero(shape.normal)) throw LeafKeyError("normal", "halfspace: the normal is [0, 0, 0]: give a direction");
   return std::make_unique<UnboundedLeaf>(shape.point, shape.normal, true);
 }

@@ -74,6 +74,10 @@ py::tuple to_fractions(const RationalPoint& point) {
   return py::make_tuple(to_fraction(point[0]), to_fraction(point[1]), to_fraction(point[2]));
 }
 
+py::object to_fractions(const std::optional<RationalPoint>& point) {
+  return point ? py::object(to_fractions(*point)) : py::object(py::none());
+}
+
 Rational to_rational(const py::handle& value, const std::string& what) {
   if (PyBool_Check(value.ptr())) throw py::type_error(what + ": a number is wanted, not a bool");
   if (PyLong_Check(value.ptr())) return Rational(integer_of(value, what));

@@ -9,6 +9,7 @@ namespace cnrg::python {
 py::object to_fraction(const Rational& value);
 /// As Fractions, in a tuple of three.
 py::tuple to_fractions(const RationalPoint& point);
+py::object to_fractions(const std::optional<RationalPoint>& point);
 /// None if there is none.
 py::object to_fraction(const std::optional<Rational>& value);
 /// The exact value of an int, float, str (`1/3`, `0.1`), Fraction, Decimal, or number of numpy; `what` is for

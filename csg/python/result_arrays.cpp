@@ -112,6 +112,12 @@ py::dict arrays_data(const ArraysObject& object) {
   return out;
 }
 
+/// Of all cells, by a function of Measures.
+template <class T>
+T measured(const ArraysObject& object, T (Measures::*of)(const Watch&) const) {
+  return watched(py::none(), [&](const Watch& watch) { return (object.measures().*of)(watch); });
+}
+
 /// A number that a caller gave, below `count`.
 std::size_t checked(std::size_t i, std::size_t count) {
   if (i >= count) throw py::index_error("there is no cell of this number");
@@ -134,33 +140,19 @@ void bind_result_arrays(py::module_& module) {
              return to_fractions(
                  o.result.complex().points.rational(o.arrays->ids[checked(i, o.arrays->ids.size())]));
            })
-      .def("lengths",
-           [](const Object& o) {
-             return owned(watched(py::none(), [&](const Watch& w) { return o.measures().lengths(w); }));
-           })
-      .def("areas",
-           [](const Object& o) {
-             return owned(watched(py::none(), [&](const Watch& w) { return o.measures().areas(w); }));
-           })
-      .def("area_vectors",
-           [](const Object& o) {
-             return owned(watched(py::none(), [&](const Watch& w) { return o.measures().area_vectors(w); }), 3);
-           })
+      .def("lengths", [](const Object& o) { return owned(measured(o, &Measures::lengths)); })
+      .def("areas", [](const Object& o) { return owned(measured(o, &Measures::areas)); })
+      .def("area_vectors", [](const Object& o) { return owned(measured(o, &Measures::area_vectors), 3); })
       .def("volumes",
            [](const Object& o) {
              py::list out;
-             for (const auto& volume :
-                  watched(py::none(), [&](const Watch& w) { return o.measures().volumes(w); })) {
-               out.append(to_fraction(volume));
-             }
+             for (const auto& volume : measured(o, &Measures::volumes)) out.append(to_fraction(volume));
              return out;
            })
       .def("centroids",
            [](const Object& o) {
              py::list out;
-             for (const auto& centroid :
-                  watched(py::none(), [&](const Watch& w) { return o.measures().centroids(w); }))
-               out.append(centroid ? py::object(to_fractions(*centroid)) : py::object(py::none()));
+             for (const auto& centroid : measured(o, &Measures::centroids)) out.append(to_fractions(centroid));
              return out;
            })
       .def("squared_length",
@@ -168,10 +160,7 @@ void bind_result_arrays(py::module_& module) {
       .def("squared_area",
            [face](const Object& o, std::size_t i) { return to_fraction(o.measures().squared_area(face(o, i))); })
       .def("area_vector",
-           [face](const Object& o, std::size_t i) -> py::object {
-             const auto vector = o.measures().area_vector(face(o, i));
-             return vector ? py::object(to_fractions(*vector)) : py::object(py::none());
-           })
+           [face](const Object& o, std::size_t i) { return to_fractions(o.measures().area_vector(face(o, i))); })
       .def("volume",
            [region](const Object& o, std::size_t i) { return to_fraction(o.measures().volume(region(o, i))); });
   module.def("result_arrays", [](const OneResult& r) {

@@ -1,6 +1,7 @@
 // Pictures and pages of a result.
 #include <pybind11/stl.h>
 
+#include "csg/tree/dag.h"
 #include "results.h"
 #include "views.h"
 #include "watched.h"
@@ -24,22 +25,6 @@ py::bytes picture_of(const OneResult& r, const std::string& extension, const Pic
   }));
 }
 
-/// The nodes below some.
-std::vector<NodeId> nodes_below(const Tree& tree, std::vector<NodeId> open) {
-  std::vector<char> below(tree.nodes.size(), 0);
-  while (!open.empty()) {
-    const NodeId id = open.back();
-    open.pop_back();
-    if (std::exchange(below[id.index()], 1)) continue;
-    for (const NodeId operand : tree.operands(id)) open.push_back(operand);
-  }
-  std::vector<NodeId> out;
-  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
-    if (below[id.index()]) out.push_back(id);
-  }
-  return out;
-}
-
 py::str page_of(const OneResult& r, const std::string& page_template, const std::string& title, int threads,
                 const py::object& progress) {
   if (r.from == nullptr) {
@@ -51,7 +36,10 @@ py::str page_of(const OneResult& r, const std::string& page_template, const std:
     EvaluateOptions options;
     options.threads = threads;
     options.keep_all = true;
-    options.nodes = nodes_below(tree, {tree.result, r.node});
+    const std::vector<char> below = tree.dag->reachable({tree.result, r.node});
+    for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+      if (below[id.index()]) options.nodes.push_back(id);
+    }
     options.watch = watch;
     const Evaluation evaluation = evaluate(tree, options);
     watch.begin("page");

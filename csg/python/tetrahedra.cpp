@@ -11,53 +11,49 @@ namespace cnrg::python {
 namespace {
 
 /// A mesh, and its arrays.
-struct TetrahedraObject {
-  TetrahedralResult mesh;
-  std::shared_ptr<const TetrahedraArrays> arrays;
+template <class Mesh, class Arrays>
+struct MeshObject {
+  Mesh mesh;
+  std::shared_ptr<const Arrays> arrays;
 };
+using TetrahedraObject = MeshObject<TetrahedralResult, TetrahedraArrays>;
+using SurfaceObject = MeshObject<SurfaceMeshResult, SurfaceArrays>;
+
+template <class Mesh, class Arrays, class Options>
+MeshObject<Mesh, Arrays> made(const OneResult& r, const Options& asked, const py::object& progress) {
+  return apart(progress, [held = r.result, options = asked](const Watch& watch) mutable {
+    options.watch = watch;
+    Mesh mesh(held, options);
+    auto arrays = std::make_shared<const Arrays>(mesh.arrays());
+    return MeshObject<Mesh, Arrays>{std::move(mesh), std::move(arrays)};
+  });
+}
 
 TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double quality, bool keep_boundary,
                                 const std::optional<int>& seconds, bool curved, int order, double size,
                                 double growth, bool surface_first, const py::object& progress) {
-  return apart(progress, [=, held = r.result](const Watch& watch) {
-    TetrahedraOptions options;
-    options.max_volume = max_volume;
-    options.quality = quality;
-    options.keep_boundary = keep_boundary;
-    options.seconds = seconds;
-    options.order = order;
-    options.size = size;
-    options.growth = growth;
-    options.surface_first = surface_first;
-    options.curved = curved;
-    options.watch = watch;
-    TetrahedralResult mesh(held, options);
-    auto arrays = std::make_shared<const TetrahedraArrays>(mesh.arrays());
-    return TetrahedraObject{std::move(mesh), std::move(arrays)};
-  });
+  TetrahedraOptions options;
+  options.max_volume = max_volume;
+  options.quality = quality;
+  options.keep_boundary = keep_boundary;
+  options.seconds = seconds;
+  options.order = order;
+  options.size = size;
+  options.growth = growth;
+  options.surface_first = surface_first;
+  options.curved = curved;
+  return made<TetrahedralResult, TetrahedraArrays>(r, options, progress);
 }
-
-/// A surface mesh, and its arrays.
-struct SurfaceObject {
-  SurfaceMeshResult mesh;
-  std::shared_ptr<const SurfaceArrays> arrays;
-};
 
 SurfaceObject mesh_surface(const OneResult& r, double size, double growth, std::size_t max_points, int seconds,
                            int order, bool quads, const py::object& progress) {
-  return apart(progress, [=, held = r.result](const Watch& watch) {
-    SurfaceOptions options;
-    options.overall = size;
-    options.growth = growth;
-    options.max_points = max_points;
-    options.seconds = seconds;
-    options.order = order;
-    options.quads = quads;
-    options.watch = watch;
-    SurfaceMeshResult mesh(held, options);
-    auto arrays = std::make_shared<const SurfaceArrays>(mesh.arrays());
-    return SurfaceObject{std::move(mesh), std::move(arrays)};
-  });
+  SurfaceOptions options{.overall = size,
+                         .growth = growth,
+                         .max_points = max_points,
+                         .seconds = seconds,
+                         .order = order,
+                         .quads = quads};
+  return made<SurfaceMeshResult, SurfaceArrays>(r, options, progress);
 }
 
 py::dict simplices(const Owner& owner, const MeshArrays::Simplices& of, py::ssize_t nodes) {
@@ -128,21 +124,22 @@ py::dict mesh_data(const SurfaceObject& object) {
   return out;
 }
 
+template <class Object>
+py::class_<Object> bind_mesh(py::module_& module, const char* name) {
+  return py::class_<Object>(module, name)
+      .def("data", [](const Object& object) { return mesh_data(object); })
+      .def("write", [](const Object& object, const std::string& path) {
+        run_apart(py::none(), [mesh = object.mesh, path](const Watch& watch) { mesh.write(path, watch.stop); });
+      });
+}
+
 }  // namespace
 
 void bind_tetrahedra(py::module_& module) {
-  py::class_<TetrahedraObject>(module, "Tetrahedra")
-      .def("data", [](const TetrahedraObject& object) { return mesh_data(object); })
+  bind_mesh<TetrahedraObject>(module, "Tetrahedra")
       .def("notice", [](const TetrahedraObject& object) { return text_of(object.mesh.notice()); })
-      .def("expected", [](const TetrahedraObject& object) { return object.mesh.expected(); })
-      .def("write", [](const TetrahedraObject& object, const std::string& path) {
-        run_apart(py::none(), [mesh = object.mesh, path](const Watch& watch) { mesh.write(path, watch.stop); });
-      });
-  py::class_<SurfaceObject>(module, "SurfaceMesh")
-      .def("data", [](const SurfaceObject& object) { return mesh_data(object); })
-      .def("write", [](const SurfaceObject& object, const std::string& path) {
-        run_apart(py::none(), [mesh = object.mesh, path](const Watch& watch) { mesh.write(path, watch.stop); });
-      });
+      .def("expected", [](const TetrahedraObject& object) { return object.mesh.expected(); });
+  bind_mesh<SurfaceObject>(module, "SurfaceMesh");
   module.def("mesh_surface", &mesh_surface, py::arg("result"), py::arg("size"), py::arg("growth"),
              py::arg("max_points"), py::arg("seconds"), py::arg("order"), py::arg("quads"), py::arg("progress"));
   module.def("tetrahedralize", &tetrahedralize, py::arg("result"), py::arg("max_volume"), py::arg("quality"),

@@ -167,6 +167,6 @@ class GroupReader {
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_group(const GroupShape& shape) { return GroupReader(shape).prepare(); }
+std::unique_ptr<PreparedLeaf> prepare_leaf(const GroupShape& shape) { return GroupReader(shape).prepare(); }
 
 }  // namespace cnrg

@@ -217,7 +217,7 @@ Sides add_scattered(LeafBuilder& builder, const HeightfieldShape& shape, std::ve
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_heightfield(const HeightfieldShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const HeightfieldShape& shape) {
   if (!shape.file.empty() && !shape.heights.empty()) {
     throw InputError("heightfield: both heights and a file are given: leave one out");
   }

@@ -39,7 +39,7 @@ std::vector<RationalPoint> sums(const std::vector<RationalPoint>& a, const std::
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_hull(const HullShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const HullShape& shape) {
   std::vector<RationalPoint> points{{0, 0, 0}};
   for (const auto& summand : shape.summands) points = sums(points, summand);
   if (points.size() < 4 || are_in_a_plane(points)) {

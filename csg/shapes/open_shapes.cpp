@@ -9,7 +9,7 @@
 
 namespace cnrg {
 
-std::unique_ptr<PreparedLeaf> prepare_polygon(const PolygonShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PolygonShape& shape) {
   std::vector<std::vector<RationalPoint>> loops{shape.outer};
   loops.insert(loops.end(), shape.holes.begin(), shape.holes.end());
   std::vector<std::string> notices;
@@ -25,7 +25,7 @@ std::unique_ptr<PreparedLeaf> prepare_polygon(const PolygonShape& shape) {
   return builder.finish(std::move(notices));
 }
 
-std::unique_ptr<PreparedLeaf> prepare_disk(const DiskShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const DiskShape& shape) {
   for (const Rational& r : shape.radii) {
     if (r <= 0) throw InputError("disk: a radius is " + to_decimal(r) + ": give positive lengths");
   }
@@ -49,7 +49,7 @@ std::unique_ptr<PreparedLeaf> prepare_disk(const DiskShape& shape) {
   return builder.finish();
 }
 
-std::unique_ptr<PreparedLeaf> prepare_polyline(const PolylineShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PolylineShape& shape) {
   const auto& points = shape.points;
   const std::size_t least = shape.closed ? 3 : 2;
   if (points.size() < least) {
@@ -73,7 +73,7 @@ std::unique_ptr<PreparedLeaf> prepare_polyline(const PolylineShape& shape) {
   return builder.finish();
 }
 
-std::unique_ptr<PreparedLeaf> prepare_points(const PointsShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PointsShape& shape) {
   if (shape.points.empty()) throw InputError("points: the list is empty: give at least one point");
   LeafBuilder builder(Fill::none);
   for (const RationalPoint& p : shape.points) builder.soup().add_isolated(builder.leaf(), builder.point(p));

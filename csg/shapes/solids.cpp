@@ -37,7 +37,7 @@ std::vector<PointId> add_points(LeafBuilder& builder, const std::vector<Rational
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_box(const BoxShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const BoxShape& shape) {
   const char* axis[] = {"x", "y", "z"};
   for (std::size_t k = 0; k < 3; ++k) {
     if (shape.min[k] < shape.max[k]) continue;
@@ -58,7 +58,7 @@ std::unique_ptr<PreparedLeaf> prepare_box(const BoxShape& shape) {
   return builder.finish();
 }
 
-std::unique_ptr<PreparedLeaf> prepare_prism(const PrismShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PrismShape& shape) {
   std::vector<std::vector<RationalPoint>> loops{shape.base};
   loops.insert(loops.end(), shape.holes.begin(), shape.holes.end());
   std::vector<std::string> notices;
@@ -99,7 +99,7 @@ std::unique_ptr<PreparedLeaf> prepare_prism(const PrismShape& shape) {
   return builder.finish(std::move(notices));
 }
 
-std::unique_ptr<PreparedLeaf> prepare_pyramid(const PyramidShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const PyramidShape& shape) {
   std::vector<std::vector<RationalPoint>> loops{shape.base};
   std::vector<std::string> notices;
   if (shape.fit) notices = fit_polygon(loops, *shape.fit, "the pyramid's base");
@@ -124,7 +124,7 @@ std::unique_ptr<PreparedLeaf> prepare_pyramid(const PyramidShape& shape) {
   return builder.finish(std::move(notices));
 }
 
-std::unique_ptr<PreparedLeaf> prepare_tetrahedron(const TetrahedronShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_leaf(const TetrahedronShape& shape) {
   const auto& p = shape.points;
   const Rational volume = volume6(p[0], p[1], p[2], p[3]);
   if (volume == 0) {

@@ -9,7 +9,12 @@
 
 namespace cnrg {
 
-void Table::add_column(std::string title, Align align) { columns_.push_back({std::move(title), align}); }
+Table::Table(const std::vector<std::string>& titles) {
+  for (const std::string& title : titles) {
+    const bool left = title.starts_with('<');
+    columns_.push_back({title.substr(left ? 1 : 0), left});
+  }
+}
 
 void Table::add_row(std::vector<std::string> cells) {
   require(cells.size() <= columns_.size(), "Table: a row has more cells than there are columns");
@@ -36,7 +41,7 @@ std::string Table::format(const std::vector<std::string>& cells, const std::vect
     if (!first) result += "  ";
     first = false;
     const std::string cell = i < cells.size() ? cells[i] : std::string();
-    if (columns_[i].align == Align::left) result += padded(cell, widths[i]);
+    if (columns_[i].left) result += padded(cell, widths[i]);
     else result += std::string(widths[i] - std::min(widths[i], width_of(cell)), ' ') + cell;
   }
   result.erase(result.find_last_not_of(' ') + 1);

@@ -9,13 +9,11 @@ namespace cnrg {
 
 class Table {
  public:
-  enum class Align { left, right };
-  /// Adds a column; rows that were added before are empty there.
-  void add_column(std::string title, Align align = Align::right);
+  /// By titles. `<` in front of one: its texts begin below each other; else they end so, as numbers do.
+  explicit Table(const std::vector<std::string>& titles);
   /// Adds a row of texts, as they are shown (escape.h), at most as many as there are columns; missing ones are
   /// empty.
   void add_row(std::vector<std::string> cells);
-  std::size_t columns() const { return columns_.size(); }
   std::size_t rows() const { return rows_.size(); }
 
   /// The title line and one line per row, two spaces between columns, no space at the end of a line. A column
@@ -27,7 +25,7 @@ class Table {
  private:
   struct Column {
     std::string title;
-    Align align;
+    bool left;
   };
   std::vector<Column> columns_;
   std::vector<std::vector<std::string>> rows_;

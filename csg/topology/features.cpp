@@ -320,12 +320,7 @@ std::vector<Diagnostic> near_and_lost(const Tree& tree, const Evaluation& evalua
 std::string features_text(const Result& result, const std::vector<Feature>& features) {
   const ResultView view = result.data().view();
   const FlatComplex flat = flatten(view);
-  Table table;
-  table.add_column("feature", Table::Align::left);
-  table.add_column("value", Table::Align::left);
-  table.add_column("cells", Table::Align::left);
-  table.add_column("at", Table::Align::left);
-  table.add_column("from", Table::Align::left);
+  Table table({"<feature", "<value", "<cells", "<at", "<from"});
   for (const Feature& feature : features) {
     std::string value, cells, at, from;
     const bool angle = feature.kind >= Feature::Kind::dihedral_angle;

@@ -213,11 +213,7 @@ std::vector<Selectable> selectables(const Result& result) {
 }
 
 std::string selectables_text(const std::vector<Selectable>& list) {
-  Table table;
-  table.add_column("criterion", Table::Align::left);
-  table.add_column("value", Table::Align::left);
-  for (const char* const title : {"regions", "faces", "edges", "vertices"}) table.add_column(title);
-  table.add_column("source face", Table::Align::left);
+  Table table({"<criterion", "<value", "regions", "faces", "edges", "vertices", "<source face"});
   for (const Selectable& s : list) {
     table.add_row({s.key, shown(s.value), std::to_string(s.cells[3]), std::to_string(s.cells[2]),
                    std::to_string(s.cells[1]), std::to_string(s.cells[0]), ranges(s.source_faces)});

@@ -125,9 +125,7 @@ std::string euler_text(const SimplifiedEuler& t, bool closed) {
 
 std::string betti_text(const std::vector<BettiNumbers>& numbers, const std::vector<Component>& components,
                        std::span<const RegionAttributes> attributes) {
-  Table table;
-  table.add_column("Betti numbers", Table::Align::left);
-  for (const char* title : {"b0(Z/2)", "b1(Z/2)", "b2(Z/2)", "b0(Q)", "b1(Q)", "b2(Q)"}) table.add_column(title);
+  Table table({"<Betti numbers", "b0(Z/2)", "b1(Z/2)", "b2(Z/2)", "b0(Q)", "b1(Q)", "b2(Q)"});
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const std::string name = i == 0 ? "point set" : component_name(attributes, components[i - 1]);
     std::vector<std::string> row{"  " + name};
@@ -188,10 +186,7 @@ std::string some_of(const std::vector<std::string>& names) {
 }
 
 std::string shapes_text(const Shapes& shapes) {
-  Table table;
-  table.add_column("local shape", Table::Align::left);
-  table.add_column("vertices");
-  table.add_column("edges");
+  Table table({"<local shape", "vertices", "edges"});
   for (std::size_t i = 0; i < shapes.vertices.size(); ++i) {
     if (shapes.vertices[i] + shapes.edges[i] == 0) continue;
     table.add_row({"  " + form_name(i), grouped(shapes.vertices[i]), grouped(shapes.edges[i])});

@@ -273,6 +273,19 @@ std::string mesh_page(const Result& result, const TetrahedralMesh& made, const M
   return whole_page(options, facts, body);
 }
 
+FaceTriangles all_groups(const SurfaceTriangles& made) {
+  FaceTriangles all{"all"};
+  for (const FaceTriangles& of : made.groups) {
+    all.triangles += of.triangles;
+    all.quads += of.quads;
+    all.least_quad = std::min(all.least_quad, of.least_quad);
+    all.area += of.area;
+    for (std::size_t i = 0; i < of.why.size(); ++i) all.why[i] += of.why[i];
+    if (of.least_angle < all.least_angle) all.least_angle = of.least_angle, all.where = of.where;
+  }
+  return all;
+}
+
 std::string mesh_page(const Result& result, const SurfaceTriangles& made, const MeshPageOptions& options) {
   const Mesh& mesh = made.mesh;
   const std::vector<std::string> leaves = leaf_names(result.data().leaves);
@@ -286,7 +299,7 @@ std::string mesh_page(const Result& result, const SurfaceTriangles& made, const 
   columns.insert(columns.end(), {"triangles", "<area", "least angle", "<at", "below 25°"});
   HtmlTable groups(columns);
   const PlaceText place(mesh);
-  FaceTriangles all{"all"};
+  const FaceTriangles all = all_groups(made);
   const auto row = [&](const FaceTriangles& of, bool last) {
     std::size_t small = 0;
     for (std::size_t i = 1; i < of.why.size(); ++i) small += of.why[i];
@@ -299,15 +312,7 @@ std::string mesh_page(const Result& result, const SurfaceTriangles& made, const 
     groups.row(cells, last);
     below = small;
   };
-  for (const FaceTriangles& of : made.groups) {
-    row(of, false);
-    all.triangles += of.triangles;
-    all.quads += of.quads;
-    all.least_quad = std::min(all.least_quad, of.least_quad);
-    all.area += of.area;
-    for (std::size_t i = 0; i < of.why.size(); ++i) all.why[i] += of.why[i];
-    if (of.least_angle < all.least_angle) all.least_angle = of.least_angle, all.where = of.where;
-  }
+  for (const FaceTriangles& of : made.groups) row(of, false);
   if (!made.groups.empty()) row(all, true);
   std::string facts = (quads ? fact(grouped(mesh.quads.size()), "quadrilaterals on faces") : "") +
                       fact(grouped(mesh.triangles.size()), "triangles on faces") +

@@ -41,10 +41,12 @@ class OnAgreedSurface final : public PreparedLeaf {
       const MeridianPiece& piece = form->lines[0][0];
       const RationalPoint from = form->center + piece.from.t * form->axis,
                           to = form->center + piece.to.t * form->axis;
-      if (piece.kind == Kind::line) return cone_surfaces({from, to, piece.from.r, piece.to.r, form->segments});
+      if (piece.kind == Kind::line)
+        return true_surfaces(ConeShape{from, to, piece.from.r, piece.to.r, form->segments});
       const RationalPoint middle = form->center + piece.middle.t * form->axis;
       if (piece.middle.r == 0) return sphere_surfaces(middle, piece.radius, form->axis);
-      return torus_surfaces({middle, form->axis, piece.middle.r, piece.radius, form->segments, piece.steps});
+      return true_surfaces(
+          TorusShape{middle, form->axis, piece.middle.r, piece.radius, form->segments, piece.steps});
     };
   }
 

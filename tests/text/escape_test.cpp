@@ -43,8 +43,7 @@ TEST_CASE("each format has names in its own escapes") {
   CHECK(shown_json("{\"a\":\"ä\\n\xc2\x9b\x7f\xf3\xa0\x80\x81\"}") ==
         "{\"a\":\"ä\\n\\u009b\\u007f\\udb40\\udc01\"}");
   CHECK(graphviz_text("a\"\n&lt;\\") == "a\\\"\\\\n&amp;lt;\\\\");
-  Table table;
-  table.add_column("name", Table::Align::left);
+  Table table({"<name"});
   table.add_row({"a\nb"});
   CHECK(table.text() == "name\na\\nb\n");
 }

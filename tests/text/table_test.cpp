@@ -7,11 +7,7 @@
 using namespace cnrg;
 
 TEST_CASE("a table aligns its columns and leaves out empty ones") {
-  Table table;
-  table.add_column("node", Table::Align::left);
-  table.add_column("cells");
-  table.add_column("nothing");
-  table.add_column("note", Table::Align::left);
+  Table table({"<node", "cells", "nothing", "<note"});
   table.add_row({"box", "8", "", "flat"});
   table.add_row({"größer", "1,234"});
   CHECK(table.text() ==
