@@ -15,85 +15,17 @@ namespace cnrg::app {
 namespace {
 
 // bash cuts words at `=`, and gives them as they were typed, quotes, backslashes and `~` included.
-constexpr const char* kBash = R"BASH(# Completions of cnrg for bash, made by `cnrg completion`.
+constexpr const char* kBash =
+#include "csg/app/completion.bash.inc"
+    ;
 
-_cnrg() {
-  local words=() word glued= line kind endings i
-  COMPREPLY=()
-  for ((i = 1; i <= COMP_CWORD; ++i)); do
-    word=${COMP_WORDS[i]//[\\\"\']/}
-    if [[ $word == "=" && i -gt 1 ]]; then
-      words[-1]+="=" glued=yes word=
-    elif [[ -n $glued ]]; then
-      words[-1]+=$word glued=
-    else
-      words+=("$word")
-    fi
-  done
-  {
-    read -r kind endings
-    if [[ $kind == :words ]]; then
-      while IFS= read -r line; do
-        line=${line%%$'\t'*}
-        [[ $line == "$word"* ]] && printf -v line %q "$line" && COMPREPLY+=("$line")
-      done
-    elif [[ $kind == :files ]]; then
-      compopt -o filenames 2>/dev/null
-      while IFS= read -r line; do
-        [[ -z $endings || -d ${line/#\~/$HOME} || " $endings " == *" ${line#"${line%.*}"} "* ]] &&
-          COMPREPLY+=("$line")
-      done < <(compgen -f -- "$word")
-    fi
-  } < <("${1/#\~/$HOME}" __complete "${words[@]}" 2>/dev/null)
-}
+constexpr const char* kZsh =
+#include "csg/app/completion.zsh.inc"
+    ;
 
-complete -F _cnrg cnrg
-)BASH";
-
-constexpr const char* kZsh = R"ZSH(#compdef cnrg
-# Completions of cnrg for zsh, made by `cnrg completion zsh`.
-
-_cnrg() {
-  local program=${(Q)words[1]} line name
-  local -a lines offered
-  lines=("${(@f)$("${program/#\~/$HOME}" __complete "${(@Q)words[2,CURRENT]}" 2>/dev/null)}")
-  compset -P 1 '--*='
-  case $lines[1] in
-    ':files /') _files -/ ;;
-    :files) _files ;;
-    :files*) _files -g "*(${(j:|:)${=lines[1]#:files}})(-.)" ;;
-    :words)
-      for line in $lines[2,-1]; do
-        name=${line%%$'\t'*}
-        offered+=("${name//(#m)[\\:]/\\$MATCH}${${line:$#name}/$'\t'/:}")
-      done
-      _describe word offered
-      ;;
-  esac
-}
-
-if [[ $funcstack[1] == _cnrg ]]; then _cnrg "$@"; else compdef _cnrg cnrg; fi
-)ZSH";
-
-constexpr const char* kFish = R"FISH(# Completions of cnrg for fish, made by `cnrg completion fish`.
-
-function __cnrg
-    set -l words (commandline -opc)
-    set -l token (commandline -ct)
-    set -l option (string match -r -- '^--[^=]*=' "$token")
-    set -l lines ($words[1] __complete $words[2..] "$token" 2>/dev/null)
-    set -l offered $lines[2..]
-    set -l endings (string split -n ' ' -- "$lines[1]")
-    if test "$endings[1]" = :files
-        # No program has this name, so files are all that there is.
-        set offered (complete -C"no-program-of-cnrg $(string replace -- "$option" '' "$token")")
-        set -q endings[2]; and set offered (for end in / $endings[2..]; string match -- "*$end" $offered; end)
-    end
-    set -q offered[1]; and printf '%s\n' "$option"$offered
-end
-
-complete -c cnrg -f -a '(__cnrg)'
-)FISH";
+constexpr const char* kFish =
+#include "csg/app/completion.fish.inc"
+    ;
 
 /// An answer is `:words`, one a line, with a tabulator before what they mean; or `:files` with the ends that names
 /// of files have, if not all will do. Folders always do, and with `/` they alone.

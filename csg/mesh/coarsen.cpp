@@ -25,11 +25,11 @@ using Index = FlatComplex::Index;
 using Vector = DoubleVector;
 using Corners = std::array<Index, 3>;
 
-constexpr double kShort = 0.8, kLong = 1.4;   // of the length that is wanted
-constexpr double kLeastShape = 15;            // the smallest angle, in degrees
-constexpr double kMostTurn = 0.5;             // the cosine of what a triangle of a curved face may turn by
-constexpr int kMostCuts = 8;                  // of a triangle, one within the other
-constexpr int kHalvings = 3, kMostTries = 9;  // of the distance; before all stays as it is
+constexpr double kShortSide = 0.8, kLongSide = 1.4;  // of the length that is wanted
+constexpr double kLeastShape = 15;                   // the smallest angle, in degrees
+constexpr double kMostTurn = 0.5;                    // the cosine of what a triangle of a curved face may turn by
+constexpr int kMostCuts = 8;                         // of a triangle, one within the other
+constexpr int kHalvings = 3, kMostTries = 9;         // of the distance; before all stays as it is
 
 bool has(const Corners& triangle, Index p) { return std::ranges::find(triangle, p) != triangle.end(); }
 Corners replaced(Corners triangle, Index p, Index q) {
@@ -163,7 +163,7 @@ class FacetCollapser {
     // Sides longer than wanted will be split: strips along a cylinder stay flat.
     for (const Triangle& t : triangles_)
       for (std::size_t k = 0; k < 3; ++k)
-        if (distance(xyz_[t.points[k]], xyz_[t.points[(k + 1) % 3]]) > kLong * wanted_[t.points[k]])
+        if (distance(xyz_[t.points[k]], xyz_[t.points[(k + 1) % 3]]) > kLongSide * wanted_[t.points[k]])
           for (const Index p : t.points) movable_[p] = t.curved ? Movable::no : movable_[p];
     for (const auto& vertex : flat.vertices) movable_[vertex.point] = Movable::no;
     for (Index p = 0; p < xyz_.size(); ++p)
@@ -179,7 +179,7 @@ class FacetCollapser {
         const Index p = t.points[k % 3], q = t.points[(k + (k < 3 ? 1 : 2)) % 3];
         if (movable_[p] == Movable::no || (movable_[p] == Movable::on_edge && !is_along(p, q))) continue;
         const double size = distance(xyz_[p], xyz_[q]);
-        if (size < kShort * wanted_[p]) sides.push_back({size, {p, q}});
+        if (size < kShortSide * wanted_[p]) sides.push_back({size, {p, q}});
       }
     }
     std::sort(sides.begin(), sides.end());
@@ -212,7 +212,7 @@ class FacetCollapser {
     const auto ends_edges = [&](Index x) { return is_along(p, x) && is_along(q, x); };
     if (both != opposite || std::ranges::any_of(both, ends_edges)) return false;
     // What is much shorter than wanted may leave worse shapes.
-    const double share = distance(xyz_[p], xyz_[q]) / (kShort * wanted_[p]);
+    const double share = distance(xyz_[p], xyz_[q]) / (kShortSide * wanted_[p]);
     const double least = kLeastShape * std::min(1.0, 2 * share);
     std::vector<std::vector<Index>> over;
     for (const Index t : triangles_of_[p]) {
@@ -275,7 +275,7 @@ class FacetCollapser {
     if (!(cosine > kMostTurn) || shape(after) < least) return false;
     return std::ranges::all_of(after, [&](Index x) {
       const double size = distance(xyz_[x], xyz_[q]);
-      return x == q || size < kLong * wanted_[p] || size < distance(xyz_[x], xyz_[p]);
+      return x == q || size < kLongSide * wanted_[p] || size < distance(xyz_[x], xyz_[p]);
     });
   }
 

@@ -5,8 +5,7 @@
 // wanted collapse, the shortest first, one end onto the other (hoppe1993). Points inside of curved faces go to a
 // neighbour; points of edges that curved faces bound go along these; all else stays. A collapse is made if
 //   * no cell vanishes: what both ends neighbour are corners of triangles that have both;
-//   * no triangle turns over, and in curved faces none becomes thin, or longer than wanted; those that are longer
-//   stay;
+//   * no triangle turns over, and in curved faces none becomes thin, or longer than wanted, as long ones stay;
 //   * in curved faces each new triangle is within the distance of the facets that were given: it is cut until each
 //     piece has its corners so near to one of them, and so all of it, since what is that near is convex.
 // The drawing of what has moved is refined exactly, and is a result again (csg/result/relabel.h). Where that has

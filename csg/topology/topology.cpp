@@ -300,19 +300,10 @@ std::string text_of_facts(const std::optional<Facts>& facts, const Complex& comp
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const SimplifiedEuler& t) {
-  return {{"v", t.v},
-          {"e", t.e},
-          {"eh", t.edge_loops},
-          {"f", t.f},
-          {"r", t.r},
-          {"fc", t.closed_faces},
-          {"V", t.volumes},
-          {"Vh", t.volume_holes},
-          {"Vc", t.volume_cavities},
-          {"C", t.pieces},
-          {"Ch", t.holes},
-          {"Cc", t.cavities}};
+Json json_of(const SimplifiedEuler& euler) {
+  Json out;
+  for (std::size_t i = 0; i < euler.kTerms.size(); ++i) out[euler.kTerms[i]] = euler.terms()[i];
+  return out;
 }
 
 Json json_of(const std::optional<Facts>& facts) {

@@ -1,6 +1,7 @@
 // The topology of a node's value in words and numbers, for `cnrg eval --topology`.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -25,6 +26,10 @@ struct SimplifiedEuler {
     return v - (e - edge_loops) + (f - r + closed_faces) - (volumes - volume_holes + volume_cavities);
   }
   std::int64_t right() const { return pieces - holes + cavities; }
+  static constexpr std::array kTerms{"v", "e", "eh", "f", "r", "fc", "V", "Vh", "Vc", "C", "Ch", "Cc"};
+  std::array<std::int64_t, kTerms.size()> terms() const {
+    return {v, e, edge_loops, f, r, closed_faces, volumes, volume_holes, volume_cavities, pieces, holes, cavities};
+  }
 };
 
 /// The terms of the closure of a selection's point set, which must be bounded. Each is counted on its own, those

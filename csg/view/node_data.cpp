@@ -301,20 +301,9 @@ void add_topology(const Evaluation& evaluation, const KeptValue& kept, const Fla
   if (set.empty()) return;
   Neighbourhoods neighbourhoods(complex);
   if (is_bounded(flat)) {
-    const SimplifiedEuler t = simplified_euler(complex, selection, *kept.simplified);
-    out["euler"] = {{"v", t.v},
-                    {"e", t.e},
-                    {"eh", t.edge_loops},
-                    {"f", t.f},
-                    {"r", t.r},
-                    {"fc", t.closed_faces},
-                    {"V", t.volumes},
-                    {"Vh", t.volume_holes},
-                    {"Vc", t.volume_cavities},
-                    {"C", t.pieces},
-                    {"Ch", t.holes},
-                    {"Cc", t.cavities},
-                    {"closed", subtract(closure(complex, set), set).empty()}};
+    const SimplifiedEuler euler = simplified_euler(complex, selection, *kept.simplified);
+    for (std::size_t i = 0; i < euler.kTerms.size(); ++i) out["euler"][euler.kTerms[i]] = euler.terms()[i];
+    out["euler"]["closed"] = subtract(closure(complex, set), set).empty();
   }
   BettiCounter counter(neighbourhoods);
   std::vector<Component> components;

@@ -4,39 +4,25 @@
 #include <random>
 #include <string>
 
-#include "csg/evaluate/evaluate.h"
 #include "csg/explain/explain.h"
 #include "csg/materials/sampler.h"
 #include "csg/operators/node_value.h"
 #include "tests/catch.h"
+#include "tests/evaluate/evaluated_tree.h"
 
 namespace cnrg {
 namespace {
 
-struct BlendRun {
-  Tree tree;
-  Evaluation evaluation;
-};
+const Group& blended(const EvaluatedTree& r) { return r.evaluation.value(r.tree.result).value->group(); }
 
-BlendRun run_blend(const std::string& text, bool keep_all = false) {
-  BlendRun r{parse_tree(text, "t.yaml"), {}};
-  EvaluateOptions options;
-  options.validate = true;
-  options.keep_all = keep_all;
-  r.evaluation = evaluate(r.tree, options);
-  return r;
-}
-
-const Group& blended(const BlendRun& r) { return r.evaluation.value(r.tree.result).value->group(); }
-
-const RegionAttributes* region_at(const BlendRun& r, const RationalPoint& p) {
+const RegionAttributes* region_at(const EvaluatedTree& r, const RationalPoint& p) {
   const Location at = Locator(*r.evaluation.complex).locate(p);
   REQUIRE(at.dimension == 3);
   const std::uint32_t region = blended(r).region_of(at.region);
   return region == 0 ? nullptr : &blended(r).regions[region - 1];
 }
 
-Mixture mixture_at(const BlendRun& r, const RationalPoint& p) {
+Mixture mixture_at(const EvaluatedTree& r, const RationalPoint& p) {
   const RegionAttributes* region = region_at(r, p);
   return region == nullptr ? Mixture() : MaterialSampler(region->material).at(p);
 }
@@ -76,7 +62,8 @@ std::vector<RationalPoint> points(int count) {
 }
 
 TEST_CASE("what two boxes share is mixed by the distances to their boundaries", "[blend]") {
-  const BlendRun r = run_blend(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  const EvaluatedTree r =
+      evaluated_tree(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
   CHECK(blended(r).regions.size() == 3);
   CHECK(r.evaluation.rows.back().removals.empty());
   CHECK(r.evaluation.diagnostics.empty());
@@ -105,16 +92,18 @@ TEST_CASE("what two boxes share is mixed by the distances to their boundaries", 
 }
 
 TEST_CASE("every wall of both operands stays, and touching without overlap blends nothing", "[blend]") {
-  const BlendRun r = run_blend(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
-  const BlendRun all = run_blend(kBlendHead + kTwoBoxes + "  r: {sum: [{unify: a}, {unify: b}]}\nresult: r\n");
+  const EvaluatedTree r =
+      evaluated_tree(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  const EvaluatedTree all =
+      evaluated_tree(kBlendHead + kTwoBoxes + "  r: {sum: [{unify: a}, {unify: b}]}\nresult: r\n");
   const NodeValue& value = *r.evaluation.value(r.tree.result).value;
   const NodeValue& sum = *all.evaluation.value(all.tree.result).value;
   CHECK(blended(r).faces.size() == selection_of(*all.evaluation.complex, sum).faces.size());
   CHECK(simplified_counts(*r.evaluation.complex, value, selection_of(*r.evaluation.complex, value))[3] == 3);
-  const BlendRun beside = run_blend(kBlendHead +
-                                    "  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}, material: steel}\n"
-                                    "  b: {box: {min: [1, 0, 0], max: [2, 1, 1]}, material: ceramic}\n"
-                                    "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  const EvaluatedTree beside = evaluated_tree(kBlendHead +
+                                              "  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}, material: steel}\n"
+                                              "  b: {box: {min: [1, 0, 0], max: [2, 1, 1]}, material: ceramic}\n"
+                                              "  r: {union: [a, b], blend: linear}\nresult: r\n");
   CHECK(blended(beside).regions.size() == 2);
   CHECK(mixture_at(beside, {Rational(1, 2), Rational(1, 2), Rational(1, 2)}) == Mixture{{"steel", 1}});
   CHECK(mixture_at(beside, {Rational(3, 2), Rational(1, 2), Rational(1, 2)}) == Mixture{{"ceramic", 1}});
@@ -124,7 +113,7 @@ TEST_CASE("a graded material is blended as it is at the point", "[blend]") {
   const std::string boxes =
       "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: up}\n"
       "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}, material: ceramic}\n";
-  const BlendRun r = run_blend(kBlendHead + boxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  const EvaluatedTree r = evaluated_tree(kBlendHead + boxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
   for (const RationalPoint& p : points(400)) {
     if (!kA.holds(p) || !kB.holds(p)) continue;
     const Rational a = kA.depth(p), b = kB.depth(p), t = b / (a + b), up = p[2] / 4;
@@ -137,15 +126,16 @@ TEST_CASE("transforms above a blend move it along, and stretch its distances", "
       "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: up}\n"
       "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}, material: ceramic}\n";
   const std::string moves = "translate: [1, 2, 3], rotate: {axis: [0, 0, 1], degrees: 90}, scale: [2, 1, 3]";
-  const BlendRun here = run_blend(kBlendHead + boxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
-  const BlendRun there = run_blend(
+  const EvaluatedTree here =
+      evaluated_tree(kBlendHead + boxes + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  const EvaluatedTree there = evaluated_tree(
       kBlendHead + boxes + "  u: {union: [a, b], blend: linear}\n  r: {simplify: u, " + moves + "}\nresult: r\n");
   const Transform move = Transform::scaling({2, 1, 3}) * Transform::rotation({0, 0, 1}, 90, {0, 0, 0}) *
                          Transform::translation({1, 2, 3});
   for (const RationalPoint& p : points(200)) CHECK(mixture_at(here, p) == mixture_at(there, move.apply(p)));
   // The node's own transform is done: distances are those of what is stretched.
-  const BlendRun own =
-      run_blend(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear, scale: [1/2, 1, 1]}\nresult: r\n");
+  const EvaluatedTree own = evaluated_tree(kBlendHead + kTwoBoxes +
+                                           "  r: {union: [a, b], blend: linear, scale: [1/2, 1, 1]}\nresult: r\n");
   const Box a{{0, 0, 0}, {2, 4, 4}}, b{{1, 1, 1}, {4, 7, 6}};
   const RationalPoint p{Rational(5, 4), 2, 3};
   const Rational t = b.depth(p) / (a.depth(p) + b.depth(p));
@@ -153,9 +143,9 @@ TEST_CASE("transforms above a blend move it along, and stretch its distances", "
 }
 
 TEST_CASE("operands are taken from left to right", "[blend]") {
-  const BlendRun r = run_blend(kBlendHead + kTwoBoxes +
-                               "  c: {box: {min: [1, 2, 2], max: [3, 6, 5]}, material: rubber}\n"
-                               "  r: {union: [a, b, c], blend: linear}\nresult: r\n");
+  const EvaluatedTree r = evaluated_tree(kBlendHead + kTwoBoxes +
+                                         "  c: {box: {min: [1, 2, 2], max: [3, 6, 5]}, material: rubber}\n"
+                                         "  r: {union: [a, b, c], blend: linear}\nresult: r\n");
   const Box c{{1, 2, 2}, {3, 6, 5}}, both{{2, 1, 1}, {4, 4, 4}};
   const RationalPoint p{Rational(5, 2), 3, Rational(7, 2)};
   const Rational t = kB.depth(p) / (kA.depth(p) + kB.depth(p));
@@ -168,12 +158,12 @@ TEST_CASE("operands are taken from left to right", "[blend]") {
 TEST_CASE("one material, and none, have nothing to blend", "[blend]") {
   for (const std::string material : {", material: steel", ""}) {
     INFO(material);
-    const BlendRun r = run_blend(kBlendHead +
-                                 "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel}\n"
-                                 "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}" +
-                                 material +
-                                 "}\n"
-                                 "  r: {union: [a, b], blend: linear}\nresult: r\n");
+    const EvaluatedTree r = evaluated_tree(kBlendHead +
+                                           "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel}\n"
+                                           "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}" +
+                                           material +
+                                           "}\n"
+                                           "  r: {union: [a, b], blend: linear}\nresult: r\n");
     CHECK(blended(r).regions.size() == 3);
     CHECK(region_at(r, {3, 2, 2})->material == RegionMaterial("steel"));
   }
@@ -181,17 +171,17 @@ TEST_CASE("one material, and none, have nothing to blend", "[blend]") {
 
 TEST_CASE("what is said besides of a material is not blended", "[blend]") {
   const auto boxes = [&](const std::string& of_a, const std::string& of_b) {
-    return run_blend(kBlendHead + "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel, attributes: {" +
-                     of_a + "}}\n" +
-                     "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}, material: ceramic, attributes: {" + of_b +
-                     "}}\n" + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+    return evaluated_tree(
+        kBlendHead + "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel, attributes: {" + of_a +
+        "}}\n" + "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}, material: ceramic, attributes: {" + of_b + "}}\n" +
+        "  r: {union: [a, b], blend: linear}\nresult: r\n");
   };
-  const BlendRun apart = boxes("phase: 1", "porosity: 1/2");
+  const EvaluatedTree apart = boxes("phase: 1", "porosity: 1/2");
   CHECK(apart.evaluation.diagnostics.empty());
   CHECK(region_at(apart, {3, 2, 2})->properties ==
         Properties{{"phase", Rational(1)}, {"porosity", Rational(1, 2)}});
   CHECK(region_at(apart, {1, 2, 2})->properties == Properties{{"phase", Rational(1)}});
-  const BlendRun at_odds = boxes("phase: 1", "phase: 2");
+  const EvaluatedTree at_odds = boxes("phase: 1", "phase: 2");
   REQUIRE(at_odds.evaluation.diagnostics.size() == 1);
   CHECK_THAT(at_odds.evaluation.diagnostics[0].message, Catch::Contains("phase"));
   CHECK(region_at(at_odds, {3, 2, 2})->properties == Properties{{"phase", Rational(1)}});
@@ -200,14 +190,15 @@ TEST_CASE("what is said besides of a material is not blended", "[blend]") {
 TEST_CASE("a region without a bounded boundary cannot blend", "[blend]") {
   const std::string below = "  below: {halfspace: {point: [0, 0, 2], normal: [0, 0, 1]}, material: ceramic}\n";
   CHECK_THROWS_WITH(
-      run_blend(kBlendHead + kTwoBoxes + below + "  r: {union: [a, below], blend: linear}\nresult: r\n"),
+      evaluated_tree(kBlendHead + kTwoBoxes + below + "  r: {union: [a, below], blend: linear}\nresult: r\n"),
       Catch::Contains("t.yaml:8:7: error:") &&
           Catch::Contains("the distance to the boundary of the region `below`, which overlaps `a` and "
                           "has an unbounded one; cut it with a box first"));
   // Where it overlaps nothing it need not.
   const std::string far = "  far: {halfspace: {point: [0, 0, -2], normal: [0, 0, 1]}, material: ceramic}\n";
-  CHECK(blended(run_blend(kBlendHead + kTwoBoxes + far + "  r: {union: [a, far], blend: linear}\nresult: r\n"))
-            .regions.size() == 2);
+  CHECK(
+      blended(evaluated_tree(kBlendHead + kTwoBoxes + far + "  r: {union: [a, far], blend: linear}\nresult: r\n"))
+          .regions.size() == 2);
 }
 
 TEST_CASE("what `blend` is for", "[blend]") {
@@ -224,7 +215,8 @@ TEST_CASE("what `blend` is for", "[blend]") {
 }
 
 TEST_CASE("explain says that a blend keeps what is of either operand", "[blend]") {
-  const BlendRun r = run_blend(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n", true);
+  const EvaluatedTree r =
+      evaluated_tree(kBlendHead + kTwoBoxes + "  r: {union: [a, b], blend: linear}\nresult: r\n", true);
   const auto told = [&](const RationalPoint& p) {
     return explanation_text(r.tree, r.evaluation, explain(r.tree, r.evaluation, r.tree.result, p));
   };

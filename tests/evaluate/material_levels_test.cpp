@@ -5,42 +5,28 @@
 #include <random>
 #include <string>
 
-#include "csg/evaluate/evaluate.h"
 #include "csg/explain/explain.h"
 #include "csg/operators/node_value.h"
 #include "tests/catch.h"
+#include "tests/evaluate/evaluated_tree.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg {
 namespace {
 
-struct LevelRun {
-  Tree tree;
-  Evaluation evaluation;
-};
-
-LevelRun run_levels(const std::string& text, bool keep_all = false) {
-  LevelRun r{parse_tree(text, "t.yaml"), {}};
-  EvaluateOptions options;
-  options.validate = true;
-  options.keep_all = keep_all;
-  r.evaluation = evaluate(r.tree, options);
-  return r;
-}
-
 const std::string kMaterials =
     "cnrg: 1\nmaterials: {steel: {dominance: 3}, rock: {}, clay: {dominance: 1}, air: "
     "{dominance: -1}}\nnodes:\n";
 
-const NodeValue& value_of(const LevelRun& r) { return *r.evaluation.value(r.tree.result).value; }
+const NodeValue& value_of(const EvaluatedTree& r) { return *r.evaluation.value(r.tree.result).value; }
 
 /// Counts of the simplified result: vertices, edges, faces, regions.
-std::array<std::size_t, 4> counts(const LevelRun& r) {
+std::array<std::size_t, 4> counts(const EvaluatedTree& r) {
   const NodeValue& value = value_of(r);
   return simplified_counts(*r.evaluation.complex, value, selection_of(*r.evaluation.complex, value));
 }
 
-std::string material_at(const LevelRun& r, const RationalPoint& p) {
+std::string material_at(const EvaluatedTree& r, const RationalPoint& p) {
   const Location at = Locator(*r.evaluation.complex).locate(p);
   REQUIRE(at.dimension == 3);
   const std::uint32_t region = value_of(r).group().region_of(at.region);
@@ -51,11 +37,11 @@ TEST_CASE("what a node or a number says comes before the dominance of materials"
   const std::string nodes = kMaterials +
                             "  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: rock}\n"
                             "  beam: {box: {min: [2, 1, 1], max: [6, 3, 3]}, material: steel}\n";
-  CHECK(material_at(run_levels(nodes + "  r: {union: [block, beam], dominance: left}\nresult: r\n"), {3, 2, 2}) ==
-        "rock");
-  CHECK(material_at(run_levels(nodes + "  r: {union: [{simplify: block, dominance: 1}, beam]}\nresult: r\n"),
+  CHECK(material_at(evaluated_tree(nodes + "  r: {union: [block, beam], dominance: left}\nresult: r\n"),
                     {3, 2, 2}) == "rock");
-  const LevelRun equal = run_levels(nodes + "  r: {union: [block, beam], dominance: equal}\nresult: r\n");
+  CHECK(material_at(evaluated_tree(nodes + "  r: {union: [{simplify: block, dominance: 1}, beam]}\nresult: r\n"),
+                    {3, 2, 2}) == "rock");
+  const EvaluatedTree equal = evaluated_tree(nodes + "  r: {union: [block, beam], dominance: equal}\nresult: r\n");
   CHECK(counts(equal)[3] == 1);
   CHECK(equal.evaluation.diagnostics.size() == 1);
 }
@@ -65,9 +51,9 @@ TEST_CASE("where all is of one level, and where nothing has a dominance, nothing
       "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: one}\n"
       "  b: {box: {min: [2, 1, 1], max: [6, 3, 3]}, material: two}\n"
       "  r: {union: [a, b]}\nresult: r\n";
-  const LevelRun plain = run_levels("cnrg: 1\nmaterials: {one: {}, two: {}}\nnodes:\n" + nodes);
-  const LevelRun same =
-      run_levels("cnrg: 1\nmaterials: {one: {dominance: 1/2}, two: {dominance: 0.5}}\nnodes:\n" + nodes);
+  const EvaluatedTree plain = evaluated_tree("cnrg: 1\nmaterials: {one: {}, two: {}}\nnodes:\n" + nodes);
+  const EvaluatedTree same =
+      evaluated_tree("cnrg: 1\nmaterials: {one: {dominance: 1/2}, two: {dominance: 0.5}}\nnodes:\n" + nodes);
   CHECK(counts(plain) == counts(same));
   CHECK(plain.evaluation.rows.back().removals == same.evaluation.rows.back().removals);
   CHECK(same.evaluation.diagnostics.size() == 1);
@@ -80,15 +66,15 @@ TEST_CASE("a sheet, a wire and a point are of the level of the region around the
                             "  sheet: {polygon: [[-1, -1, 2], [11, -1, 2], [11, 5, 2], [-1, 5, 2]]}\n"
                             "  cut: {polygon: [[6, 0, 1], [10, 0, 1], [10, 4, 1], [6, 4, 1]]}\n"
                             "  both: {union: [rock, steel]}\n";
-  const LevelRun r = run_levels(nodes + "  r: {union: [both, sheet]}\nresult: r\n");
+  const EvaluatedTree r = evaluated_tree(nodes + "  r: {union: [both, sheet]}\nresult: r\n");
   CHECK(material_at(r, {8, 2, 1}) == "steel");
   // The sheet stays in rock, of its own level, and parts it; it goes from the steel.
   CHECK(value_of(r).group().regions.size() == 3);
-  const LevelRun inside =
-      run_levels(nodes +
-                 "  parted: {union: [cut, steel], dominance: left}\n"
-                 "  r: {union: [parted, {box: {min: [7, 1, -1], max: [9, 3, 3]}, material: rock}]}\n"
-                 "result: r\n");
+  const EvaluatedTree inside =
+      evaluated_tree(nodes +
+                     "  parted: {union: [cut, steel], dominance: left}\n"
+                     "  r: {union: [parted, {box: {min: [7, 1, -1], max: [9, 3, 3]}, material: rock}]}\n"
+                     "result: r\n");
   CHECK(value_of(inside).group().regions.size() == 3);  // two of steel, and what of the rock sticks out
 }
 
@@ -101,7 +87,7 @@ TEST_CASE("a sheet has the level of its own material, where that is greater", "[
     return "  sheet: {polygon: [[2, 0, 0], [2, 4, 0], [2, 4, 4], [2, 0, 4]], material: " + material + "}\n";
   };
   const auto regions = [&](const std::string& material, const std::string& node) {
-    return value_of(run_levels(nodes + sheet(material) + "  r: {" + node + "}\nresult: r\n"))
+    return value_of(evaluated_tree(nodes + sheet(material) + "  r: {" + node + "}\nresult: r\n"))
         .group()
         .regions.size();
   };
@@ -115,7 +101,7 @@ TEST_CASE("a sheet has the level of its own material, where that is greater", "[
   CHECK(regions("rock", lined) == 2);
   CHECK(regions("air", lined) == 2);
   CHECK(regions("steel", lined) == 3);
-  const LevelRun r = run_levels(nodes + sheet("steel") + "  r: {" + lined + "}\nresult: r\n", true);
+  const EvaluatedTree r = evaluated_tree(nodes + sheet("steel") + "  r: {" + lined + "}\nresult: r\n", true);
   CHECK_THAT(
       explanation_text(r.tree, r.evaluation, explain(r.tree, r.evaluation, r.tree.result, RationalPoint{2, 1, 1})),
       Catch::Contains("their dominance here is 3 in A and 1 in B: A > B"));
@@ -127,17 +113,17 @@ TEST_CASE("ties of components are decided by their materials", "[material-levels
                             "  b: {unify: {box: {min: [1, 0, 0], max: [3, 2, 2]}, material: steel}}\n"
                             "  c: {unify: {box: {min: [1, 0, 0], max: [4, 2, 2]}, material: clay}}\n";
   for (const std::string op : {"product: [a, b]", "product: [b, a]", "product: [c, b, a]"}) {
-    const LevelRun r = run_levels(nodes + "  r: {" + op + "}\nresult: r\n");
+    const EvaluatedTree r = evaluated_tree(nodes + "  r: {" + op + "}\nresult: r\n");
     CHECK(value_of(r).attributes(1).material.name() == "steel");
     CHECK(value_of(r).attributes(1).name == "b");
     CHECK(r.evaluation.diagnostics.empty());
   }
-  const LevelRun many = run_levels(nodes + "  r: {sum: [a, b, c]}\nresult: r\n");
+  const EvaluatedTree many = evaluated_tree(nodes + "  r: {sum: [a, b, c]}\nresult: r\n");
   CHECK(many.evaluation.diagnostics.empty());
-  CHECK(value_of(run_levels(nodes + "  r: {product: [a, b], dominance: left}\nresult: r\n"))
+  CHECK(value_of(evaluated_tree(nodes + "  r: {product: [a, b], dominance: left}\nresult: r\n"))
             .attributes(1)
             .material.name() == "rock");
-  const LevelRun one = run_levels(nodes + "  r: {unify: {sum: [a, b]}}\nresult: r\n");
+  const EvaluatedTree one = evaluated_tree(nodes + "  r: {unify: {sum: [a, b]}}\nresult: r\n");
   CHECK(value_of(one).attributes(1).material.name() == "steel");
   CHECK(one.evaluation.diagnostics.empty());
 }
@@ -149,16 +135,16 @@ TEST_CASE("materials that tie are still at odds, but not where a third one wins"
       "  b: {box: {min: [2, 0, 0], max: [6, 4, 4]}, material: ore}\n"
       "  s: {box: {min: [2, 0, 0], max: [6, 4, 4]}, material: steel}\n"
       "  bs: {union: [b, s], dominance: right}\n";
-  CHECK(run_levels(nodes + "  r: {union: [a, b, s]}\nresult: r\n").evaluation.diagnostics.size() == 1);
-  CHECK(run_levels(nodes + "  r: {union: [a, bs]}\nresult: r\n").evaluation.diagnostics.empty());
+  CHECK(evaluated_tree(nodes + "  r: {union: [a, b, s]}\nresult: r\n").evaluation.diagnostics.size() == 1);
+  CHECK(evaluated_tree(nodes + "  r: {union: [a, bs]}\nresult: r\n").evaluation.diagnostics.empty());
 }
 
 TEST_CASE("explain says which materials decided", "[material-levels]") {
-  const LevelRun r = run_levels(kMaterials +
-                                    "  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: rock}\n"
-                                    "  beam: {box: {min: [2, 1, 1], max: [6, 3, 3]}, material: steel}\n"
-                                    "  r: {union: [block, beam]}\nresult: r\n",
-                                true);
+  const EvaluatedTree r = evaluated_tree(kMaterials +
+                                             "  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: rock}\n"
+                                             "  beam: {box: {min: [2, 1, 1], max: [6, 3, 3]}, material: steel}\n"
+                                             "  r: {union: [block, beam]}\nresult: r\n",
+                                         true);
   const std::string text =
       explanation_text(r.tree, r.evaluation, explain(r.tree, r.evaluation, r.tree.result, RationalPoint{4, 2, 2}));
   CHECK_THAT(text, Catch::Contains("A = beam"));
@@ -271,7 +257,7 @@ TEST_CASE("unions and intersections by material, face by face of a grid", "[mate
     const bool is_union = random() % 2 == 0;
     text += std::string("  r: {") + (is_union ? "union" : "intersection") + ": [a, b]}\nresult: r\n";
     INFO(text);
-    const LevelRun r = run_levels(text);
+    const EvaluatedTree r = evaluated_tree(text);
     const Group& group = value_of(r).group();
     const Locator locator(*r.evaluation.complex);
     const auto point = [](int x, int y, int z, int axis, bool face) {
@@ -358,7 +344,7 @@ TEST_CASE("point sets are right and groups whole with sheets and wires of any le
     }
     text += "none: {}}\nnodes: {r: " + random_node(random, 2) + "}\nresult: r\n";
     INFO("seed " << seed << "\n" << text);
-    const LevelRun r = run_levels(text);  // each step is checked against the identities of its point sets
+    const EvaluatedTree r = evaluated_tree(text);  // each step is checked against the identities of its point sets
     for (const NodeRow& row : r.evaluation.rows) {
       for (const auto& [rule, count] : row.removals) CHECK(table_rows()[rule].condition != Condition::never);
     }

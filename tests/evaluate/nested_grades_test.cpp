@@ -1,33 +1,20 @@
 // Gradients of gradients: products of fractions at the point, one placement for all, targets of inner ones.
 #include <string>
 
-#include "csg/evaluate/evaluate.h"
 #include "csg/materials/sampler.h"
 #include "csg/operators/node_value.h"
 #include "tests/catch.h"
+#include "tests/evaluate/evaluated_tree.h"
 
 namespace cnrg {
 namespace {
 
-struct NestedRun {
-  Tree tree;
-  Evaluation evaluation;
-};
-
-NestedRun run_nested(const std::string& text) {
-  NestedRun r{parse_tree(text, "t.yaml"), {}};
-  EvaluateOptions options;
-  options.validate = true;
-  r.evaluation = evaluate(r.tree, options);
-  return r;
-}
-
-RegionMaterial material_of(const NestedRun& r, Component component = 1) {
+RegionMaterial material_of(const EvaluatedTree& r, Component component = 1) {
   return r.evaluation.value(r.tree.result).value->attributes(component).material;
 }
 
 TEST_CASE("fractions of nested gradients are products at the point", "[grades]") {
-  const NestedRun r = run_nested(R"(cnrg: 1
+  const EvaluatedTree r = evaluated_tree(R"(cnrg: 1
 materials:
   outer: {linear: {from: [0, 0, 0], to: [4, 0, 0], stops: [[0, alloy], [1, {glaze: 1/2, alloy: 1/4, rubber: 1/4}]]}}
   alloy: {linear: {from: [0, 0, 0], to: [0, 4, 0], stops: [[0, steel], [1, tin]]}}
@@ -71,8 +58,8 @@ nodes:
   a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: outer}
 )";
   const std::string move = "translate: [1, 2, 3], rotate: {axis: [0, 0, 1], degrees: 90}, scale: [2, 3, 1]";
-  const NestedRun here = run_nested(head + "result: a\n"),
-                  there = run_nested(head + "  r: {simplify: a, " + move + "}\nresult: r\n");
+  const EvaluatedTree here = evaluated_tree(head + "result: a\n"),
+                      there = evaluated_tree(head + "  r: {simplify: a, " + move + "}\nresult: r\n");
   const Transform moved = Transform::scaling({2, 3, 1}) * Transform::rotation({0, 0, 1}, 90, {0, 0, 0}) *
                           Transform::translation({1, 2, 3});
   const RegionMaterial at_home = material_of(here), away = material_of(there);
@@ -92,7 +79,7 @@ TEST_CASE("a chain of many gradients, each named twice, costs no more than its l
   }
   text += "  top: {linear: {from: [0, 0, 0], to: [0, 0, 1], stops: [[0, m" + std::to_string(kDepth) +
           "], [1, other]]}}\nnodes:\n  r: {box: {min: [0, 0, 0], max: [1, 1, 1]}, material: top}\nresult: r\n";
-  const RegionMaterial material = material_of(run_nested(text));
+  const RegionMaterial material = material_of(evaluated_tree(text));
   CHECK(MaterialSampler(material).at({0, 0, Rational(1, 3)}) ==
         Mixture{{"m0", Rational(2, 3)}, {"other", Rational(1, 3)}});
 }

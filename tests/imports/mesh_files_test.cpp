@@ -58,16 +58,6 @@ std::string binary_ply(bool big) {
   return text;
 }
 
-void check_tetrahedron(const std::string& path) {
-  CAPTURE(path);
-  const Soup soup = soup_of(MeshShape{path, {}, false});
-  CHECK(soup.fill(LeafId(0)) == Fill::winding);
-  CHECK(soup.point_count() == 4);
-  CHECK(soup.face_count() == 4);
-  CHECK(closed(soup));
-  CHECK(volume(soup) == Rational(1, 6));
-}
-
 }  // namespace
 
 TEST_CASE("OFF and its variants") {

@@ -28,15 +28,6 @@ std::string big(const std::vector<T>& values) {
   return text;
 }
 
-void check_vtk_tetrahedron(const std::string& path) {
-  CAPTURE(path);
-  const Soup soup = soup_of(MeshShape{path, {}, false});
-  CHECK(soup.fill(LeafId(0)) == Fill::winding);
-  CHECK(soup.point_count() == 4);
-  CHECK(soup.face_count() == 4);
-  CHECK(volume(soup) == Rational(1, 6));
-}
-
 std::string vtp(const std::string& piece, const std::string& head = " version=\"1.0\" byte_order=\"LittleEndian\"",
                 const std::string& tail = "") {
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\"" + head + ">\n<PolyData>\n" + piece +
@@ -89,7 +80,7 @@ TEST_CASE("legacy VTK and its variants") {
                "3\n",
            kHead + "ASCII\nDATASET UNSTRUCTURED_GRID\n" + kPoints +
                "CELLS 4 16\n3 0 2 1\n3 0 1 3 3 1 2 3\n3 2 0 3\n" + "CELL_TYPES 4\n5 7 6 5\n"}) {
-    check_vtk_tetrahedron(files.write(std::to_string(number++) + ".vtk", text));
+    check_tetrahedron(files.write(std::to_string(number++) + ".vtk", text));
   }
   const std::string binary = kHead + "BINARY\nDATASET POLYDATA\nFIELD F 1\nw 1 2 string\n" + "\xc2x\n" +
                              std::string(1, '\xc0') + "\nPOINTS 4 float\n" +
@@ -97,7 +88,7 @@ TEST_CASE("legacy VTK and its variants") {
                              big<std::int32_t>({3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3}) +
                              "\nCELL_DATA 4\nFIELD f 2\nbits 1 4 bit\n" + std::string(1, '\x50') +
                              "\nlabel 1 4 char\n" + std::string("\1\1\2\2") + "\n";
-  check_vtk_tetrahedron(files.write("b.vtk", binary));
+  check_tetrahedron(files.write("b.vtk", binary));
   CHECK(read_mesh(files.path("b.vtk"), false).groups == std::vector<std::uint32_t>{0, 0, 1, 1});
 
   const std::string mixed =
@@ -182,8 +173,8 @@ TEST_CASE("VTK's XML and its variants") {
   const Files files;
   const std::string counts = "NumberOfPoints=\"4\" NumberOfPolys=\"4\"";
   const std::string good = piece(counts, points(kXmlPoints) + kXmlPolys);
-  check_vtk_tetrahedron(files.write("a.vtp", vtp(good)));
-  check_vtk_tetrahedron(
+  check_tetrahedron(files.write("a.vtp", vtp(good)));
+  check_tetrahedron(
       files.write("b.VTP", vtp("<FieldData><Array type=\"String\" Name=\"x\"/></FieldData>" + good, "")));
   // In two pieces, which count their points by themselves; strips come after polys.
   const MeshData two = read_mesh(
@@ -208,8 +199,8 @@ TEST_CASE("VTK's XML and its variants") {
     return vtp(piece(counts, "<Points><DataArray type=\"UInt8\" NumberOfComponents=\"3\" format=\"binary\">" +
                                  text + "</DataArray></Points>" + kXmlPolys));
   };
-  check_vtk_tetrahedron(files.write("c.vtp", binary("DAAAAA== AAAAAQAA AAEA AAAB")));
-  check_vtk_tetrahedron(files.write("d.vtp", binary("DAAAAAAAAAEAAAABAAAAAQ==")));
+  check_tetrahedron(files.write("c.vtp", binary("DAAAAA== AAAAAQAA AAEA AAAB")));
+  check_tetrahedron(files.write("d.vtp", binary("DAAAAAAAAAEAAAABAAAAAQ==")));
 }
 
 std::string vtu(const std::string& cells, const std::string& types, const std::string& data = "") {
@@ -225,7 +216,7 @@ TEST_CASE("unstructured grids in VTK's XML") {
     return array("Int64", "connectivity", connectivity) + array("Int64", "offsets", offsets);
   };
   const std::string polys = lists("0 2 1 0 1 3 1 2 3 2 0 3", "3 6 9 12");
-  check_vtk_tetrahedron(files.write("a.vtu", vtu(polys, "5 5 7 5")));
+  check_tetrahedron(files.write("a.vtu", vtu(polys, "5 5 7 5")));
   const MeshData all =
       read_mesh(files.write("b.vtu", vtu(lists("3 0 1 0 2 1 1 2 3 0 1 2 3", "1 3 6 9 13"), "1 3 5 5 8",
                                          "<CellData>" + array("Int32", "label", "1 1 7 8 8") + "</CellData>")),

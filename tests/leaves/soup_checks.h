@@ -137,4 +137,15 @@ class Files {
   std::filesystem::path directory_;
 };
 
+/// The mesh file of the corner of a unit cube.
+inline void check_tetrahedron(const std::string& path) {
+  CAPTURE(path);
+  const Soup soup = soup_of(MeshShape{path, {}, false});
+  CHECK(soup.fill(LeafId(0)) == Fill::winding);
+  CHECK(soup.point_count() == 4);
+  CHECK(soup.face_count() == 4);
+  CHECK(closed(soup));
+  CHECK(volume(soup) == Rational(1, 6));
+}
+
 }  // namespace cnrg::test

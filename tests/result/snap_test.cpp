@@ -91,6 +91,13 @@ void check_snapped(const ResultView& exact, const SnappedResult& snapped) {
   CHECK(read.face_count() == drawing_of(flat).triangles.size());
   for (const VertexId v : read.vertices) CHECK(read.points.is_double(v));
 }
+SnapReport check_snapped(const Case& c, int most_rounds, double farthest) {
+  const SnappedResult snapped(c.view(), false);
+  check_snapped(c.view(), snapped);
+  CHECK(snapped.report().rounds <= most_rounds);
+  CHECK(snapped.report().displacement < farthest);
+  return snapped.report();
+}
 
 /// A box about the origin, turned about (1, 2, 3) by the quaternion 1 + step (i + 2 j + 3 k).
 LeafId add_turned_box(Soup& soup, const RationalPoint& half, const Rational& step, const RationalPoint& center) {
@@ -395,11 +402,7 @@ TEST_CASE("snap: two triangulations of one plane become one", "[snap]") {
     Case c(soup);
     c.show(c.unite());
     if (plainly_embedded(c.view())) continue;
-    const SnappedResult snapped(c.view(), false);
-    check_snapped(c.view(), snapped);
-    CHECK(snapped.report().rounds <= 6);
-    CHECK(snapped.report().displacement < 1e-10);
-    CHECK(snapped.report().added < 2000);
+    CHECK(check_snapped(c, 6, 1e-10).added < 2000);
   }
 }
 
@@ -428,10 +431,7 @@ TEST_CASE("snap: two sheets of two triangles in one oblique plane", "[snap]") {
   Case c(soup);
   c.show(c.unite());
   REQUIRE(!plainly_embedded(c.view()));
-  const SnappedResult snapped(c.view(), false);
-  check_snapped(c.view(), snapped);
-  CHECK(snapped.report().rounds <= 3);
-  CHECK(snapped.report().displacement < 1e-13);
+  check_snapped(c, 3, 1e-13);
 }
 
 // Three surfaces in one plane, as far as doubles show it. On the faces that they cross they draw lines with a
@@ -475,10 +475,7 @@ TEST_CASE("snap: a sheet between two boxes in one oblique plane", "[snap]") {
     Case c(soup);
     c.show(c.unite());
     if (plainly_embedded(c.view())) continue;
-    const SnappedResult snapped(c.view(), false);
-    check_snapped(c.view(), snapped);
-    CHECK(snapped.report().rounds <= 12);
-    CHECK(snapped.report().displacement < 1e-10);
+    check_snapped(c, 12, 1e-10);
   }
 }
 
