@@ -2,7 +2,6 @@
 // of marked cells and as regions.
 #pragma once
 
-
 #include "bench/cases/node_problem.h"
 #include "bench/sweep/regions.h"
 #include "csg/evaluate/evaluate.h"

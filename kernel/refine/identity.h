@@ -2,7 +2,6 @@
 // enclosures overlap.
 #pragma once
 
-
 #include "kernel/base/union_find.h"
 #include "kernel/exact/points.h"
 

@@ -1,7 +1,6 @@
 // Counts at their limits and beyond them.
 #include "kernel/base/counts.h"
 
-
 #include "kernel/base/ids.h"
 #include "kernel/base/union_find.h"
 #include "tests/catch.h"

@@ -1,7 +1,6 @@
 // Our side of the comparison: results in forms that oracles know.
 #pragma once
 
-
 #include "csg/operators/boolean.h"
 #include "csg/operators/group.h"
 #include "csg/operators/node_value.h"

@@ -1,7 +1,6 @@
 // Small models by hand.
 #pragma once
 
-
 #include "bench/cases/family.h"
 
 namespace cnrg::bench {
