@@ -150,22 +150,18 @@ std::optional<Centred> centred(PowerBasis c) {
     result.t = (first->g * second->u - first->u * second->g) / whole;
   } else if (first->v == 0) {
     result.s = -first->g / first->u;
-    shift_u(c, result.s);
-    const std::optional<Rational> t = middle_u(transpose(c));
+    PowerBasis moved = c;
+    shift_u(moved, result.s);
+    const std::optional<Rational> t = middle_u(transpose(moved));
     if (!t) return std::nullopt;
     result.t = *t;
-    shift_v(c, result.t);
-    result.c = std::move(c);
-    return result;
   } else if (first->u == 0) {
     result.t = -first->g / first->v;
-    shift_v(c, result.t);
-    const std::optional<Rational> s = middle_u(c);
+    PowerBasis moved = c;
+    shift_v(moved, result.t);
+    const std::optional<Rational> s = middle_u(moved);
     if (!s) return std::nullopt;
     result.s = *s;
-    shift_u(c, result.s);
-    result.c = std::move(c);
-    return result;
   } else {  // H is a power of u + l v: with p = u + l v only p is fixed so far
     const Rational l = first->v / first->u, p = -first->g / first->u;
     PowerBasis turned = sheared(c, l);
@@ -212,19 +208,11 @@ struct Monomial {
   Rational value = 1;
 };
 
-/// Euclid's algorithm on exponents of u: the product of powers of both equations in which i is the least.
-void reduce(Monomial& one, Monomial& other) {
-  while (other.i != 0) {
-    const int times = one.i / other.i;
+/// Euclid's algorithm on exponents of u or v: the product of powers of both equations in which it is the least.
+void reduce(Monomial& one, Monomial& other, int Monomial::*by) {
+  while (other.*by != 0) {
+    const int times = one.*by / (other.*by);
     one.i -= times * other.i;
-    one.j -= times * other.j;
-    one.value /= power(other.value, times);
-    std::swap(one, other);
-  }
-}
-void reduce_v(Monomial& one, Monomial& other) {
-  while (other.j != 0) {
-    const int times = one.j / other.j;
     one.j -= times * other.j;
     one.value /= power(other.value, times);
     std::swap(one, other);
@@ -247,8 +235,8 @@ std::vector<std::array<Rational, 2>> scales(const PowerBasis& net, const PowerBa
     m.i -= base.i;
     m.j -= base.j;
     m.value /= base.value;
-    reduce(in_u, m);  // leaves m without u
-    reduce_v(in_v, m);
+    reduce(in_u, m, &Monomial::i);  // leaves m without u
+    reduce(in_v, m, &Monomial::j);
   }
   const bool curve = net[0].size() == 1;
   if (in_u.i == 0 || (in_v.j == 0 && !curve)) return {};  // a curve in the place of a surface, a point of a curve

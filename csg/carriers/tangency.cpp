@@ -259,7 +259,7 @@ class Finder : ContactMarks {
           const RationalPoint way = cross(turn, axis.direction);
           const RationalPoint out = Rational(dot(apart, other.direction) / dot(way, other.direction)) * way;
           meet_rings(a, ring, out, b, second, out - apart, turn);
-        } else if (const auto sum = gauge(dot(apart, apart), ring.middle.r, second.middle.r);
+        } else if (const auto sum = gauge(apart, ring.middle.r, second.middle.r);
                    sum && dot(apart, axis.direction) == 0) {
           const RationalPoint out = Rational(ring.middle.r / *sum) * apart;
           meet_rings(a, ring, out, b, second, out - apart, cross(axis.direction, out));
@@ -287,8 +287,9 @@ class Finder : ContactMarks {
     all.insert({b.instance(), direction});
   }
   /// How two radii make a distance: r + s, or r - s where one is inside of the other; nothing where they do not.
-  static std::optional<Rational> gauge(const Rational& square, const Rational& r, const Rational& s) {
-    if (square == 0) return std::nullopt;
+  static std::optional<Rational> gauge(const RationalPoint& apart, const Rational& r, const Rational& s) {
+    if (is_zero(apart) || !may_be(apart, r, s)) return std::nullopt;
+    const Rational square = dot(apart, apart);
     if (square == (r + s) * (r + s)) return Rational(r + s);
     if (square == (r - s) * (r - s)) return Rational(r - s);
     return std::nullopt;
@@ -301,8 +302,7 @@ class Finder : ContactMarks {
 
   void two_balls(const RoundLeaf& a, const Ball3& p, const RoundLeaf& b, const Ball3& q) {
     const RationalPoint apart = q.center - p.center;
-    if (!may_be(apart, p.radius, q.radius)) return;
-    const auto sum = gauge(dot(apart, apart), p.radius, q.radius);
+    const auto sum = gauge(apart, p.radius, q.radius);
     if (!sum) return;
     if (*sum != p.radius + q.radius && a.is_sphere() && b.is_sphere()) {
       nested_.push_back({a.instance(), b.instance()});
@@ -317,8 +317,7 @@ class Finder : ContactMarks {
     const Rational t = dot(ball.center - tube.foot, tube.axis) / dot(tube.axis, tube.axis);
     if (t < tube.low || t > tube.high) return;
     const RationalPoint foot = tube.foot + t * tube.axis, apart = ball.center - foot;
-    if (!may_be(apart, tube.radius, ball.radius)) return;
-    const auto sum = gauge(dot(apart, apart), tube.radius, ball.radius);
+    const auto sum = gauge(apart, tube.radius, ball.radius);
     if (!sum) return;
     const RationalPoint direction = Rational(1 / *sum) * apart;
     // A tube that touches a larger ball from inside leaves it on both sides: there the surfaces cross. In the
@@ -341,8 +340,7 @@ class Finder : ContactMarks {
     // Places along either axis count from its own foot; both feet lie in the plane through the origin across it.
     if (std::max(p.low, q.low) > std::min(p.high, q.high) || square == 0) return;
     const RationalPoint apart = q.foot - p.foot;
-    if (!may_be(apart, p.radius, q.radius)) return;
-    const auto sum = gauge(dot(apart, apart), p.radius, q.radius);
+    const auto sum = gauge(apart, p.radius, q.radius);
     if (!sum) return;
     const RationalPoint direction = Rational(1 / *sum) * apart;
     const bool beside = *sum == p.radius + q.radius, first = *sum > 0;

@@ -38,9 +38,14 @@ Matrix product(const Matrix& a, const Matrix& b) {
 /// The form on the space that the columns of `basis` span.
 Matrix on(const Matrix& form, const Matrix& basis) { return product(product(transpose(basis), form), basis); }
 
-/// Columns that span the kernel.
-Matrix kernel(Matrix m, std::size_t n) {
+/// Which columns have a pivot, and the product of pivots, with the sign of the order of rows.
+struct Echelon {
   std::vector<std::size_t> pivots;
+  Rational product = 1;
+};
+/// Makes each pivot 1, and alone in its column.
+Echelon reduce_rows(Matrix& m, std::size_t n) {
+  Echelon result;
   std::size_t row = 0;
   for (std::size_t col = 0; col < n && row < m.size(); ++col) {
     std::size_t at = row;
@@ -48,15 +53,21 @@ Matrix kernel(Matrix m, std::size_t n) {
     if (at == m.size()) continue;
     std::swap(m[at], m[row]);
     const Rational pivot = m[row][col];
+    result.product *= at == row ? pivot : Rational(-pivot);
     for (Rational& x : m[row]) x /= pivot;
     for (std::size_t i = 0; i < m.size(); ++i) {
       if (i == row || m[i][col] == 0) continue;
       const Rational factor = m[i][col];
       for (std::size_t j = 0; j < n; ++j) m[i][j] -= factor * m[row][j];
     }
-    pivots.push_back(col);
+    result.pivots.push_back(col);
     ++row;
   }
+  return result;
+}
+/// Columns that span the kernel.
+Matrix kernel(Matrix m, std::size_t n) {
+  const std::vector<std::size_t> pivots = reduce_rows(m, n).pivots;
   Matrix columns(n);
   for (std::size_t col = 0; col < n; ++col) {
     if (std::find(pivots.begin(), pivots.end(), col) != pivots.end()) continue;
@@ -96,23 +107,8 @@ bool semidefinite(Matrix m) {
 }
 
 Rational determinant(Matrix m) {
-  Rational result = 1;
-  const std::size_t n = m.size();
-  for (std::size_t col = 0; col < n; ++col) {
-    std::size_t at = col;
-    while (at < n && m[at][col] == 0) ++at;
-    if (at == n) return 0;
-    if (at != col) {
-      std::swap(m[at], m[col]);
-      result = -result;
-    }
-    result *= m[col][col];
-    for (std::size_t i = col + 1; i < n; ++i) {
-      const Rational factor = m[i][col] / m[col][col];
-      for (std::size_t j = col; j < n; ++j) m[i][j] -= factor * m[col][j];
-    }
-  }
-  return result;
+  const Echelon echelon = reduce_rows(m, m.size());
+  return echelon.pivots.size() == m.size() ? echelon.product : Rational(0);
 }
 
 void trim(Polynomial& p) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "csg/certify/pieces.h"
+#include "csg/certify/piece_parts.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/exact/exact_vectors.h"
@@ -59,8 +59,8 @@ bool same(const Piece& a, const Piece& b) {
   const bool cell = a.kind == Piece::Kind::cell;
   const auto corners = [&](const Piece& p) { return std::span(p.corners).first(cell ? p.corner_count : 2u); };
   return a.corner_count == b.corner_count && a.torn == b.torn && a.grid == b.grid && a.bent == b.bent &&
-         a.blind == b.blind && a.at == b.at && same(a.range, b.range) && same(corners(a), corners(b)) &&
-         !a.surface == !b.surface && !a.curve == !b.curve &&
+         a.blind == b.blind && !a.column == !b.column && a.at == b.at && same(a.range, b.range) &&
+         same(corners(a), corners(b)) && !a.surface == !b.surface && !a.curve == !b.curve &&
          (cell || a.exact() || (same(a.side[0], b.side[0]) && same(a.side[1], b.side[1])));
 }
 
@@ -156,34 +156,48 @@ int Pieces::sides(const PlaneEquation& equation, const Facet& of, std::vector<co
   return result;
 }
 
-bool Pieces::on_one_side(const Facet& plane, const Facet& of) const {
-  const auto interval = [&](const Facet& facet, std::size_t k) -> const Interval3& {
-    return pieces_[facet.piece].corners[facet.corners[k]];
-  };
-  const Interval3& first = interval(plane, 0);
-  const Interval3 normal = cross(difference(interval(plane, 1), first), difference(interval(plane, 2), first));
+Interval3 Pieces::rough_normal(const Facet& facet) const {
+  const bool quad = facet.corner_count == 4;  // by its diagonals: a side may be a point
+  return cross(difference(rough(facet, quad ? 2 : 1), rough(facet, 0)),
+               difference(rough(facet, quad ? 3 : 2), rough(facet, quad ? 1 : 0)));
+}
+
+int Pieces::sides_of(const Facet& plane, const Facet& of) const {
+  const Interval3 normal = rough_normal(plane);
   int seen = 0;
   for (std::size_t k = 0; k < of.corner_count && seen != 3; ++k) {
     bool shared = false;
     for (std::size_t i = 0; i < plane.corner_count && !shared; ++i)
-      shared = same(interval(plane, i), interval(of, k)) && corner(plane, i) == corner(of, k);
+      shared = same(rough(plane, i), rough(of, k)) && corner(plane, i) == corner(of, k);
     if (shared) continue;
-    const Interval side = dot(normal, difference(interval(of, k), first));
+    const Interval side = dot(normal, difference(rough(of, k), rough(plane, 0)));
     if (holds_zero(side)) {
       std::vector<const RationalPoint*> on;
-      return sides(equation_of(plane), of, on) != 3;
+      return sides(equation_of(plane), of, on);
     }
     seen |= side.inf() > 0 ? 1 : 2;
   }
-  return seen != 3;
+  return seen;
 }
 
+// Quadrics here are balls, cylinders and cones, or those stretched: facets that have no corner beyond each other's
+// planes, on the side where the surface is, are all facets of the convex hull of their corners.
 bool Pieces::drawn_alike(std::uint32_t a, std::uint32_t b) const {
-  const bool on_one_side_each = std::ranges::all_of(facets_of(a), [&](const Facet& f) {
-    return std::ranges::all_of(facets_of(b),
-                               [&](const Facet& g) { return on_one_side(f, g) || on_one_side(g, f); });
-  });
-  return on_one_side_each || drawn_as_one(a, b);
+  const Piece &one = pieces_[a], &other = pieces_[b];
+  if (!is_quadric(one.sheet)) return !(one.blind || other.blind) || drawn_as_one(a, b);
+  const auto none_beyond = [&](const Facet& plane, const Facet& of) {
+    const Piece& cell = pieces_[plane.piece];
+    const Interval side =
+        dot(rough_normal(plane), difference(PiecePart{&cell, cell.range}.middle(), rough(plane, 0)));
+    if (holds_zero(side)) return is_zero(normal_of(plane));
+    return (sides_of(plane, of) & (side.inf() > 0 ? 1 : 2)) == 0;
+  };
+  for (const Facet& f : facets_of(a)) {
+    for (const Facet& g : facets_of(b)) {
+      if (!none_beyond(f, g) || !none_beyond(g, f)) return drawn_as_one(a, b);
+    }
+  }
+  return true;
 }
 
 bool Pieces::same_corner(std::uint32_t a, std::size_t i, std::uint32_t b, std::size_t j) const {
@@ -191,6 +205,15 @@ bool Pieces::same_corner(std::uint32_t a, std::size_t i, std::uint32_t b, std::s
   if (one.leaf == other.leaf) return one.points[i] == other.points[j];
   return same(one.corners[i], other.corners[j]) &&
          points_.at(one.leaf)[one.points[i]] == points_.at(other.leaf)[other.points[j]];
+}
+
+bool Pieces::ends_in(const Piece& curve, std::size_t end, const Piece& other) const {
+  const RationalPoint& p = points_.at(curve.leaf)[curve.points[end]];
+  if (other.kind == Piece::Kind::flat) {
+    const auto& [a, b, c, d] = plane_of(other.sheet);
+    return a * p[0] + b * p[1] + c * p[2] + d == 0;
+  }
+  return std::ranges::any_of(other.numbers(), [&](std::uint32_t n) { return points_.at(other.leaf)[n] == p; });
 }
 
 bool Pieces::drawn_as_one(std::uint32_t a, std::uint32_t b) const {

@@ -95,6 +95,7 @@ Mould::Mould(const PreparedLeaf& leaf) {
     }
     Flat& flat = flats.emplace_back();
     flat.patch = patch;
+    for (const SideCurve& one : curves[patch]) flat.curves.push_back(one.number);
     flat.loops.emplace_back();
     for (const PointId p : soup.corners(f)) {
       if (p.valid()) flat.loops.back().push_back(number_of(p));

@@ -26,6 +26,7 @@ struct Mould {
   struct Flat {
     std::uint32_t patch = 0;
     std::vector<std::vector<std::uint32_t>> loops;
+    std::vector<std::uint32_t> curves;  // numbers of its sides, of a net
   };
   struct Wire {
     std::uint32_t number = 0;

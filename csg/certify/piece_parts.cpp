@@ -9,8 +9,22 @@ using namespace surface_math;
 
 namespace {
 
+/// The normals of a part and, where it has a pole, those of all cells about it there: at an apex they differ.
 Interval3 with_pole(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
-                    Interval3 cone);
+                    Interval3 cone) {
+  for (std::size_t i = 0; piece.grid && i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4, fixed = piece.at[i][0] == piece.at[next][0] ? 0 : 1;
+    const double pole = piece.at[i][fixed];
+    if (piece.points[i] != piece.points[next] || pole < range[fixed].inf() || pole > range[fixed].sup()) continue;
+    for (const auto& [j, bits] : piece.neighbours) {
+      if ((bits >> i & 1u) == 0) continue;
+      std::array<Interval, 2> there = all[j].range;
+      there[fixed] = Interval(pole);
+      cone = hull(normalized(cone), normalized(piece.surface->over(there[0], there[1]).normal));
+    }
+  }
+  return cone;
+}
 
 /// Points whose convex hull holds F over a part of a cell.
 PiecePart::FacetCorners facet_corners(const Piece& piece, const std::array<Interval, 2>& range) {
@@ -119,6 +133,32 @@ bool on_side(const Piece& piece, std::size_t i, const std::array<Interval, 2>& r
 /// How far F of a curve is from its first to its last corner.
 Interval share_of(const Piece& curve, const Interval& s) { return curve.column ? curve.column->share(s) : s; }
 
+Upward share_of(const PiecePart& part, std::size_t k) {
+  return width_of(part.range[k]) / width_of(part.piece->range[k]);
+}
+
+std::vector<Guess3> sides_of(const PiecePart& part) {
+  const Piece& piece = *part.piece;
+  const auto way = [&](std::size_t i, std::size_t j) {
+    return difference(middle_of(piece.corners[j]), middle_of(piece.corners[i]));
+  };
+  if (piece.kind == Piece::Kind::curve) return {way(0, 1)};
+  if (piece.kind == Piece::Kind::cell) return {way(0, 1), way(1, 2)};
+  return {};
+}
+
+/// True if a part of a curve holds an end of it: beyond that it crosses nothing. But in what it ends for all t, it
+/// does.
+bool ends_beside(const Pieces& pieces, const PiecePart& curve, const PiecePart& other) {
+  for (const std::size_t k : {0u, 1u}) {
+    const bool there = k == 0 ? curve.range[0].inf() == 0 : curve.range[0].sup() == 1;
+    if (there && std::ranges::none_of(curve.piece->neighbours, [&](const auto& n) { return n.second == 1 + k; }) &&
+        !pieces.ends_in(*curve.piece, k, *other.piece))
+      return true;
+  }
+  return false;
+}
+
 /// The hull with what F adds.
 Interval3 with(const Interval3& facets, const Interval3& surface, Between between) {
   return between == Between::surfaces ? surface : hull(facets, surface);
@@ -219,7 +259,7 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
   if (piece.kind == Piece::Kind::curve) return curve_part(all, piece, range, between);
   PiecePart part{&piece, range};
   if (piece.kind == Piece::Kind::flat) {
-    for (std::size_t k = 0; k < 3; ++k) part.box[k] = Interval(piece.box.lo[k], piece.box.hi[k]);
+    part.box = all_of(piece.box);
     part.cone = piece.normal;
     return part;
   }
@@ -263,27 +303,6 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
   return part;
 }
 
-namespace {
-
-/// The normals of a part and, where it has a pole, those of all cells about it there: at an apex they differ.
-Interval3 with_pole(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
-                    Interval3 cone) {
-  for (std::size_t i = 0; piece.grid && i < 4; ++i) {
-    const std::size_t next = (i + 1) % 4, fixed = piece.at[i][0] == piece.at[next][0] ? 0 : 1;
-    const double pole = piece.at[i][fixed];
-    if (piece.points[i] != piece.points[next] || pole < range[fixed].inf() || pole > range[fixed].sup()) continue;
-    for (const auto& [j, bits] : piece.neighbours) {
-      if ((bits >> i & 1u) == 0) continue;
-      std::array<Interval, 2> there = all[j].range;
-      there[fixed] = Interval(pole);
-      cone = hull(normalized(cone), normalized(piece.surface->over(there[0], there[1]).normal));
-    }
-  }
-  return cone;
-}
-
-}  // namespace
-
 std::array<Upward, 2> gains(const PiecePart& part, const Guess3& d) {
   const Piece& piece = *part.piece;
   std::array<Upward, 2> result{};
@@ -317,14 +336,6 @@ std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& 
   high[k] = Interval(middle, part.range[k].sup());
   return {part_of(all, *part.piece, low, between), part_of(all, *part.piece, high, between)};
 }
-
-namespace {
-
-Upward share_of(const PiecePart& part, std::size_t k) {
-  return width_of(part.range[k]) / width_of(part.piece->range[k]);
-}
-
-}  // namespace
 
 Upward PiecePart::share() const {
   if (piece->kind == Piece::Kind::flat) return 0;
@@ -436,20 +447,6 @@ bool parted(std::span<const PiecePart> parts, Between between) {
   return false;
 }
 
-namespace {
-
-std::vector<Guess3> sides_of(const PiecePart& part) {
-  const Piece& piece = *part.piece;
-  const auto way = [&](std::size_t i, std::size_t j) {
-    return difference(middle_of(piece.corners[j]), middle_of(piece.corners[i]));
-  };
-  if (piece.kind == Piece::Kind::curve) return {way(0, 1)};
-  if (piece.kind == Piece::Kind::cell) return {way(0, 1), way(1, 2)};
-  return {};
-}
-
-}  // namespace
-
 bool parted_along_sides(const PiecePart& a, const PiecePart& b) {
   if (parted(std::array{a, b}, Between::facets_and_surfaces)) return true;
   for (const Guess3& x : sides_of(a)) {
@@ -463,15 +460,15 @@ bool parted_along_sides(const PiecePart& a, const PiecePart& b) {
   return false;
 }
 
-bool at_angle(std::span<const PiecePart> parts) {
-  for (const PiecePart& part : parts) {
-    if (part.blind) return false;
-  }
+bool at_angle(const Pieces& pieces, std::span<const PiecePart> parts) {
+  if (std::ranges::any_of(parts, &PiecePart::blind)) return false;
   if (parts.size() == 3) return independent(parts[0].cone, parts[1].cone, parts[2].cone);
   const bool first = parts[0].piece->kind == Piece::Kind::curve,
              second = parts[1].piece->kind == Piece::Kind::curve;
-  if (first != second) return !holds_zero(dot(parts[0].cone, parts[1].cone));
-  return independent(parts[0].cone, parts[1].cone);
+  if (first == second ? !independent(parts[0].cone, parts[1].cone) : holds_zero(dot(parts[0].cone, parts[1].cone)))
+    return false;
+  return !(first && ends_beside(pieces, parts[0], parts[1])) &&
+         !(second && ends_beside(pieces, parts[1], parts[0]));
 }
 
 bool misses(const Piece& flat, const Interval3& box) {

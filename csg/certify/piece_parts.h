@@ -58,8 +58,9 @@ bool parted(std::span<const PiecePart> parts, Between between);
 
 /// True if a plane across one, or along a side of one and a side of the other is between them.
 bool parted_along_sides(const PiecePart& a, const PiecePart& b);
-/// True for two or three parts, none of them blind, that are at an angle wherever they meet.
-bool at_angle(std::span<const PiecePart> parts);
+/// True for two or three parts, none of them blind, that are at an angle wherever they meet, and no curve ends
+/// there.
+bool at_angle(const Pieces& pieces, std::span<const PiecePart> parts);
 /// True if the box has no point of the flat piece.
 bool misses(const Piece& flat, const Interval3& box);
 /// About how far facets are from the surface there.

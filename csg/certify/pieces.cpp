@@ -152,23 +152,18 @@ class PieceMaker {
       one.chosen.assign(one.boxes.size(), out_.own_.contains(one.leaf) ? 1 : 0);
       for (std::uint32_t c = 0; c < one.boxes.size(); ++c) add({i, c, kAll, false}, one.boxes[c]);
       one.asked.assign(one.mould.flats.size(), one.mould.cells.empty() ? 0 : 1);
-      const auto box_around = [&](const auto& numbers) {
+      const auto hull_of = [&](const auto& numbers) {
         Interval3 all = one.points[numbers[0]];
         for (const std::uint32_t p : numbers) all = hull(all, one.points[p]);
-        return box_of(all);
+        return all;
       };
       for (std::uint32_t f = 0; f < one.mould.flats.size(); ++f)
-        add({i, kAll, f, true}, box_around(one.mould.flats[f].loops[0]));
+        add({i, kAll, f, true}, box_of(hull_of(one.mould.flats[f].loops[0])));
       for (const Mould::Wire& wire : one.mould.wires) {
-        Box box = box_around(wire.points);
-        if (const Curve* const curve = curve_of(one, wire.number)) {
-          const Box of_curve = box_of(curve->over(hull(wire.at[0], wire.at[1])).point);
-          for (std::size_t k = 0; k < 3; ++k) {
-            box.lo[k] = std::min(box.lo[k], of_curve.lo[k]);
-            box.hi[k] = std::max(box.hi[k], of_curve.hi[k]);
-          }
-        }
-        add({i, kAll, kAll, curve_of(one, wire.number) == nullptr}, box);
+        const Curve* const curve = curve_of(one, wire.number);
+        Interval3 all = hull_of(wire.points);
+        if (curve != nullptr) all = hull(all, curve->over(hull(wire.at[0], wire.at[1])).point);
+        add({i, kAll, kAll, curve == nullptr}, box_of(all));
       }
       for (const std::uint32_t p : one.mould.isolated) add({i, kAll, kAll, true}, box_of(one.points[p]));
     }
@@ -337,8 +332,13 @@ class PieceMaker {
   }
   static void add_sides(Place& place, const Mould::Flat& flat, std::uint32_t piece) {
     for (const auto& loop : flat.loops) {
-      for (std::size_t i = 0; i < loop.size(); ++i)
-        add_side(place, loop[i], loop[(i + 1) % loop.size()], piece, i);
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
+        add_side(place, a, b, piece, i);
+        auto& curves = place.curves[std::minmax(a, b)];
+        const bool known = std::ranges::find_first_of(curves, flat.curves) != curves.end();
+        if (!known && !flat.curves.empty()) curves.insert(kNone);  // a straight side, and perhaps that of a cell
+      }
     }
   }
   /// Half-planes that hold the face, also where it ends in a curve of a patch.
@@ -354,8 +354,7 @@ class PieceMaker {
         if (cell.kind == Piece::Kind::cell) rims.push_back(part_of(out_.pieces_, cell, range_of_side(cell, side)));
       }
     }
-    Interval3 all{Interval(piece.box.lo[0], piece.box.hi[0]), Interval(piece.box.lo[1], piece.box.hi[1]),
-                  Interval(piece.box.lo[2], piece.box.hi[2])};
+    Interval3 all = all_of(piece.box);
     for (const PiecePart& rim : rims) all = hull(all, rim.box);
     piece.box = box_of(all);
     const std::size_t step = (outer.size() + kMost - 1) / kMost;
@@ -397,11 +396,7 @@ class PieceMaker {
       if (pieces.size() == 2 && of(0).patch == of(1).patch && of(0).kind == of(1).kind) continue;
       if (!curved && pieces.size() > 1) continue;  // planes that cross; coplanar ones are one
       if (pieces.size() > 1 && cross_at_edge(pieces)) continue;
-      Piece curve;
-      curve.kind = Piece::Kind::curve;
-      curve.leaf = place.leaf;
-      curve.points = {edge.first, edge.second};
-      curve.corners = {place.points[edge.first], place.points[edge.second]};
+      Piece curve = curve_between(place, edge.first, edge.second);
       curve.in_sheets.assign(sheets.begin(), sheets.end());
       curve.patch = of(0).patch;
       for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -428,7 +423,7 @@ class PieceMaker {
       } else {
         curve.sheet = next_++;
       }
-      finish_curve(std::move(curve));
+      out_.pieces_.push_back(std::move(curve));
     }
   }
 
@@ -473,12 +468,8 @@ class PieceMaker {
     return made.get();
   }
   void add_wire(Place& place, const Mould::Wire& wire) {
-    Piece curve;
-    curve.kind = Piece::Kind::curve;
-    curve.leaf = place.leaf;
+    Piece curve = curve_between(place, wire.points[0], wire.points[1]);
     curve.patch = wire.number;
-    curve.points = {wire.points[0], wire.points[1]};
-    curve.corners = {place.points[wire.points[0]], place.points[wire.points[1]]};
     if (curve_of(place, wire.number) != nullptr) {
       curve.curve = wire_curves_.at({place.leaf, wire.number});
       curve.side[0][0] = wire.at[0];
@@ -487,22 +478,19 @@ class PieceMaker {
     } else {
       curve.sheet = next_++;
     }
-    finish_curve(std::move(curve));
+    out_.pieces_.push_back(std::move(curve));
   }
   /// A curve of one point: along nothing, so that all that meets it does so at no angle.
   void add_point(Place& place, std::uint32_t p) {
-    Piece point;
-    point.kind = Piece::Kind::curve;
-    point.leaf = place.leaf;
-    point.points = {p, p};
-    point.corners = {place.points[p], place.points[p]};
-    point.sheet = next_++;
-    finish_curve(std::move(point));
+    out_.pieces_.push_back(curve_between(place, p, p));
+    out_.pieces_.back().sheet = next_++;
   }
-  void finish_curve(Piece curve) {
+  static Piece curve_between(const Place& place, std::uint32_t a, std::uint32_t b) {
+    Piece curve{.kind = Piece::Kind::curve, .leaf = place.leaf, .points{a, b}};
+    curve.corners = {place.points[a], place.points[b]};
     curve.range = {Interval(0, 1), 0};
     curve.along_u = difference(curve.corners[1], curve.corners[0]);
-    out_.pieces_.push_back(std::move(curve));
+    return curve;
   }
 
   /// Pieces of one curve that share an end.

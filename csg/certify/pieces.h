@@ -51,6 +51,9 @@ inline Box box_of(const Interval3& x) {
   for (std::size_t k = 0; k < 3; ++k) box.lo[k] = x[k].inf(), box.hi[k] = x[k].sup();
   return box;
 }
+inline Interval3 all_of(const Box& box) {
+  return {Interval(box.lo[0], box.hi[0]), Interval(box.lo[1], box.hi[1]), Interval(box.lo[2], box.hi[2])};
+}
 
 // Guesses: what they are decides which steps a proof takes, on every machine the same ones.
 using enclosure::Upward;
@@ -166,20 +169,21 @@ class Pieces {
   std::vector<std::uint32_t> same_in(const Pieces& other) const;
   /// Says that one goes on smoothly as the other.
   void join(std::uint32_t a, std::uint32_t b);
-  /// True if two cells of one surface, of different patches, are drawn so that they do not cross: they are equal,
-  /// lie in one plane, or one is on one side of the other.
+  /// True if two cells of one surface, of different leaves, are drawn so that they do not cross or overlap, or it
+  /// is asked (proof.cpp): they are equal, lie in one plane, or on a quadric in one convex polyhedron.
   bool drawn_alike(std::uint32_t a, std::uint32_t b) const;
   /// True if all their facets are in one plane, or those of one are those of the other or of a cell beside it:
   /// what is asked of a patch itself tells how they meet.
   bool drawn_as_one(std::uint32_t a, std::uint32_t b) const;
   /// True if corners of two pieces that are not flat, by their places there, are one point.
   bool same_corner(std::uint32_t a, std::size_t i, std::uint32_t b, std::size_t j) const;
+  /// True if an end of a curve is in the plane of a flat piece, or is a corner of another one, exactly.
+  bool ends_in(const Piece& curve, std::size_t end, const Piece& other) const;
   /// What two sheets have in common, if one is on one side of the other, exactly.
   const std::optional<Contact>& contact_of(std::uint32_t sheet, std::uint32_t other);
+  bool is_quadric(std::uint32_t sheet) const { return equations_.quadrics.contains(sheet); }
   /// A quadric or torus does not meet itself.
-  bool has_equation(std::uint32_t sheet) const {
-    return equations_.quadrics.contains(sheet) || equations_.tori.contains(sheet);
-  }
+  bool has_equation(std::uint32_t sheet) const { return is_quadric(sheet) || equations_.tori.contains(sheet); }
   /// Whether it is asked if pieces of the leaf meet.
   bool asked_of_itself(LeafId leaf) const { return own_.contains(leaf); }
   /// Of a flat sheet.
@@ -228,8 +232,12 @@ class Pieces {
                           const Contact& contact);
   /// Of a cell, and another one or a flat piece.
   Meeting met(Common common, const Facet& a, const Facet& b, const Contact& contact) const;
-  /// True if a facet has no corners on both sides of the plane of another one.
-  bool on_one_side(const Facet& plane, const Facet& of) const;
+  const Interval3& rough(const Facet& facet, std::size_t k) const {
+    return pieces_[facet.piece].corners[facet.corners[k]];
+  }
+  Interval3 rough_normal(const Facet& facet) const;
+  /// As `sides`.
+  int sides_of(const Facet& plane, const Facet& of) const;
   std::vector<std::shared_ptr<const LeafSurfaces>> leaf_surfaces_;
   std::map<std::pair<LeafId, std::uint32_t>, std::unique_ptr<const PlacedSurface>> placed_;
   std::vector<Piece> pieces_;

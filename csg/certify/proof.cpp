@@ -98,7 +98,10 @@ class Prover {
         if (parted(std::array{part_of(all_, all_[a], all_[a].range), part_of(all_, all_[b], all_[b].range)},
                    Between::facets_and_surfaces))
           continue;
-        if (!pieces_.drawn_alike(a, b)) proof_.open.push_back({{a, b}, doubles(middle_of(all_[a].corners[0])), 0});
+        std::size_t steps = 0;  // the two nappes of a cone share its apex
+        const bool alike =
+            pieces_.drawn_alike(a, b) || (share_corner(pieces_, a, b) && apart_but_beside(pieces_, a, b, steps));
+        if (!alike) proof_.open.push_back({{a, b}, doubles(middle_of(all_[a].corners[0])), 0});
         joined.emplace_back(a, b);
       } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b)) {
         const PiecePart x = part_beside(a, b), y = part_beside(b, a);
@@ -146,11 +149,11 @@ class Prover {
   void ask_beside(Index a, Index b) {
     ask_own(a, b, [&](std::size_t& steps) { return apart_but_beside(pieces_, a, b, steps); });
   }
-  /// Cells of two patches of one surface, which may cross itself unless it has an equation.
+  /// Cells of two patches of one surface, which may cross itself, and be drawn otherwise by another leaf.
   void ask_on_surface(Index a, Index b) {
     const bool one_leaf = all_[a].leaf == all_[b].leaf, blind = all_[a].blind || all_[b].blind;
     if (one_leaf ? !asked_of_itself(a) || meet_at_pole(all_[a], all_[b])
-                 : blind || pieces_.has_equation(all_[a].sheet) || pieces_.drawn_as_one(a, b))
+                 : blind || pieces_.is_quadric(all_[a].sheet) || pieces_.drawn_as_one(a, b))
       return;
     if (share_corner(pieces_, a, b)) return ask_beside(a, b);
     ask_apart(a, b);
@@ -446,7 +449,7 @@ class Prover {
       if (part.piece->kind == Piece::Kind::flat && misses(*part.piece, common)) return true;
     }
     if (question == Question::contact && misses_line_of_contact(parts, common, between)) return true;
-    if ((question == Question::angle && at_angle(parts)) ||
+    if ((question == Question::angle && at_angle(pieces_, parts)) ||
         (question == Question::contact && contact_at_angle(parts, between))) {
       some = true;
       return true;

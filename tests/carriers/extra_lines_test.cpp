@@ -61,9 +61,8 @@ const std::vector<Kind>& kinds() {
        false,
        false,
        {false, true}},
-      {"extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[2, 2, 0]], weights: [1, 1, 2]}, [0, 2, 0]], vector: "
-       "[0.5, 0, 3],"
-       " segments: 6}",
+      {"extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[2, 2, 0]], weights: [1, 1, 2]}, [0, 2, 0]], "
+       "vector: [0.5, 0, 3], segments: 6}",
        {3},
        true,
        true},
@@ -77,29 +76,24 @@ const std::vector<Kind>& kinds() {
        {0},
        false,
        false},
-      {"bezier: {patch: [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 1, 1], [1, 1, 3], [2, 1, 1]], [[0, 2, 0], [1, 2, "
-       "1],"
-       " [2, 2, 0]]], segments: 6}",
+      {"bezier: {patch: [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 1, 1], [1, 1, 3], [2, 1, 1]], [[0, 2, 0], "
+       "[1, 2, 1], [2, 2, 0]]], segments: 6}",
        {0},
        false,
        false},
-      {"bspline: {patch: {points: [[[0, 0, 0], [1, 0, 1], [2, 0, 0], [3, 0, 2]], [[0, 1, 0], [1, 1, 1], [2, 1, "
-       "1], [3,"
-       " 1, 0]]], degree: [2, 1], knots: [[0, 0, 0, 1/3, 1, 1, 1], [0, 0, 1, 1]]}, chord: 1/40}",
+      {"bspline: {patch: {points: [[[0, 0, 0], [1, 0, 1], [2, 0, 0], [3, 0, 2]], [[0, 1, 0], [1, 1, 1], [2, "
+       "1, 1], [3, 1, 0]]], degree: [2, 1], knots: [[0, 0, 0, 1/3, 1, 1, 1], [0, 0, 1, 1]]}, chord: 1/40}",
        {0},
        false,
        false},
-      {"coons: {patch: [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[2, 0, 0], [3, 1, 0], [2, 2, 1]], [[2, 2, 1], [0, 2, "
-       "0]],"
-       " [[0, 2, 0], [-1, 1, 0], [0, 0, 0]]], segments: 5}",
+      {"coons: {patch: [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[2, 0, 0], [3, 1, 0], [2, 2, 1]], [[2, 2, 1], "
+       "[0, 2, 0]], [[0, 2, 0], [-1, 1, 0], [0, 0, 0]]], segments: 5}",
        {0},
        false,
        false},
-      {"bezier: {patches: [[[[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 0], [1, 1, 2], [2, 1, 0]], [[0, 2, 0], [1, "
-       "2, 0],"
-       " [2, 2, 0]]], [[[0, 2, 0], [1, 2, 0], [2, 2, 0]], [[0, 1, 0], [1, 1, -2], [2, 1, 0]], [[0, 0, 0], [1, 0, "
-       "0],"
-       " [2, 0, 0]]]], fill: winding, chord: 1/30}",
+      {"bezier: {patches: [[[[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 0], [1, 1, 2], [2, 1, 0]], [[0, 2, "
+       "0], [1, 2, 0], [2, 2, 0]]], [[[0, 2, 0], [1, 2, 0], [2, 2, 0]], [[0, 1, 0], [1, 1, -2], [2, 1, 0]], "
+       "[[0, 0, 0], [1, 0, 0], [2, 0, 0]]]], fill: winding, chord: 1/30}",
        {0, 1},
        true,
        false}};
@@ -276,20 +270,16 @@ const std::vector<std::string>& scenes_of_several() {
       "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, segments: 14}}\n"
       "  b: {cylinder: {from: [0, 0, 1], to: [0, 0, 2], radius: 1, segments: 9}, scale: [1, 1, 2]}\n",
       "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, segments: 14}}\n"
-      "  b: {extrude: {profile: [[0, 0, -1], [1, 0, -1], {bezier: [[1, 1, -1]], weights: [1, 1, 2]}, [0, 1, -1]], "
-      "vector: "
-      "[0, 0, 2], segments: 4}}\n",
+      "  b: {extrude: {profile: [[0, 0, -1], [1, 0, -1], {bezier: [[1, 1, -1]], weights: [1, 1, 2]}, [0, 1, "
+      "-1]], vector: [0, 0, 2], segments: 4}}\n",
       "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, segments: 14}}\n"
-      "  b: {extrude: {profile: [[0, 0, -1], {bezier: [[0.5, 0.4, -1], [0.7, 0.3, -1]]}, [1, 0, -1], {bezier: "
-      "[[1, 1, "
-      "-1]], weights: [1, 1, 2]}, [0, 1, -1]], vector: [0, 0, 2], chord: 1/20}}\n",
+      "  b: {extrude: {profile: [[0, 0, -1], {bezier: [[0.5, 0.4, -1], [0.7, 0.3, -1]]}, [1, 0, -1], "
+      "{bezier: [[1, 1, -1]], weights: [1, 1, 2]}, [0, 1, -1]], vector: [0, 0, 2], chord: 1/20}}\n",
       // A bend and a pipe; a ball that fills a torus; a rod that touches a bore from inside; half balls on a
       // shaft.
       "  a: {revolve: {profile: [[4, 0], {bezier: [[4, 1]], weights: [1, 1, 2]}, [3, 1], {bezier: [[2, 1]], "
-      "weights: "
-      "[1, 1, 2]}, [2, 0], {bezier: [[2, -1]], weights: [1, 1, 2]}, [3, -1], {bezier: [[4, -1]], weights: [1, 1, "
-      "2]}],"
-      " degrees: 90, segments: 7}}\n"
+      "weights: [1, 1, 2]}, [2, 0], {bezier: [[2, -1]], weights: [1, 1, 2]}, [3, -1], {bezier: [[4, -1]], "
+      "weights: [1, 1, 2]}], degrees: 90, segments: 7}}\n"
       "  b: {cylinder: {from: [3, 0, 0], to: [3, -5, 0], radius: 1, segments: 10}}\n",
       "  a: {torus: {center: [0, 0, 0], axis: [0, 0, 1], radius: 3, tube: 1, segments: 15, rings: 8}}\n"
       "  b: {sphere: {center: [0, -3, 0], radius: 1, segments: 10}}\n",
@@ -303,18 +293,14 @@ const std::vector<std::string>& scenes_of_several() {
       "segments: 5}}\n"
       "  b: {bezier: {patch: [[[1/2,1/2,1/8],[1/2,5/6,5/24],[1/2,7/6,3/8],[1/2,3/2,5/8]],[[1,1/2,1/4],[1,5/6,1/3],"
       "[1,7/6,1/2],[1,3/2,3/4]],[[3/2,1/2,5/8],[3/2,5/6,17/24],[3/2,7/6,7/8],[3/2,3/2,9/8]]], chord: 1/40}}\n",
-      "  a: {extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 2, 0], [1, 2, 0]]}, [0, 2, 0]], vector: [0, "
-      "0, 3], "
-      "segments: 5}}\n"
-      "  b: {extrude: {profile: [[0, 0, 1], [2, 0, 1], {bezier: [[3, 2, 1], [1, 2, 1]]}, [0, 2, 1]], vector: [0, "
-      "0, 4], "
-      "segments: 7}}\n",
-      "  a: {extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 2, 0], [1, 2, 0]]}, [0, 2, 0]], vector: [0, "
-      "0, 3], "
-      "chord: 1/30}}\n"
-      "  b: {bezier: {patch: [[[2, 0, 3], [3, 2, 3], [1, 2, 3], [0, 2, 3]], [[4, 0, 4], [4, 3, 3], [3, 4, 3], [0, "
-      "4, 4]]],"
-      " segments: 3}}\n",
+      "  a: {extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 2, 0], [1, 2, 0]]}, [0, 2, 0]], vector: "
+      "[0, 0, 3], segments: 5}}\n"
+      "  b: {extrude: {profile: [[0, 0, 1], [2, 0, 1], {bezier: [[3, 2, 1], [1, 2, 1]]}, [0, 2, 1]], vector: "
+      "[0, 0, 4], segments: 7}}\n",
+      "  a: {extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 2, 0], [1, 2, 0]]}, [0, 2, 0]], vector: "
+      "[0, 0, 3], chord: 1/30}}\n"
+      "  b: {bezier: {patch: [[[2, 0, 3], [3, 2, 3], [1, 2, 3], [0, 2, 3]], [[4, 0, 4], [4, 3, 3], [3, 4, "
+      "3], [0, 4, 4]]], segments: 3}}\n",
   };
   return all;
 }
@@ -398,8 +384,7 @@ TEST_CASE("lines next to where balls nearly touch tell how they do, and cost wha
   const std::string scene =
       "  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 24}}\n"
       "  b: {sphere: {center: [2, 0, 0], radius: 1, segments: 24}, translate: [-10000007/7000000, "
-      "5999994/7000000, "
-      "11999988/7000000]}\n";
+      "5999994/7000000, 11999988/7000000]}\n";
   const Tree tree = parsed(with_model(scene, "union"));
   const std::vector<LeafInstance> own = instances_of(tree);
   CHECK(cells_of(own, BooleanOp::unite) == Cells{0, 0, 2, 2});

@@ -68,11 +68,10 @@ std::vector<Known> near_contacts() {
        "{difference: [a, b]}",
        {0, 0, 0, 0}},
       {"a side of a patch that crosses a plane at a small angle",
-       "  a: {bezier: {patch: [[[461/84, -115/84, 1055/336], [475/84, -59/84, 1111/336], [1355/252, -121/252, "
-       "2717/1008]], "
-       "[[1481/252, -373/252, 2843/1008], [1523/252, -205/252, 3011/1008], [1453/252, -149/252, 2395/1008]], "
-       "[[1607/252, -373/252, 2717/1008], [1649/252, -205/252, 2885/1008], [1579/252, -149/252, 2269/1008]]], "
-       "segments: 5}}\n"
+       "  a: {bezier: {patch: [[[461/84, -115/84, 1055/336], [475/84, -59/84, 1111/336], [1355/252, "
+       "-121/252, 2717/1008]], [[1481/252, -373/252, 2843/1008], [1523/252, -205/252, 3011/1008], [1453/252, "
+       "-149/252, 2395/1008]], [[1607/252, -373/252, 2717/1008], [1649/252, -205/252, 2885/1008], [1579/252, "
+       "-149/252, 2269/1008]]], segments: 5}}\n"
        "  b: {halfspace: {point: [94481/16884, -21295/16884, 224795/67536], normal: [-4/9, -4/9, -7/9]}}\n",
        "{intersection: [a, b]}",
        {4, 4, 2, 0}},
@@ -196,9 +195,8 @@ TEST_CASE("patches of one leaf are asked whether they meet beside their common s
     return std::array{Asked("  p: {extrude: {curve: [[1, 0, 0], [0, 0, 0], {bezier: [[1, " + height +
                                 ", 0]]}, [1, 1, 0]], vector: [0, 0, 1]" + fine + "}\n",
                             "{simplify: p, " + turned),
-                      Asked("  p: {bezier: {patches: [[[[1, 0, 0], [1, 0, 1]], [[1/2, 0, 0], [1/2, 0, 1]], [[0, "
-                            "0, 0], [0, 0, 1]]], "
-                            "[[[0, 0, 0], [0, 0, 1]], [[1, " +
+                      Asked("  p: {bezier: {patches: [[[[1, 0, 0], [1, 0, 1]], [[1/2, 0, 0], [1/2, 0, 1]], "
+                            "[[0, 0, 0], [0, 0, 1]]], [[[0, 0, 0], [0, 0, 1]], [[1, " +
                                 height + ", 0], [1, " + height + ", 1]], [[1, 1, 0], [1, 1, 1]]]]" + fine + "}\n",
                             "{simplify: p, " + turned)};
   };
@@ -278,8 +276,7 @@ TEST_CASE("pieces of one leaf are asked three at a time, and its curves", "[cert
        {10, 11, 2, 0}},
       {"a wire beside a border",
        "{bezier: {patches: [" + sheet +
-           "], curves: [[[0.1, 0.2, -1], [0, -0.2, 0.1], [-0.1, 0.2, 1]]], segments: "
-           "SEGMENTS}}",
+           "], curves: [[[0.1, 0.2, -1], [0, -0.2, 0.1], [-0.1, 0.2, 1]]], segments: SEGMENTS}}",
        {7, 6, 1, 0}},
       {"an arc that bulges through a wall",
        "{extrude: {curve: [[0, 0, 0], {bezier: [[1, 4/3, 0]], weights: [1, 3/5, 1]}, [2, 0, 0], [2, 0.4, 0], [0, "
@@ -294,23 +291,25 @@ TEST_CASE("pieces of one leaf are asked three at a time, and its curves", "[cert
        "{bezier: {patches: [[[[0, 0, 0], [1, 1, 0.5], [2, 0, 0]], [[0, 1, 2], [1, 2, 2], [2, 1, 2]]], [[[0, 0, "
        "0], [1, -1, -0.5], [2, 0, 0]], [[0, -1, -2], [1, -2, -2], [2, -1, -2]]]], segments: SEGMENTS}}",
        {6, 8, 2, 0}},
+      {"a flat patch and a curved one between the same ends",
+       "{bezier: {patches: [[[[0, 0, 0], [2, 0, 0]], [[0, -2, 0], [2, -2, 0]]], [[[0, 0, 0], [1, -1, 1], [2, 0, "
+       "0]], [[0, 0, 2], [1, 0, 2], [2, 0, 2]]]], segments: SEGMENTS}}",
+       {6, 8, 2, 0},
+       false},
       {"two parts of one curve that cross",
-       "{bezier: {patches: [[[[0, 0, 0], [1, 1/2, 0], [3/4, 3/4, 0], [1/2, 3/4, 0]], [[0, 0, 1], [1, 1/2, 1], "
-       "[3/4, "
-       "3/4, 1], [1/2, 3/4, 1]]], [[[119/256, 21/64, 0], [37/64, 15/64, 0], [3/4, 1/8, 0], [1, 0, 0]], [[119/256, "
-       "21/64, 1], [37/64, 15/64, 1], [3/4, 1/8, 1], [1, 0, 1]]]], segments: SEGMENTS}}",
+       "{bezier: {patches: [[[[0, 0, 0], [1, 1/2, 0], [3/4, 3/4, 0], [1/2, 3/4, 0]], [[0, 0, 1], [1, 1/2, "
+       "1], [3/4, 3/4, 1], [1/2, 3/4, 1]]], [[[119/256, 21/64, 0], [37/64, 15/64, 0], [3/4, 1/8, 0], [1, 0, "
+       "0]], [[119/256, 21/64, 1], [37/64, 15/64, 1], [3/4, 1/8, 1], [1, 0, 1]]]], segments: SEGMENTS}}",
        {10, 13, 4, 0},
        false},
       {"a border that passes through a patch at whose corner it begins",
        "{bezier: {patches: [[[[0, 0, 0], [2, 0, 0], [4, 0, 0.25]], [[0, -3, 0.25], [2, -3, 0], [4, -3, 0]]], "
-       "[[[0, "
-       "0, 0], [1/3, -1, 2], [4/3, -1, -3], [2, -1, 3]], [[0, 0, 3], [1/3, -1, 5], [4/3, -1, 0], [2, -1, 6]]]], "
-       "segments: SEGMENTS}}",
+       "[[[0, 0, 0], [1/3, -1, 2], [4/3, -1, -3], [2, -1, 3]], [[0, 0, 3], [1/3, -1, 5], [4/3, -1, 0], [2, "
+       "-1, 6]]]], segments: SEGMENTS}}",
        {9, 11, 3, 0}},
       {"a wire that returns to the patch at whose corner it begins",
        "{bezier: {patches: [[[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 2, 0], [1, 2, 1], [2, 2, 0]]]], curves: "
-       "[[[0, "
-       "0, 0], [1, 0.3, 0.975], [2, 1, 0.45]]], segments: SEGMENTS}}",
+       "[[[0, 0, 0], [1, 0.3, 0.975], [2, 1, 0.45]]], segments: SEGMENTS}}",
        {6, 6, 1, 0},
        false}};
   for (const Own& own : all) {
@@ -323,6 +322,15 @@ TEST_CASE("pieces of one leaf are asked three at a time, and its curves", "[cert
       if (asked.certified()) CHECK(asked.cells() == own.cells);
     }
   }
+}
+
+TEST_CASE("one surface that is drawn in two ways is not certified", "[certify]") {
+  // Equal ellipses; no common lines are known for leaves that are stretched otherwise.
+  const Asked asked(
+      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 6}, scale: [2, 1, 1]}\n"
+      "  b: {cylinder: {from: [0, 0, 1/2], to: [0, 0, 3/2], radius: 2, segments: 12}, scale: [1, 1/2, 1]}\n",
+      "{sum: [a, b]}");
+  CHECK_FALSE(asked.certified());
 }
 
 TEST_CASE("what is left is told with its place", "[certify]") {
@@ -493,6 +501,10 @@ TEST_CASE("what lies between facets and surfaces counts: faces, wires, points, w
             "{union: [a, b]}"},
            {ball + "  b: {points: [[0.9955, 0.06, 0.06]]}\n", "{intersection: [a, b]}"},
            {ball + "  b: {polyline: [[0.9955, -5, 0.06], [0.9955, 5, 0.06]]}\n", "{union: [a, b]}"},
+           // The end of a wire, straight or curved.
+           {ball + "  b: {polyline: [[0.9955, 0.06, 0.06], [3, 0.1, 0.2]]}\n", "{sum: [a, b]}"},
+           {ball + "  b: {bezier: {curve: [[0.9955, 0.06, 0.06], [2, 0.1, 0.5], [3, 0.1, 0.2]]}}\n",
+            "{sum: [a, b]}"},
            {ball + "  b: {sphere: {center: [1.1994, 1.5992, 0], radius: 1, segments: 24}}\n",
             "{simplify: {of: {union: [a, b]}, within: 0.0001}}"}}) {
     INFO(leaves);
