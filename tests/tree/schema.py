@@ -78,9 +78,9 @@ class Judges:
         fault = jsonschema.exceptions.best_match(self.validator.iter_errors(tree))
         return fault and f"{'/'.join(str(step) for step in fault.absolute_path)}: {fault.message[:300]}"
 
-    def reader(self, path, command="nodes"):
-        """What the reader says of a fault; nothing if there is none. It reads no files of leaves; `check` does."""
-        ended = self.run(command, str(path))
+    def reader(self, path, *words):
+        """What the reader says of a fault; nothing if there is none. To complete nodes reads no files of leaves."""
+        ended = self.run(*words or ("__complete", "explain", str(path), "--node", ""))
         if ended.returncode not in (0, 2, 3):
             raise AssertionError(f"{path}: {ended.stderr}")
         return ended.stderr.strip() if ended.returncode else ""
@@ -88,7 +88,7 @@ class Judges:
     def disagreement(self, path, tree):
         said, fault = self.reader(path), self.schema(tree)
         if fault and not said:
-            said = self.reader(path, "check")  # a radius of 0
+            said = self.reader(path, "check", str(path))  # a radius of 0
         if bool(said) == bool(fault) or (said and any(re.search(words, said) for words in UNSAID)):
             return None
         return f"{path.name}: the reader: {said or 'good'}\n  the schema: {fault or 'good'}"
