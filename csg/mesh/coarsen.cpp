@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "csg/mesh/forecast.h"
+#include "csg/mesh/planar_facets.h"
 #include "csg/mesh/refine_surface.h"
 #include "csg/result/flat_drawing.h"
 #include "csg/result/join_drawing.h"
@@ -36,7 +36,6 @@ Corners replaced(Corners triangle, Index p, Index q) {
   std::ranges::replace(triangle, p, q);
   return triangle;
 }
-bool is_curved(const FlatComplex::Face& face) { return face.facets.size() > 1; }
 
 /// The triangles that were given, and what is near to them.
 class GivenTriangles {
@@ -78,10 +77,8 @@ class GivenTriangles {
       if (all) return true;
     }
     if (near != std::array{true, true, true} || cuts == kMostCuts) return false;
-    std::size_t longest = 0;
     const auto side = [&](std::size_t k) { return distance(piece[k], piece[(k + 1) % 3]); };
-    for (std::size_t k = 1; k < 3; ++k)
-      if (side(k) > side(longest)) longest = k;
+    const std::size_t longest = std::ranges::max({0u, 1u, 2u}, {}, side);
     const Vector &a = piece[longest], &b = piece[(longest + 1) % 3], &c = piece[(longest + 2) % 3];
     const Vector middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
     return is_near({a, middle, c}, of, cuts + 1) && is_near({middle, b, c}, of, cuts + 1);
@@ -90,22 +87,18 @@ class GivenTriangles {
 
 class FacetCollapser {
  public:
-  FacetCollapser(const FlatComplex& flat, const std::vector<Vector>& xyz, const MeshSizes& sizes, double within,
-                 const std::vector<char>& kept)
+  /// `wanted`: of each point, how long sides are to be there.
+  FacetCollapser(const FlatComplex& flat, const std::vector<Vector>& xyz, const std::vector<double>& wanted,
+                 double within, const std::vector<char>& kept)
       : xyz_(xyz),
         given_(within),
         triangles_of_(xyz.size()),
         along_(xyz.size()),
-        wanted_(xyz.size(), kInfinity),
+        wanted_(wanted),
         movable_(xyz.size(), Movable::no) {
     for (Index p = 0; p < xyz.size(); ++p) to_.push_back(p);
-    for (Index f = 0; f < flat.faces.size(); ++f) {
+    for (Index f = 0; f < flat.faces.size(); ++f)
       for (const Corners& points : flat.faces[f].triangles) add(points, f, is_curved(flat.faces[f]));
-      for (const Index region : flat.faces[f].regions)
-        for (const Corners& points : flat.faces[f].triangles)
-          for (const Index p : points)
-            if (flat.active(region)) wanted_[p] = std::min(wanted_[p], sizes.at(xyz[p], region));
-    }
     find_movable(flat, kept);
   }
 
@@ -116,9 +109,8 @@ class FacetCollapser {
       watch.check();
       changed = flip_once() || changed;
     }
-    for (Index p = 0; p < to_.size(); ++p) {
-      while (to_[to_[p]] != to_[p]) to_[p] = to_[to_[p]];
-    }
+    for (Index& p : to_)
+      while (to_[p] != p) p = to_[p];
     return to_;
   }
   std::vector<NumberedDrawing::Triangle> triangles() const {
@@ -142,7 +134,7 @@ class FacetCollapser {
   std::vector<std::vector<Index>> triangles_of_;
   std::vector<std::vector<Index>> along_;  // of each point the neighbours on edges
   std::vector<Index> to_;
-  std::vector<double> wanted_;
+  const std::vector<double>& wanted_;
   std::vector<Movable> movable_;
 
   void add(const Corners& points, Index face, bool curved) {
@@ -226,7 +218,7 @@ class FacetCollapser {
     std::size_t i = 0;
     for (const Index t : std::exchange(triangles_of_[p], {})) {
       Triangle& triangle = triangles_[t];
-      if (has(triangles_[t].points, q)) {
+      if (has(triangle.points, q)) {
         triangle.there = false;
         for (const Index x : triangle.points) std::erase(triangles_of_[x], t);
         continue;
@@ -297,9 +289,7 @@ class FacetCollapser {
         std::ranges::find_if(triangles_of_[a], [&](Index s) { return s != t && has(triangles_[s].points, b); });
     if (other == triangles_of_[a].end()) return false;
     const Index s = *other;
-    Index d = kNone;
-    for (const Index x : triangles_[s].points)
-      if (x != a && x != b) d = x;
+    const Index d = *std::ranges::find_if(triangles_[s].points, [&](Index x) { return x != a && x != b; });
     if (std::ranges::any_of(triangles_of_[c], [&](Index x) { return has(triangles_[x].points, d); })) return false;
     const Corners first{a, d, c}, second{d, b, c};
     const auto worse = [&](const Corners& x, const Corners& y) { return std::min(shape(x), shape(y)); };
@@ -326,22 +316,34 @@ std::size_t curved_triangles(const FlatComplex& flat) {
   return n;
 }
 
+/// Of points on the boundary of active regions; no bound elsewhere.
+std::vector<double> wanted_lengths(const FlatComplex& flat, const std::vector<Vector>& xyz,
+                                   const MeshSizes& sizes) {
+  std::vector<double> wanted(xyz.size(), kInfinity);
+  std::vector<Index> last(xyz.size(), kNone);  // region that was looked at: triangles share points
+  for (const auto& face : flat.faces)
+    for (const Index region : face.regions)
+      for (const Corners& points : face.triangles)
+        for (const Index p : points)
+          if (flat.active(region) && std::exchange(last[p], region) != region)
+            wanted[p] = std::min(wanted[p], sizes.at(xyz[p], region));
+  return wanted;
+}
+
 std::array<std::size_t, 4> cells(const FlatComplex& flat) {
   return {flat.vertices.size(), flat.edges.size(), flat.faces.size(), flat.regions.size()};
 }
 
 }  // namespace
 
-Result coarsen(const Result& result, double within, const SizeOptions& sizes, CoarsenReport& report,
-               const Watch& watch) {
+Result coarsen(const Result& result, double within, SizeOptions sizes, CoarsenReport& report, const Watch& watch) {
   const Result::Data& given = result.data();
   const ResultView view = given.view();
   const FlatComplex flat = flatten(view);
   require_bounds(flat, "facets become fewer only in a result that has bounds", "");
   const RoundedPoints rounded = round_points(view, flat);
-  SizeOptions said = sizes;
-  said.said = true;
-  const MeshSizes wanted = mesh_sizes(view, flat, rounded, said);
+  sizes.said = true;
+  const std::vector<double> wanted = wanted_lengths(flat, rounded.xyz, mesh_sizes(view, flat, rounded, sizes));
   const Parts parts(view, flat);
   report.before = report.after = curved_triangles(flat);
   std::vector<char> kept(flat.points.size(), 0);
@@ -389,8 +391,8 @@ Result coarsen(const Result& result, double within, const SizeOptions& sizes, Co
 std::string CoarsenReport::text(double within) const {
   if (crossed)
     return "curved faces keep their facets, since larger ones within " + double_text(within) + " would cross";
-  return "curved faces: " + counted(before, "triangle", "triangles") + " before, " + count_text(double(after)) +
-         " now, within " + double_text(within) + " of them";
+  return "curved faces: " + grouped(before) + " triangles before, " + grouped(after) + " now, within " +
+         double_text(within) + " of them";
 }
 
 }  // namespace cnrg

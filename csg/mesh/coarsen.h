@@ -9,8 +9,8 @@
 //   * in curved faces each new triangle is within the distance of the facets that were given: it is cut until each
 //     piece has its corners so near to one of them, and so all of it, since what is that near is convex.
 // The drawing of what has moved is refined exactly, and is a result again (csg/result/relabel.h). Where that has
-// cells that the given one has not, parts have crossed: all begins anew with points around that stay, and half the
-// distance.
+// cells that the given one has not, parts have crossed: all begins anew, thrice with half the distance, then with
+// points around that stay.
 #pragma once
 
 #include "csg/mesh/mesh_sizes.h"
@@ -22,14 +22,14 @@ namespace cnrg {
 struct CoarsenReport {
   std::size_t before = 0, after = 0;  ///< triangles of curved faces
   bool crossed = false;               ///< so often that all stays as it is
-  /// One line without its end: `curved faces: 7,120 triangles are 1,204 now, within 0.01 of them`.
+  /// One line without its end: `curved faces: 7,120 triangles before, 1,204 now, within 0.01 of them`.
   std::string text(double within) const;
 };
 
 /// `within`: a distance above 0 (units). Sides shorter than `sizes` wants collapse, of those that people have
 /// said. What the result knew of true surfaces is gone where anything collapsed. Throws InputError for a result
 /// that has no bounds, and beyond the range of doubles; Stopped, as the watch asks.
-Result coarsen(const Result& result, double within, const SizeOptions& sizes, CoarsenReport& report,
+Result coarsen(const Result& result, double within, SizeOptions sizes, CoarsenReport& report,
                const Watch& watch = {});
 
 }  // namespace cnrg

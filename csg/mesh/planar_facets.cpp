@@ -190,7 +190,6 @@ std::vector<DirectedEdge> sides_of_edges(const FlatComplex& flat) {
 FlatComplex flatten_for_mesh(const ResultView& view) {
   FlatComplex flat = flatten(view);
   const bool of_triangles = view.region_parts != nullptr;  // snapped or joined
-  const auto is_curved = [](const FlatComplex::Face& face) { return face.facets.size() > 1; };
   if (!of_triangles || std::none_of(flat.faces.begin(), flat.faces.end(), is_curved)) return flat;
   std::vector<Vector> xyz(flat.points.size());
   for_each_index(xyz.size(),

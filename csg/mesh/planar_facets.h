@@ -14,6 +14,8 @@ namespace cnrg {
 /// So many units in the last place of the largest coordinate may points be off the plane of their facet.
 inline constexpr double kPlanarDigits = kSnapFirstCell;
 
+inline bool is_curved(const FlatComplex::Face& face) { return face.facets.size() > 1; }
+
 /// The result flattened for meshes. Of a curved face of a snapped or joined result, facets beside each other are
 /// one where they are so near to one plane, and their triangles are seen from one side; edges and points of the
 /// result stay what they are. Loops of such facets may pass a point more than once.

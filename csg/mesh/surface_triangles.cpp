@@ -279,4 +279,17 @@ Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const Surf
   return plc;
 }
 
+FaceTriangles all_groups(const SurfaceTriangles& made) {
+  FaceTriangles all{"all"};
+  for (const FaceTriangles& of : made.groups) {
+    all.triangles += of.triangles;
+    all.quads += of.quads;
+    all.least_quad = std::min(all.least_quad, of.least_quad);
+    all.area += of.area;
+    for (std::size_t i = 0; i < of.why.size(); ++i) all.why[i] += of.why[i];
+    if (of.least_angle < all.least_angle) all.least_angle = of.least_angle, all.where = of.where;
+  }
+  return all;
+}
+
 }  // namespace cnrg

@@ -17,6 +17,9 @@ struct SurfaceTriangles {
   std::vector<std::string> warnings{};  ///< regions that had to go
 };
 
+/// All groups as one.
+FaceTriangles all_groups(const SurfaceTriangles& made);
+
 /// Meshes all faces, edges, wires and points of a closed result, with regions or without: conforming, since what
 /// meets shares points; no angle below 25 degrees but where the result has small angles itself; no side longer
 /// than `options.size` says (refine_surface.h). With `options.quads` what has been proven is merged into

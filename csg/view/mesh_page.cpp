@@ -273,19 +273,6 @@ std::string mesh_page(const Result& result, const TetrahedralMesh& made, const M
   return whole_page(options, facts, body);
 }
 
-FaceTriangles all_groups(const SurfaceTriangles& made) {
-  FaceTriangles all{"all"};
-  for (const FaceTriangles& of : made.groups) {
-    all.triangles += of.triangles;
-    all.quads += of.quads;
-    all.least_quad = std::min(all.least_quad, of.least_quad);
-    all.area += of.area;
-    for (std::size_t i = 0; i < of.why.size(); ++i) all.why[i] += of.why[i];
-    if (of.least_angle < all.least_angle) all.least_angle = of.least_angle, all.where = of.where;
-  }
-  return all;
-}
-
 std::string mesh_page(const Result& result, const SurfaceTriangles& made, const MeshPageOptions& options) {
   const Mesh& mesh = made.mesh;
   const std::vector<std::string> leaves = leaf_names(result.data().leaves);

@@ -25,9 +25,6 @@ std::string mesh_page(const Result& result, const TetrahedralMesh& made, const M
 /// Of faces without volumes: groups, a histogram of angles, the smallest ones and pictures.
 std::string mesh_page(const Result& result, const SurfaceTriangles& made, const MeshPageOptions& options);
 
-/// All groups of faces as one.
-FaceTriangles all_groups(const SurfaceTriangles& made);
-
 /// True for .html and .htm.
 bool is_page(const std::string& path);
 

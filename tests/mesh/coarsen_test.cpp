@@ -1,6 +1,7 @@
 // Larger facets of curved faces, held against those that were given, exactly.
 #include "csg/mesh/coarsen.h"
 
+#include "csg/mesh/planar_facets.h"
 #include "csg/result/result_data.h"
 #include "kernel/exact/distance.h"
 #include "tests/catch.h"
@@ -22,7 +23,7 @@ struct CurvedTriangles {
     const FlatComplex flat = flatten(view);
     for (const VertexId v : flat.points) points.push_back(view.complex->points.rational(v));
     for (const auto& face : flat.faces)
-      if (face.facets.size() > 1) triangles.insert(triangles.end(), face.triangles.begin(), face.triangles.end());
+      if (is_curved(face)) triangles.insert(triangles.end(), face.triangles.begin(), face.triangles.end());
   }
 };
 
