@@ -16,6 +16,8 @@ namespace {
 
 using Range = std::array<Interval, 2>;
 
+Range least(const Range& a, const Range& b) { return {hull(a[0], b[0]), hull(a[1], b[1])}; }
+
 bool meet(const Range& a, const Range& b) {
   return a[0].inf() < b[0].sup() && b[0].inf() < a[0].sup() && a[1].inf() < b[1].sup() && b[1].inf() < a[1].sup();
 }
@@ -32,8 +34,13 @@ bool side_by_side(const Piece& a, const Piece& b) {
 
 class Neighbours {
  public:
-  Neighbours(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::size_t& left)
-      : all_(all), patch_(patch), left_(left) {}
+  /// Asks parts of two cells of a patch.
+  Neighbours(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, const Piece& a, const Piece& b,
+             std::size_t& left)
+      : all_(all), left_(left) {
+    const Range both = least(a.range, b.range);
+    std::ranges::copy_if(patch, std::back_inserter(between_), [&](auto i) { return meet(all[i].range, both); });
+  }
 
   bool alone(const PiecePart& part) {
     if (independent_between(part.range, part.range)) return true;
@@ -51,10 +58,10 @@ class Neighbours {
 
  private:
   bool independent_between(const Range& a, const Range& b) const {
-    const Range both{hull(a[0], b[0]), hull(a[1], b[1])};
-    const SurfaceJet<Interval> jet = all_[patch_[0]].surface->over(both[0], both[1]);
+    const Range both = least(a, b);
+    const SurfaceJet<Interval> jet = all_[between_[0]].surface->over(both[0], both[1]);
     Interval3 u = normalized(jet.way_u), v = normalized(jet.way_v);
-    for (const std::uint32_t i : patch_) {
+    for (const std::uint32_t i : between_) {
       const Piece& piece = all_[i];
       if (!meet(piece.range, both)) continue;
       if (piece.blind) return false;
@@ -65,8 +72,8 @@ class Neighbours {
   }
 
   const std::vector<Piece>& all_;
-  const std::span<const std::uint32_t> patch_;
-  std::size_t& left_;  // steps
+  std::vector<std::uint32_t> between_;  // cells of the patch in the least range that holds both
+  std::size_t& left_;                   // steps
 };
 
 }  // namespace
@@ -91,7 +98,7 @@ bool one_to_one(const Pieces& pieces, std::span<const std::uint32_t> patch, std:
   if (a != b && !side_by_side(all[a], all[b])) return apart_but_beside(pieces, a, b, steps);  // where it is closed
   const PiecePart one = part_of(all, all[a], all[a].range);
   std::size_t left = kMostOwnSteps;
-  Neighbours question(all, patch, left);
+  Neighbours question(all, patch, all[a], all[b], left);
   const bool proven = a == b ? question.alone(one) : question.ask(one, part_of(all, all[b], all[b].range));
   steps += kMostOwnSteps - left;
   return proven;

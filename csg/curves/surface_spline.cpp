@@ -59,24 +59,28 @@ void mix(Row<N>& row, std::size_t last, const N& t) {
   }
 }
 
-/// What a row is at a number: one point. Over an interval: the control points of the part there.
-Row<double> cut(Row<double> row, double t) {
+/// Adds what a row is at a number: one point. Over an interval: the control points of the part there.
+void add_cut(Row<double> row, double t, Row<double>& result) {
   for (std::size_t n = row.size() - 1; n > 0; --n) mix(row, n, t);
-  row.resize(1);
-  return row;
+  result.push_back(row[0]);
 }
-Row<Interval> cut(const Row<Interval>& row, const Interval& t) {
-  const std::size_t degree = row.size() - 1;
-  if (t.is_point() && (t.inf() == 0 || t.inf() == 1)) return {t.inf() == 0 ? row.front() : row.back()};
-  Row<Interval> result;
-  for (std::size_t i = 0; i <= degree; ++i) {
-    // The blossom at the lower end taken degree - i times and at the upper end i times.
-    Row<Interval> d = row;
-    for (std::size_t r = 1; r <= degree; ++r) {
-      mix(d, degree - r + 1, Interval(r <= i ? t.sup() : t.inf()));
-    }
+void add_cut(Row<Interval> row, const Interval& t, Row<Interval>& result) {
+  if (t.is_point() && (t.inf() == 0 || t.inf() == 1))
+    return result.push_back(t.inf() == 0 ? row.front() : row.back());
+  // The blossom at the upper end taken ever more often, and else at the lower end.
+  Row<Interval> d;
+  for (std::size_t degree = row.size() - 1;; --degree) {
+    d.assign(row.begin(), row.begin() + std::ptrdiff_t(degree) + 1);
+    for (std::size_t n = degree; n > 0; --n) mix(d, n, Interval(t.inf()));
     result.push_back(d[0]);
+    if (degree == 0) return;
+    mix(row, degree, Interval(t.sup()));
   }
+}
+template <class N>
+Row<N> cut(const ConstantRow& row, const N& t) {
+  Row<N> result;
+  add_cut(as_numbers<N>(row), t, result);
   return result;
 }
 
@@ -99,16 +103,12 @@ Point4<N> hull(const Row<N>& row) {
   return h;
 }
 template <class N>
-Vector3<N> projected_hull(const Row<N>& row, bool polynomial) {
-  std::optional<Vector3<N>> h;
-  for (const Point4<N>& p : row) {
-    Vector3<N> point{p[0], p[1], p[2]};
-    if (!polynomial) {
-      for (N& x : point) x = x / p[3];
-    }
-    h = h ? joined(*h, point) : point;
+Vector3<N> projected_hull(Row<N> row, bool polynomial) {
+  for (Point4<N>& p : row) {
+    for (std::size_t k = 0; k < 3 && !polynomial; ++k) p[k] = p[k] / p[3];
   }
-  return *h;
+  const Point4<N> h = hull(row);
+  return {h[0], h[1], h[2]};
 }
 
 /// Moves homogeneous points, or the differences of such, so that `center` becomes the origin: P_t w - P w_t stays
@@ -146,11 +146,6 @@ std::optional<Interval> local(const Interval& t, const Constant& from, const Con
 bool one_is_enough(double) { return true; }
 bool one_is_enough(const Interval&) { return false; }
 
-template <class N>
-N squared(const N& x) {
-  return x * x;
-}
-
 }  // namespace
 
 SplineCurve::SplineCurve(const std::vector<BezierCurve>& pieces, const std::vector<Span>& spans) {
@@ -169,7 +164,7 @@ CurveJet<N> SplineCurve::jet(const N& t) const {
     const Piece& piece = pieces_[i];
     const std::optional<N> at = local(t, piece.from, piece.size, i == 0, i + 1 == pieces_.size());
     if (!at) continue;
-    Row<N> row = cut(as_numbers<N>(piece.net), *at), row_t = cut(as_numbers<N>(piece.derivative), *at);
+    Row<N> row = cut(piece.net, *at), row_t = cut(piece.derivative, *at);
     const Vector3<N> point = projected_hull(row, piece.polynomial);
     if (!piece.polynomial) {
       const Vector3<N> center{middle(point[0]), middle(point[1]), middle(point[2])};
@@ -177,7 +172,7 @@ CurveJet<N> SplineCurve::jet(const N& t) const {
       recenter(row_t, center);
     }
     const Point4<N> p = hull(row), p_t = hull(row_t);
-    const N scale = N(1) / (as<N>(piece.size) * (piece.polynomial ? N(1) : squared(p[3])));
+    const N scale = N(1) / (as<N>(piece.size) * (piece.polynomial ? N(1) : p[3] * p[3]));
     CurveJet<N> jet{sum(as<N>(piece.origin), point), scaled(scale, direction(p, p_t, piece.polynomial))};
     if (result) jet = {joined(result->point, jet.point), joined(result->along, jet.along)};
     result = jet;
@@ -221,14 +216,12 @@ namespace {
 /// All control points of the part of a net over a box, at a point the one there.
 template <class N>
 Row<N> cut(const std::vector<ConstantRow>& net, const N& u, const N& v) {
-  std::vector<Row<N>> rows;
-  rows.reserve(net.size());
-  for (const ConstantRow& row : net) rows.push_back(cut(as_numbers<N>(row), u));
-  Row<N> result;
-  for (std::size_t i = 0; i < rows[0].size(); ++i) {
-    Row<N> column;
-    for (const Row<N>& row : rows) column.push_back(row[i]);
-    for (const Point4<N>& p : cut(column, v)) result.push_back(p);
+  Row<N> cells, column(net.size()), result;
+  for (const ConstantRow& row : net) add_cut(as_numbers<N>(row), u, cells);
+  const std::size_t length = cells.size() / net.size();
+  for (std::size_t i = 0; i < length; ++i) {
+    for (std::size_t j = 0; j < net.size(); ++j) column[j] = cells[j * length + i];
+    add_cut(column, v, result);
   }
   return result;
 }
@@ -256,7 +249,7 @@ SurfaceJet<N> SplinePatch::jet(const N& u, const N& v) const {
     }
     const Point4<N> p = hull(net), p_u = hull(net_u), p_v = hull(net_v);
     const Vector3<N> along_u = direction(p, p_u, piece.polynomial), along_v = direction(p, p_v, piece.polynomial);
-    const N by = piece.polynomial ? N(1) : squared(p[3]);
+    const N by = piece.polynomial ? N(1) : p[3] * p[3];
     SurfaceJet<N> jet{sum(as<N>(piece.origin), point), scaled(N(N(1) / (by * as<N>(piece.size[0]))), along_u),
                       scaled(N(N(1) / (by * as<N>(piece.size[1]))), along_v), cross(along_u, along_v)};
     if (result) {

@@ -1,5 +1,5 @@
 // Holds the program in the page against the native one, byte for byte, in headless Chromium: the page is opened once, and
-// answers what cnrg.mjs asks at a port of this machine. CNRG_TREES: how many trees (run).
+// answers what cnrg.mjs asks at a port of this machine. CNRG_TREES: how many trees, as `run` has them.
 import {spawn} from 'node:child_process';
 import {existsSync} from 'node:fs';
 import {createServer} from 'node:http';
@@ -25,7 +25,7 @@ const server = createServer(async (request, response) => {
   response.end(JSON.stringify(await answer(JSON.parse(Buffer.concat(await request.toArray())))));
 }).listen(0, '127.0.0.1', () => {
   const env = {...process.env, CNRG_PAGE: String(server.address().port)};
-  const compared = spawn('tests/playground/run', [program, process.env.CNRG_TREES ?? '300'], {stdio: 'inherit', env});
+  const compared = spawn('tests/playground/run', [program], {stdio: 'inherit', env});
   compared.on('close', async (status) => {
     check(status === 0, `the page answers as ${program} does: exit status ${status}`);
     await finish();
