@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "csg/text/table.h"
+
 namespace cnrg {
 namespace {
 
@@ -25,7 +27,8 @@ std::string UncertainPlace::text() const {
   switch (why) {
     case Why::near:
       if (names.size() == 1) return text + "]: it meets itself, or is nearer to that than " + decimals(size);
-      return text + "]: they touch, or are nearer to it than " + decimals(size) + ": apart there, or with " +
+      return text + "]: they touch, or " + (size > 0 ? "are nearer to it than " + decimals(size) : "nearly") +
+             ": apart there, or with " +
              (common > 0    ? "a curve"
               : common == 0 ? "two points"
                             : "a point") +
@@ -40,8 +43,7 @@ std::string Certificate::doubt(const Tree& tree) const {
   const std::string text = "its surfaces may not meet as its faces say: ";
   if (!places.empty()) {
     const std::size_t more = places.size() - 1;
-    return text + places[0].text() +
-           (more == 0 ? "" : "; and " + std::to_string(more) + (more == 1 ? " more place" : " more places"));
+    return text + places[0].text() + (more == 0 ? "" : "; and " + counted(more, "more place", "more places"));
   }
   if (!unknown.empty())
     return text + "of curved faces of `" + tree.nodes[unknown[0]].name + "` only the facets were asked";
@@ -70,17 +72,14 @@ std::vector<Diagnostic> Certificate::notices(const Tree& tree, std::size_t most)
 std::vector<Diagnostic> Certificate::told(const Tree& tree) const {
   constexpr std::size_t kTold = 3;
   std::vector<Diagnostic> result = notices(tree, kTold);
-  const auto count = [](std::size_t n, const char* what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-  };
   const auto tell = [&](const std::string& text) {
     result.push_back({tree.file, {}, Diagnostic::Level::notice, text});
   };
   if (places.size() > kTold)
-    tell(count(places.size() - kTold, "more place") +
+    tell(counted(places.size() - kTold, "more place", "more places") +
          " where curved surfaces may not meet as their facets do; --certify tells of ten");
   if (left > 0)
-    tell(count(left, "question") +
+    tell(counted(left, "question", "questions") +
          " whether curved surfaces meet as their facets do left open; --certify asks on");
   return result;
 }
