@@ -206,16 +206,20 @@ PiecePart curve_part(const std::vector<Piece>& all, const Piece& piece, const st
 std::optional<Interval3> normals_of(const std::vector<Piece>& all, const Piece& piece,
                                     const std::array<Interval, 2>& range, const SurfaceJet<Interval>& jet) {
   if (piece.pole) {
-    const auto& [away, at, near, normals] = *piece.pole;
-    const bool touches = range[away].inf() == at || range[away].sup() == at;
-    if (touches && near.inf() <= range[away].inf() && range[away].sup() <= near.sup()) return normals;
+    const Interval& away = range[piece.pole->away];
+    const bool touches = away.inf() == piece.pole->at || away.sup() == piece.pole->at;
+    if (touches && piece.pole->is_near(range)) return piece.pole->normals;
   }
   const Interval3 u_of_facet = normalized(piece.along_u), v_of_facet = normalized(piece.along_v);
   Interval3 u = hull(u_of_facet, normalized(jet.way_u)), v = hull(v_of_facet, normalized(jet.way_v));
   if (piece.grid) {  // at a pole along the side that is none
     const std::size_t first = piece.at[0][0] != piece.at[1][0] ? 0 : 1, second = 1 - first;
-    const bool low = piece.points[0] == piece.points[1], high = piece.points[3] == piece.points[2];
-    const bool left = piece.points[0] == piece.points[3], right = piece.points[1] == piece.points[2];
+    const auto at_pole = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return piece.points[i] == piece.points[j] && range[k].inf() <= piece.at[i][k] &&
+             piece.at[i][k] <= range[k].sup();
+    };
+    const bool low = at_pole(0, 1, second), high = at_pole(3, 2, second);
+    const bool left = at_pole(0, 3, first), right = at_pole(1, 2, first);
     const auto at_side = [&](std::size_t fixed, double value) {
       std::array<Interval, 2> line = range;
       line[fixed] = Interval(value);

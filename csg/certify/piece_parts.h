@@ -82,7 +82,7 @@ bool proven_by_halves(const std::vector<Piece>& all, const PiecePart& a, const P
                                return proven_by_halves(all, first ? half : a, first ? b : half, proven, left);
                              });
 }
-/// True if two pieces have a side in common that ends in a pole, or nothing is known of their directions.
+/// True if two pieces, flat or in columns, have a side in common that ends in a pole: a half-plane parts them.
 bool meet_at_pole(const Piece& a, const Piece& b);
 /// True if H is one to one on two cells of a patch that have corners in common, or on one. `patch`: all its cells.
 bool one_to_one(const Pieces& pieces, std::span<const std::uint32_t> patch, std::uint32_t a, std::uint32_t b,

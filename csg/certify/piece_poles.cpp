@@ -111,8 +111,9 @@ Interval near_pole(const Piece& piece, const Wedge& wedge) {
   return hull(Interval(piece.at[wedge.at_pole][wedge.away]), Interval(middle_of(piece.range[wedge.away])));
 }
 
-/// At right angles to all that is near the pole; nothing where it is not known.
-std::optional<Interval3> normals_about(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
+/// At right angles to all that is near the pole, and whether the cells are convex; nothing where it is not known.
+std::optional<std::pair<Interval3, bool>> normals_about(const std::vector<Piece>& all,
+                                                        const std::vector<Wedge>& wedges) {
   constexpr int kParts = 4;  // of a cell, around
   const Wedge &first = wedges.front(), &last = wedges.back();
   // Where far corners are on the circle about (0, 0): one more than wedges.
@@ -137,10 +138,10 @@ std::optional<Interval3> normals_about(const std::vector<Piece>& all, const std:
       const Interval f(double(k) / kParts, double(k + 1) / kParts);
       range[around] = begin + f * wide;
       const SurfaceJet<Interval> jet = piece.surface->over(range[0], range[1]);
-      const std::optional<SurfaceBend> bend = piece.surface->bend_over(range[0], range[1]);
-      if (!bend) return std::nullopt;
+      const auto fan = piece.surface->fan_over(around, piece.at[at_pole][away], range[0], range[1]);
+      if (!fan) return std::nullopt;
       const Interval3 by_r = scaled(length, away == 0 ? jet.along_u : jet.along_v),
-                      by_f = scaled(Interval(length * wide), bend->uv);
+                      by_f = scaled(Interval(length * wide), *fan);
       if (!piece.column) {
         found.add(by_r, by_f, {c[0] + f * step[0], c[1] + f * step[1]}, step);
         continue;
@@ -154,7 +155,8 @@ std::optional<Interval3> normals_about(const std::vector<Piece>& all, const std:
                 {c[0] + share * step[0], c[1] + share * step[1]}, step);
     }
   }
-  return cross((*found.hulls)[0], (*found.hulls)[1]);
+  return std::pair(cross((*found.hulls)[0], (*found.hulls)[1]),
+                   ring || std::ranges::all_of(places, [](const auto& place) { return place[1] >= 0; }));
 }
 
 }  // namespace
@@ -171,7 +173,8 @@ void find_poles(std::vector<Piece>& all, std::size_t first) {
       if (!normals) continue;
       for (const Wedge& wedge : wedges) {
         Piece& piece = all[wedge.piece];
-        piece.pole = {wedge.away, piece.at[wedge.at_pole][wedge.away], near_pole(piece, wedge), *normals};
+        piece.pole = {wedge.away, piece.at[wedge.at_pole][wedge.away], near_pole(piece, wedge), normals->first,
+                      normals->second};
       }
     }
   }

@@ -2,7 +2,9 @@
 //
 // Where all derivatives of H by u are in a convex cone, and those by v in another one, and no vector of the one is
 // parallel to one of the other, H(x) and H(y) differ for all x and y that are joined by a line of parameters
-// there: their difference is a mean of the first times a step of u and a mean of the second times a step of v.
+// there: their difference is a mean of the first times a step of u and a mean of the second times a step of v. In
+// columns H(x) and H(y) are at their own angles about the axis, so the cone along the meridian will do. About a
+// pole the same is true of x and y of piece_poles.cpp, where cells fill a convex polygon.
 #include <algorithm>
 #include <set>
 
@@ -43,7 +45,7 @@ class Neighbours {
   }
 
   bool alone(const PiecePart& part) {
-    if (independent_between(part.range, part.range)) return true;
+    if (differ(part, part)) return true;
     if (left_ == 0) return false;
     --left_;
     const std::array<PiecePart, 2> both = halves(all_, part, part.longer(), Between::facets_and_surfaces);
@@ -51,24 +53,33 @@ class Neighbours {
   }
   bool ask(const PiecePart& a, const PiecePart& b) {
     const auto proven = [&](const PiecePart& x, const PiecePart& y) {
-      return independent_between(x.range, y.range) || parted(std::array{x, y}, Between::facets_and_surfaces);
+      return differ(x, y) || parted(std::array{x, y}, Between::facets_and_surfaces);
     };
     return proven_by_halves(all_, a, b, proven, left_);
   }
 
  private:
-  bool independent_between(const Range& a, const Range& b) const {
-    const Range both = least(a, b);
+  /// True if the derivatives prove it.
+  bool differ(const PiecePart& a, const PiecePart& b) const {
+    const auto &pole = a.piece->pole, &other = b.piece->pole;
+    if (pole && other && pole->away == other->away && pole->at == other->at && pole->is_near(a.range) &&
+        other->is_near(b.range) && !holds_zero(pole->normals) && (pole->convex || a.piece == b.piece))
+      return true;
+    const Range both = least(a.range, b.range);
     const SurfaceJet<Interval> jet = all_[between_[0]].surface->over(both[0], both[1]);
     Interval3 u = normalized(jet.way_u), v = normalized(jet.way_v);
+    bool columns = true;
     for (const std::uint32_t i : between_) {
       const Piece& piece = all_[i];
       if (!meet(piece.range, both)) continue;
       if (piece.blind) return false;
       u = hull(u, normalized(piece.along_u));
       v = hull(v, normalized(piece.along_v));
+      columns = columns && piece.column;
     }
-    return independent(u, v);
+    if (independent(u, v)) return true;
+    const Interval3& meridian = columns && a.piece->column->around == 0 ? v : u;
+    return columns && dot(thin(middle_of(meridian)), meridian).inf() > 0;
   }
 
   const std::vector<Piece>& all_;
@@ -79,7 +90,7 @@ class Neighbours {
 }  // namespace
 
 bool meet_at_pole(const Piece& a, const Piece& b) {
-  if (a.blind || b.blind) return true;
+  if (!(a.exact() || a.column) || !(b.exact() || b.column)) return false;
   std::set<std::uint32_t> common, poles;
   for (const std::uint32_t p : a.numbers()) {
     if (std::ranges::count(b.numbers(), p) > 0) common.insert(p);

@@ -112,6 +112,10 @@ struct Piece {
     double at;
     Interval near;
     Interval3 normals;
+    bool convex;  ///< the cells, of x and y there
+    bool is_near(const std::array<Interval, 2>& range) const {
+      return near.inf() <= range[away].inf() && range[away].sup() <= near.sup();
+    }
   };
   std::optional<Pole> pole{};
   /// Of cells between two half-planes through the axis of their surface of revolution, and of curves from one to

@@ -48,11 +48,19 @@ SurfaceJet<Interval> PlacedSurface::over(const Interval& u, const Interval& v) c
 
 std::optional<SurfaceBend> PlacedSurface::bend_over(const Interval& u, const Interval& v) const {
   const enclosure::RoundOutward outward;
-  std::optional<SurfaceBend> bend = surface_->bend_over(u, v);
+  const std::optional<SurfaceBend> bend = surface_->bend_over(u, v);
   if (!bend) return bend;
-  for (Vector3<Interval>* const x : {&bend->uu, &bend->uv, &bend->vv})
-    *x = {dot(as<Interval>(linear_[0]), *x), dot(as<Interval>(linear_[1]), *x), dot(as<Interval>(linear_[2]), *x)};
-  return bend;
+  return SurfaceBend{moved(bend->uu), moved(bend->uv), moved(bend->vv)};
+}
+std::optional<Vector3<Interval>> PlacedSurface::fan_over(std::size_t around, double pole, const Interval& u,
+                                                         const Interval& v) const {
+  const enclosure::RoundOutward outward;
+  const std::optional<Vector3<Interval>> fan = surface_->fan_over(around, pole, u, v);
+  return fan ? std::optional(moved(*fan)) : std::nullopt;
+}
+Vector3<Interval> PlacedSurface::moved(const Vector3<Interval>& way) const {
+  return {dot(as<Interval>(linear_[0]), way), dot(as<Interval>(linear_[1]), way),
+          dot(as<Interval>(linear_[2]), way)};
 }
 
 std::optional<Revolution> PlacedSurface::revolution() const {

@@ -19,11 +19,14 @@ class PlacedSurface final : public Surface {
   SurfaceJet<double> at(double u, double v) const override;
   SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override;
   std::optional<SurfaceBend> bend_over(const Interval& u, const Interval& v) const override;
+  std::optional<Vector3<Interval>> fan_over(std::size_t around, double pole, const Interval& u,
+                                            const Interval& v) const override;
   std::optional<Revolution> revolution() const override;
 
  private:
   template <class N>
   SurfaceJet<N> moved(const SurfaceJet<N>& jet) const;
+  Vector3<Interval> moved(const Vector3<Interval>& way) const;
 
   std::shared_ptr<const LeafSurfaces> leaf_;  // holds the surface
   const Surface* surface_ = nullptr;

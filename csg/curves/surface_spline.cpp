@@ -51,6 +51,15 @@ Row<N> as_numbers(const ConstantRow& row) {
   return result;
 }
 
+/// Whether the first or last column (of u, 0), or row, has equal points.
+bool is_point(const std::vector<ControlRow>& net, std::size_t parameter, bool first) {
+  if (parameter == 1)
+    return std::ranges::count(first ? net.front() : net.back(), (first ? net.front() : net.back())[0]) ==
+           std::ptrdiff_t(net[0].size());
+  const auto at = [&](const ControlRow& row) { return first ? row.front() : row.back(); };
+  return std::ranges::all_of(net, [&](const ControlRow& row) { return at(row) == at(net[0]); });
+}
+
 template <class N>
 void mix(Row<N>& row, std::size_t last, const N& t) {
   const N s = N(1) - t;
@@ -185,18 +194,25 @@ template CurveJet<double> SplineCurve::jet(const double&) const;
 template CurveJet<Interval> SplineCurve::jet(const Interval&) const;
 
 SplinePatch::SplinePatch(const std::vector<BezierPatch>& pieces, const std::vector<std::array<Span, 2>>& spans) {
+  bool polynomial = true;
+  std::array<std::array<bool, 2>, 2> points{
+      {{true, true}, {true, true}}};  // by parameter and end: the side is one
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const std::vector<ControlRow>& net = pieces[k].net;
     const RationalPoint origin = project(net[0][0]);
     Piece piece;
     piece.origin = constants(origin);
-    piece.polynomial = true;
+    piece.polynomial = std::ranges::all_of(net, all_weights_are_one);
+    polynomial = polynomial && piece.polynomial;
     for (std::size_t d = 0; d < 2; ++d) {
       piece.from[d] = constant(spans[k][d][0]);
       piece.size[d] = constant(Rational(spans[k][d][1] - spans[k][d][0]));
+      for (std::size_t end = 0; end < 2; ++end) {
+        if (spans[k][d][end] == (end == 0 ? spans.front() : spans.back())[d][end])
+          points[d][end] = points[d][end] && is_point(net, d, end == 0);
+      }
     }
     for (std::size_t j = 0; j < net.size(); ++j) {
-      piece.polynomial = piece.polynomial && all_weights_are_one(net[j]);
       piece.net.push_back(row_of(net[j], origin));
       piece.along_u.push_back(row_of(derivative(net[j]), origin));
       if (j + 1 == net.size() && j > 0) continue;
@@ -206,8 +222,15 @@ SplinePatch::SplinePatch(const std::vector<BezierPatch>& pieces, const std::vect
                                              : step(net[j][i], net[j + 1][i], net.size() - 1));
       }
       piece.along_v.push_back(row_of(across, origin));
+      piece.twist.push_back(row_of(derivative(across), origin));
     }
     pieces_.push_back(std::move(piece));
+  }
+  for (std::size_t d = 0; d < 2; ++d) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (polynomial && points[d][end])
+        poles_[d].push_back(constant((end == 0 ? spans.front() : spans.back())[d][end]).value);
+    }
   }
 }
 
@@ -228,9 +251,8 @@ Row<N> cut(const std::vector<ConstantRow>& net, const N& u, const N& v) {
 
 }  // namespace
 
-template <class N>
-SurfaceJet<N> SplinePatch::jet(const N& u, const N& v) const {
-  std::optional<SurfaceJet<N>> result;
+template <class N, class Body>
+void SplinePatch::for_each_piece(const N& u, const N& v, const Body& body) const {
   const Piece& end = pieces_.back();
   for (const Piece& piece : pieces_) {
     const auto same = [](const Constant& a, const Constant& b) { return a.value == b.value; };
@@ -240,8 +262,16 @@ SurfaceJet<N> SplinePatch::jet(const N& u, const N& v) const {
                     same(piece.from[d], end.from[d]));
     }
     if (!at[0] || !at[1]) continue;
-    Row<N> net = cut(piece.net, *at[0], *at[1]), net_u = cut(piece.along_u, *at[0], *at[1]),
-           net_v = cut(piece.along_v, *at[0], *at[1]);
+    body(piece, *at[0], *at[1]);
+    if (one_is_enough(u)) break;
+  }
+}
+
+template <class N>
+SurfaceJet<N> SplinePatch::jet(const N& u, const N& v) const {
+  std::optional<SurfaceJet<N>> result;
+  for_each_piece(u, v, [&](const Piece& piece, const N& x, const N& y) {
+    Row<N> net = cut(piece.net, x, y), net_u = cut(piece.along_u, x, y), net_v = cut(piece.along_v, x, y);
     const Vector3<N> point = projected_hull(net, piece.polynomial);
     if (!piece.polynomial) {
       const Vector3<N> center{middle(point[0]), middle(point[1]), middle(point[2])};
@@ -257,10 +287,22 @@ SurfaceJet<N> SplinePatch::jet(const N& u, const N& v) const {
              joined(result->along_v, jet.along_v), joined(result->normal, jet.normal)};
     }
     result = jet;
-    if (one_is_enough(u)) break;
-  }
+  });
   require(result.has_value(), "surfaces: parameters beyond the sides of their patch");
   return *result;
+}
+
+std::optional<Vector3<Interval>> SplinePatch::fan_over(std::size_t around, double pole, const Interval& u,
+                                                       const Interval& v) const {
+  if (std::ranges::count(poles_[1 - around], pole) == 0) return std::nullopt;
+  std::optional<Vector3<Interval>> result;
+  for_each_piece(u, v, [&](const Piece& piece, const Interval& x, const Interval& y) {
+    const Point4<Interval> p = hull(cut(piece.twist, x, y));
+    const Vector3<Interval> fan = scaled(
+        Interval(Interval(1) / (as<Interval>(piece.size[0]) * as<Interval>(piece.size[1]))), {p[0], p[1], p[2]});
+    result = result ? joined(*result, fan) : fan;
+  });
+  return result;
 }
 
 }  // namespace cnrg

@@ -39,20 +39,28 @@ class SplineCurve final : public Curve {
 class SplinePatch final : public surface_math::SurfaceByJet<SplinePatch> {
  public:
   SplinePatch(const std::vector<BezierPatch>& pieces, const std::vector<std::array<Span, 2>>& spans);
+  /// Of polynomials.
+  std::optional<Vector3<Interval>> fan_over(std::size_t around, double pole, const Interval& u,
+                                            const Interval& v) const override;
 
  private:
   friend class surface_math::SurfaceByJet<SplinePatch>;
   template <class N>
   SurfaceJet<N> jet(const N& u, const N& v) const;
+  /// Calls body(piece, its own parameters) for each piece that is there.
+  template <class N, class Body>
+  void for_each_piece(const N& u, const N& v, const Body& body) const;
 
   using Net = std::vector<ConstantRow>;
   struct Piece {
     std::array<surface_math::Constant, 2> from, size;
     Vector3<surface_math::Constant> origin;
-    Net net, along_u, along_v;
+    Net net, along_u, along_v, twist;  // twist: along u and v
     bool polynomial = false;
   };
   std::vector<Piece> pieces_;
+  /// Values of u and of v at which the patch, all of polynomials, is one point.
+  std::array<std::vector<double>, 2> poles_;
 };
 
 }  // namespace cnrg
