@@ -378,7 +378,7 @@ class PieceMaker {
   }
 
   /// Edges of cells that are not between two cells of one patch, nor where a cell and one other piece cross at an
-  /// angle: borders of surfaces, and where one patch goes on smoothly as another.
+  /// angle: borders of surfaces, and where one patch goes on smoothly as another, or in its plane.
   void add_curves(Place& place) {
     const enclosure::RoundOutward outward;
     for (const auto& [edge, pieces] : place.sides) {
@@ -394,7 +394,7 @@ class PieceMaker {
       std::set<std::uint32_t> sheets;
       for (const auto& p : pieces) sheets.insert(all[p.first].sheet);
       if (pieces.size() == 2 && of(0).patch == of(1).patch && of(0).kind == of(1).kind) continue;
-      if (!curved && pieces.size() > 1) continue;  // planes that cross; coplanar ones are one
+      if (!curved && sheets.size() > 1) continue;  // planes that cross
       if (pieces.size() > 1 && cross_at_edge(pieces)) continue;
       Piece curve = curve_between(place, edge.first, edge.second);
       curve.in_sheets.assign(sheets.begin(), sheets.end());

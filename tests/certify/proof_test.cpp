@@ -83,6 +83,12 @@ std::vector<Known> near_contacts() {
        ball + "  b: {box: {min: [0.6, 0.80025, -3], max: [3, 3, 3]}}\n",
        "{intersection: [a, b]}",
        {0, 0, 0, 0}},
+      {"a ball that crosses the line between two sides in one plane",
+       "  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 8}}\n"
+       "  b: {extrude: {profile: [[-3, -0.2, -3], [0.97, -0.2, -3], [3, -0.2, -3], [0, -5, -3]], vector: [0, 0, "
+       "6]}}\n",
+       "{union: [a, b]}",
+       {10, 15, 7, 1}},
   };
 }
 
