@@ -16,6 +16,7 @@ using namespace surface_math;
 namespace {
 
 using Index = std::uint32_t;
+using Kind = Proof::Answer::Kind;
 using Why = UncertainPlace::Why;
 using PieceParts = std::vector<PiecePart>;
 
@@ -103,7 +104,7 @@ class Prover {
             pieces_.drawn_alike(a, b) || (share_corner(pieces_, a, b) && apart_but_beside(pieces_, a, b, steps));
         if (!alike) proof_.open.push_back({{a, b}, doubles(middle_of(all_[a].corners[0])), 0});
         joined.emplace_back(a, b);
-      } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b)) {
+      } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b) && !pieces_.cross_at_edge(a, b)) {
         const PiecePart x = part_beside(a, b), y = part_beside(b, a);
         if (!one_sheet && !x.blind && !y.blind && independent(x.cone, y.cone)) continue;
         joined.emplace_back(a, b);
@@ -188,8 +189,8 @@ class Prover {
     const Proof::Answer* const before = answered_before(key);
     std::size_t& spent = proof_.spent_on_own[all_[a].leaf];
     const bool asked = spent < kMostOfOwn;
-    if ((before != nullptr && before->kind == Proof::Answer::Kind::apart) || (asked && proven(spent))) {
-      proof_.answers.try_emplace(key, Proof::Answer{Proof::Answer::Kind::apart});
+    if ((before != nullptr && before->kind == Kind::apart) || (asked && proven(spent))) {
+      proof_.answers.try_emplace(key, Proof::Answer{Kind::apart});
     } else if (!proof_.answers.contains(key)) {
       add_open(key, open_place({a, b}, asked ? Why::facets : Why::budget));
     }
@@ -315,7 +316,7 @@ class Prover {
     some = false;
     if (tuple.size() == 2 && is_cell(tuple[0]) && is_cell(tuple[1])) {
       if (const auto known = touch(tuple[0], tuple[1])) {
-        some = *known != Proof::Answer::Kind::apart;
+        some = *known != Kind::apart;
         proof_.answers.try_emplace(key, Proof::Answer{*known});
         return true;
       }
@@ -357,13 +358,11 @@ class Prover {
     return key;
   }
   bool answered(const PieceTuple& key, bool some) {
-    using Kind = Proof::Answer::Kind;
     proof_.answers.try_emplace(key, Proof::Answer{some ? Kind::crossing : Kind::apart});
     return true;
   }
   void add_open(const PieceTuple& key, OpenPlace place) {
-    proof_.answers.try_emplace(
-        key, Proof::Answer{Proof::Answer::Kind::open, static_cast<std::uint32_t>(proof_.open.size())});
+    proof_.answers.try_emplace(key, Proof::Answer{Kind::open, static_cast<std::uint32_t>(proof_.open.size())});
     proof_.open.push_back(std::move(place));
   }
   /// Of the same pieces in the earlier drawing; null if it is not known.
@@ -380,7 +379,6 @@ class Prover {
   }
   bool take(const Proof::Answer& before, const std::vector<Index>& tuple, const PiecePatches& patches,
             std::size_t& open, bool& some) {
-    using Kind = Proof::Answer::Kind;
     some = before.kind != Kind::apart;
     if (before.kind == Kind::open) {
       OpenPlace place = earlier_->proof.open[before.place];
@@ -396,8 +394,7 @@ class Prover {
   }
   /// Nothing, unless one sheet is on one side of the other, and so are the facets. Then whether they have points
   /// of the contact in common: facets and surfaces both.
-  std::optional<Proof::Answer::Kind> touch(Index a, Index b) {
-    using Kind = Proof::Answer::Kind;
+  std::optional<Kind> touch(Index a, Index b) {
     const std::optional<Contact>& contact = pieces_.contact_of(all_[a].sheet, all_[b].sheet);
     if (!contact) return std::nullopt;
     const Pieces::Meeting meeting = pieces_.facets_meet(a, b, *contact);
