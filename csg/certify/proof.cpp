@@ -16,7 +16,7 @@ using namespace surface_math;
 namespace {
 
 using Index = std::uint32_t;
-using Kind = Proof::Answer::Kind;
+using AnswerKind = Proof::Answer::Kind;
 using Why = UncertainPlace::Why;
 using PieceParts = std::vector<PiecePart>;
 
@@ -189,8 +189,8 @@ class Prover {
     const Proof::Answer* const before = answered_before(key);
     std::size_t& spent = proof_.spent_on_own[all_[a].leaf];
     const bool asked = spent < kMostOfOwn;
-    if ((before != nullptr && before->kind == Kind::apart) || (asked && proven(spent))) {
-      proof_.answers.try_emplace(key, Proof::Answer{Kind::apart});
+    if ((before != nullptr && before->kind == AnswerKind::apart) || (asked && proven(spent))) {
+      proof_.answers.try_emplace(key, Proof::Answer{AnswerKind::apart});
     } else if (!proof_.answers.contains(key)) {
       add_open(key, open_place({a, b}, asked ? Why::facets : Why::budget));
     }
@@ -316,7 +316,7 @@ class Prover {
     some = false;
     if (tuple.size() == 2 && is_cell(tuple[0]) && is_cell(tuple[1])) {
       if (const auto known = touch(tuple[0], tuple[1])) {
-        some = *known != Kind::apart;
+        some = *known != AnswerKind::apart;
         proof_.answers.try_emplace(key, Proof::Answer{*known});
         return true;
       }
@@ -358,11 +358,11 @@ class Prover {
     return key;
   }
   bool answered(const PieceTuple& key, bool some) {
-    proof_.answers.try_emplace(key, Proof::Answer{some ? Kind::crossing : Kind::apart});
+    proof_.answers.try_emplace(key, Proof::Answer{some ? AnswerKind::crossing : AnswerKind::apart});
     return true;
   }
   void add_open(const PieceTuple& key, OpenPlace place) {
-    proof_.answers.try_emplace(key, Proof::Answer{Kind::open, static_cast<std::uint32_t>(proof_.open.size())});
+    proof_.answers.try_emplace(key, Proof::Answer{AnswerKind::open, Index(proof_.open.size())});
     proof_.open.push_back(std::move(place));
   }
   /// Of the same pieces in the earlier drawing; null if it is not known.
@@ -379,8 +379,8 @@ class Prover {
   }
   bool take(const Proof::Answer& before, const std::vector<Index>& tuple, const PiecePatches& patches,
             std::size_t& open, bool& some) {
-    some = before.kind != Kind::apart;
-    if (before.kind == Kind::open) {
+    some = before.kind != AnswerKind::apart;
+    if (before.kind == AnswerKind::open) {
       OpenPlace place = earlier_->proof.open[before.place];
       place.pieces = tuple;
       ++open;
@@ -388,25 +388,25 @@ class Prover {
       add_open(key_of(tuple), std::move(place));
       return false;
     }
-    if (before.kind == Kind::contact) contacts_.emplace(std::minmax(tuple[0], tuple[1]));
+    if (before.kind == AnswerKind::contact) contacts_.emplace(std::minmax(tuple[0], tuple[1]));
     proof_.answers.try_emplace(key_of(tuple), before);
     return true;
   }
   /// Nothing, unless one sheet is on one side of the other, and so are the facets. Then whether they have points
   /// of the contact in common: facets and surfaces both.
-  std::optional<Kind> touch(Index a, Index b) {
+  std::optional<AnswerKind> touch(Index a, Index b) {
     const std::optional<Contact>& contact = pieces_.contact_of(all_[a].sheet, all_[b].sheet);
     if (!contact) return std::nullopt;
     const Pieces::Meeting meeting = pieces_.facets_meet(a, b, *contact);
     if (meeting == Pieces::Meeting::otherwise) return std::nullopt;
     if (meeting == Pieces::Meeting::at_contact) {
       contacts_.emplace(a, b);
-      return Kind::contact;
+      return AnswerKind::contact;
     }
-    if (contact->kind == Contact::Kind::none) return Kind::apart;
+    if (contact->kind == Contact::Kind::none) return AnswerKind::apart;
     bool some = false;
     Interval3 left{};
-    if (answer({a, b}, Question::apart, Between::surfaces, kMostOfSurfaces, some, left)) return Kind::apart;
+    if (answer({a, b}, Question::apart, Between::surfaces, kMostOfSurfaces, some, left)) return AnswerKind::apart;
     return std::nullopt;
   }
 
