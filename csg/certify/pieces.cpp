@@ -160,7 +160,7 @@ class PieceMaker {
       for (std::uint32_t f = 0; f < one.mould.flats.size(); ++f)
         add({i, kAll, f, true}, box_of(hull_of(one.mould.flats[f].loops[0])));
       for (const Mould::Wire& wire : one.mould.wires) {
-        const Curve* const curve = curve_of(one, wire.number);
+        const std::shared_ptr<const Curve> curve = curve_of(one, wire.number);
         Interval3 all = hull_of(wire.points);
         if (curve != nullptr) all = hull(all, curve->over(hull(wire.at[0], wire.at[1])).point);
         add({i, kAll, kAll, curve == nullptr}, box_of(all));
@@ -378,7 +378,7 @@ class PieceMaker {
   }
 
   /// Edges of cells that are not between two cells of one patch, nor where a cell and one other piece cross at an
-  /// angle: borders of surfaces, and where one patch goes on smoothly as another.
+  /// angle: borders of surfaces, and where one patch goes on smoothly as another, or in its plane.
   void add_curves(Place& place) {
     const enclosure::RoundOutward outward;
     for (const auto& [edge, pieces] : place.sides) {
@@ -394,7 +394,7 @@ class PieceMaker {
       std::set<std::uint32_t> sheets;
       for (const auto& p : pieces) sheets.insert(all[p.first].sheet);
       if (pieces.size() == 2 && of(0).patch == of(1).patch && of(0).kind == of(1).kind) continue;
-      if (!curved && pieces.size() > 1) continue;  // planes that cross; coplanar ones are one
+      if (!curved && sheets.size() > 1) continue;  // planes that cross
       if (pieces.size() > 1 && cross_at_edge(pieces)) continue;
       Piece curve = curve_between(place, edge.first, edge.second);
       curve.in_sheets.assign(sheets.begin(), sheets.end());
@@ -435,6 +435,7 @@ class PieceMaker {
         const auto& [cell, side] = pieces[flat ? j : i];
         const auto& [other, of_other] = pieces[flat ? i : j];
         if (!at_angle(out_.pieces_[cell], side, out_.pieces_[other], of_other)) return false;
+        out_.at_angle_.emplace(std::minmax(cell, other));
       }
     }
     return true;
@@ -457,7 +458,7 @@ class PieceMaker {
   }
 
   /// Of a curved wire; null for a straight one.
-  const Curve* curve_of(const Place& place, std::uint32_t wire) {
+  std::shared_ptr<const Curve> curve_of(const Place& place, std::uint32_t wire) {
     if (!place.mould.surfaces || place.mould.surfaces->curve(wire) == nullptr) return nullptr;
     auto& made = wire_curves_[{place.leaf, wire}];
     if (!made) {
@@ -465,13 +466,12 @@ class PieceMaker {
       made = moved_all->curves().at(wire);
       kept_.push_back(moved_all);
     }
-    return made.get();
+    return made;
   }
   void add_wire(Place& place, const Mould::Wire& wire) {
     Piece curve = curve_between(place, wire.points[0], wire.points[1]);
     curve.patch = wire.number;
-    if (curve_of(place, wire.number) != nullptr) {
-      curve.curve = wire_curves_.at({place.leaf, wire.number});
+    if ((curve.curve = curve_of(place, wire.number))) {
       curve.side[0][0] = wire.at[0];
       curve.side[1][0] = wire.at[1];
       curve.sheet = numbered(curves_, {static_cast<double>(place.leaf.index()), double(wire.number), 2, 0});

@@ -167,6 +167,8 @@ class Pieces {
   const std::vector<Piece>& all() const { return pieces_; }
   /// True if the pieces, of one leaf, have a corner in common.
   bool adjacent(std::uint32_t a, std::uint32_t b) const;
+  /// True if they are proven to be at an angle all along a common side: this is no curve then.
+  bool cross_at_edge(std::uint32_t a, std::uint32_t b) const { return at_angle_.contains(std::minmax(a, b)); }
   /// Parameters of a cell that hold the corners which it has in common with another piece of its leaf.
   std::array<Interval, 2> range_beside(std::uint32_t cell, std::uint32_t other) const;
   /// By piece: the same one, beside the same ones, in a drawing of the same leaves; kNone if there is none.
@@ -250,6 +252,7 @@ class Pieces {
   SurfaceEquations equations_;                           // by sheet
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<Contact>> contacts_;
   std::set<LeafId> unknown_, own_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> at_angle_;
   friend class PieceMaker;
 };
 

@@ -16,6 +16,7 @@ using namespace surface_math;
 namespace {
 
 using Index = std::uint32_t;
+using AnswerKind = Proof::Answer::Kind;
 using Why = UncertainPlace::Why;
 using PieceParts = std::vector<PiecePart>;
 
@@ -103,7 +104,7 @@ class Prover {
             pieces_.drawn_alike(a, b) || (share_corner(pieces_, a, b) && apart_but_beside(pieces_, a, b, steps));
         if (!alike) proof_.open.push_back({{a, b}, doubles(middle_of(all_[a].corners[0])), 0});
         joined.emplace_back(a, b);
-      } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b)) {
+      } else if (all_[a].patch != all_[b].patch && pieces_.adjacent(a, b) && !pieces_.cross_at_edge(a, b)) {
         const PiecePart x = part_beside(a, b), y = part_beside(b, a);
         if (!one_sheet && !x.blind && !y.blind && independent(x.cone, y.cone)) continue;
         joined.emplace_back(a, b);
@@ -187,8 +188,8 @@ class Prover {
     const Proof::Answer* const before = answered_before(key);
     std::size_t& spent = proof_.spent_on_own[all_[a].leaf];
     const bool asked = spent < kMostOfOwn;
-    if ((before != nullptr && before->kind == Proof::Answer::Kind::apart) || (asked && proven(spent))) {
-      proof_.answers.try_emplace(key, Proof::Answer{Proof::Answer::Kind::apart});
+    if ((before != nullptr && before->kind == AnswerKind::apart) || (asked && proven(spent))) {
+      proof_.answers.try_emplace(key, Proof::Answer{AnswerKind::apart});
     } else if (!proof_.answers.contains(key)) {
       add_open(key, open_place({a, b}, asked ? Why::facets : Why::budget));
     }
@@ -314,7 +315,7 @@ class Prover {
     some = false;
     if (tuple.size() == 2 && is_cell(tuple[0]) && is_cell(tuple[1])) {
       if (const auto known = touch(tuple[0], tuple[1])) {
-        some = *known != Proof::Answer::Kind::apart;
+        some = *known != AnswerKind::apart;
         proof_.answers.try_emplace(key, Proof::Answer{*known});
         return true;
       }
@@ -356,13 +357,11 @@ class Prover {
     return key;
   }
   bool answered(const PieceTuple& key, bool some) {
-    using Kind = Proof::Answer::Kind;
-    proof_.answers.try_emplace(key, Proof::Answer{some ? Kind::crossing : Kind::apart});
+    proof_.answers.try_emplace(key, Proof::Answer{some ? AnswerKind::crossing : AnswerKind::apart});
     return true;
   }
   void add_open(const PieceTuple& key, OpenPlace place) {
-    proof_.answers.try_emplace(
-        key, Proof::Answer{Proof::Answer::Kind::open, static_cast<std::uint32_t>(proof_.open.size())});
+    proof_.answers.try_emplace(key, Proof::Answer{AnswerKind::open, Index(proof_.open.size())});
     proof_.open.push_back(std::move(place));
   }
   /// Of the same pieces in the earlier drawing; null if it is not known.
@@ -379,9 +378,8 @@ class Prover {
   }
   bool take(const Proof::Answer& before, const std::vector<Index>& tuple, const PiecePatches& patches,
             std::size_t& open, bool& some) {
-    using Kind = Proof::Answer::Kind;
-    some = before.kind != Kind::apart;
-    if (before.kind == Kind::open) {
+    some = before.kind != AnswerKind::apart;
+    if (before.kind == AnswerKind::open) {
       OpenPlace place = earlier_->proof.open[before.place];
       place.pieces = tuple;
       ++open;
@@ -389,26 +387,25 @@ class Prover {
       add_open(key_of(tuple), std::move(place));
       return false;
     }
-    if (before.kind == Kind::contact) contacts_.emplace(std::minmax(tuple[0], tuple[1]));
+    if (before.kind == AnswerKind::contact) contacts_.emplace(std::minmax(tuple[0], tuple[1]));
     proof_.answers.try_emplace(key_of(tuple), before);
     return true;
   }
   /// Nothing, unless one sheet is on one side of the other, and so are the facets. Then whether they have points
   /// of the contact in common: facets and surfaces both.
-  std::optional<Proof::Answer::Kind> touch(Index a, Index b) {
-    using Kind = Proof::Answer::Kind;
+  std::optional<AnswerKind> touch(Index a, Index b) {
     const std::optional<Contact>& contact = pieces_.contact_of(all_[a].sheet, all_[b].sheet);
     if (!contact) return std::nullopt;
     const Pieces::Meeting meeting = pieces_.facets_meet(a, b, *contact);
     if (meeting == Pieces::Meeting::otherwise) return std::nullopt;
     if (meeting == Pieces::Meeting::at_contact) {
       contacts_.emplace(a, b);
-      return Kind::contact;
+      return AnswerKind::contact;
     }
-    if (contact->kind == Contact::Kind::none) return Kind::apart;
+    if (contact->kind == Contact::Kind::none) return AnswerKind::apart;
     bool some = false;
     Interval3 left{};
-    if (answer({a, b}, Question::apart, Between::surfaces, kMostOfSurfaces, some, left)) return Kind::apart;
+    if (answer({a, b}, Question::apart, Between::surfaces, kMostOfSurfaces, some, left)) return AnswerKind::apart;
     return std::nullopt;
   }
 

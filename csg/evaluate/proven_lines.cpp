@@ -22,7 +22,7 @@ constexpr std::size_t kMostSteps = 2'000'000;    // the same with --certify
 constexpr std::size_t kMostLines = 400;          // of a patch, in one direction
 constexpr std::size_t kMostCells = 20'000;       // of a leaf that gets further lines
 
-/// By u and by v, whether a line in the middle brings facets nearer to the surface.
+/// By u and by v, whether a line in the middle brings facets nearer to the surface, or two triangles to its turn.
 std::array<bool, 2> bends(const Piece& piece) {
   const auto point = [&](double u, double v) { return piece.surface->at(u, v).point; };
   std::array<double, 2> off{};
@@ -33,7 +33,9 @@ std::array<bool, 2> bends(const Piece& piece) {
     const Vector3<double> a = k == 0 ? point(u0, v) : point(u, v0), b = k == 0 ? point(u1, v) : point(u, v1);
     for (std::size_t i = 0; i < 3; ++i) off[k] = std::max(off[k], std::abs(middle[i] - (a[i] + b[i]) / 2));
   }
-  return {off[0] > 0 && 4 * off[0] >= off[1], off[1] > 0 && 4 * off[1] >= off[0]};
+  const auto along = [&](const auto& x, std::size_t k) { return x[k] > 0 && 4 * x[k] >= x[1 - k]; };
+  const auto asked = [&](std::size_t k) { return along(off, k) || (piece.bent && along(piece.turn, k)); };
+  return {asked(0), asked(1)};
 }
 
 /// By u and by v, a line of parameters with which a cell, or a side of one, is nearer to its surface.
@@ -75,10 +77,8 @@ ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOpt
   const bool to_the_end = options.proof == AskedProof::to_the_end;
   for (int round = 0;; ++round) {
     options.watch.check();
-    auto pieces = motion_.identity() ? std::make_unique<Pieces>(*placed, options.reach, moulds, to_the_end)
-                                     : std::make_unique<Pieces>(PlacedLeaves{before(motion_, placed->instances),
-                                                                             placed->surfaces, placed->equations},
-                                                                options.reach, moulds, to_the_end);
+    const PlacedLeaves still{before(motion_, placed->instances), placed->surfaces, placed->equations};
+    auto pieces = std::make_unique<Pieces>(still, options.reach, moulds, to_the_end);
     std::optional<EarlierProof> earlier;
     if (proof_) earlier.emplace(EarlierProof{*pieces_, *proof_});
     proof_ = prove(*pieces, asked, to_the_end ? kMostSteps : kStepsByDefault, earlier ? &*earlier : nullptr);

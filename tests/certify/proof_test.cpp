@@ -368,6 +368,8 @@ TEST_CASE("surfaces that cross at a good angle are certified as they are drawn",
                     "  b: {sphere: {center: [1.5, 0.1, 0.05], radius: 1}}\n"),
         std::string("  a: {cylinder: {from: [-4, 0, 0.3], to: [4, 0, 0.3], radius: 1, segments: 31}}\n"
                     "  b: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n"),
+        std::string("  a: {bezier: {patch: [[[0, 0, 0], [1, 0, 1]], [[0, 1, 1], [1, 1, 0]]]}}\n"
+                    "  b: {polyline: [[0.1, 0.2, 0], [0.9, 0.9, 1]]}\n"),
         // One surface, drawn alike; a bore with a plug.
         std::string("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 2}}\n"
                     "  b: {cylinder: {from: [0, 0, 1], to: [0, 0, 5], radius: 2, segments: 20}}\n"),
@@ -501,6 +503,11 @@ TEST_CASE("what lies between facets and surfaces counts: faces, wires, points, w
             "{union: [a, b]}"},
            {ball + "  b: {points: [[0.9955, 0.06, 0.06]]}\n", "{intersection: [a, b]}"},
            {ball + "  b: {polyline: [[0.9955, -5, 0.06], [0.9955, 5, 0.06]]}\n", "{union: [a, b]}"},
+           {ball + "  b: {extrude: {curve: [[-3, 0.2, -3], [0.977, 0.2, -3], [3, 0.2, -3]], vector: [0, 0, 6]}}\n",
+            "{union: [a, b]}"},
+           {"  a: {cone: {from: [18, -1, 22], to: [31, 22, 20], radius: 23, top: 1, segments: 6}}\n"
+            "  b: {plane: {point: [13, 0, 0], normal: [1, 2, 3]}}\n",
+            "{union: [a, b]}"},
            // The end of a wire, straight or curved.
            {ball + "  b: {polyline: [[0.9955, 0.06, 0.06], [3, 0.1, 0.2]]}\n", "{sum: [a, b]}"},
            {ball + "  b: {bezier: {curve: [[0.9955, 0.06, 0.06], [2, 0.1, 0.5], [3, 0.1, 0.2]]}}\n",
