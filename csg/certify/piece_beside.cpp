@@ -19,7 +19,7 @@ namespace {
 using Range = std::array<Interval, 2>;
 
 /// The corners that a piece has in common with another one, or with all flat ones in its plane: of each as many,
-/// one by one.
+/// one by one; a pole not first.
 struct CommonCorners {
   std::vector<std::size_t> of_a, of_b;
 };
@@ -47,6 +47,10 @@ CommonCorners common_corners(const Pieces& pieces, std::uint32_t first, std::uin
       common.of_a.push_back(i);
       common.of_b.push_back(j);
     }
+  }
+  if (common.of_a.size() > 1 && std::ranges::count(a.numbers(), a.points[common.of_a[0]]) > 1) {
+    std::swap(common.of_a[0], common.of_a[1]);
+    std::swap(common.of_b[0], common.of_b[1]);
   }
   return common;
 }
@@ -77,9 +81,10 @@ class Opened {
     ends_ = {next, before};
     std::erase_if(ends_, [&](std::size_t end) { return piece.points[end] == piece.points[corner_]; });
     if (corners.size() < 2 || ends_.size() < 2) return;
-    if (corners[1] == before) std::swap(ends_[0], ends_[1]);
-    const std::size_t side = corners[1] == before ? before : corner_;
-    by_side_ = ends_[0] == corners[1] && (piece.torn >> side & 1u) == 0;
+    const std::uint32_t other = piece.points[corners[1]];
+    if (piece.points[before] == other) std::swap(ends_[0], ends_[1]);
+    by_side_ =
+        piece.points[ends_[0]] == other && (piece.torn >> (ends_[0] == before ? before : corner_) & 1u) == 0;
   }
 
   /// False if the corners are no side.

@@ -68,11 +68,13 @@ double thickness_of(const PiecePart& part);
 
 /// How often parts are halved for one of the questions below; `steps` gets more by it.
 constexpr std::size_t kMostOwnSteps = 200;
+/// True if H is one to one on two parts of a patch, for they are near a pole.
+bool about_pole(const PiecePart& a, const PiecePart& b);
 /// True if `proven(x, y)` holds of two parts, or of all pairs into which the larger ones are halved.
 template <class Proven>
 bool proven_by_halves(const std::vector<Piece>& all, const PiecePart& a, const PiecePart& b, const Proven& proven,
                       std::size_t& left) {
-  if (proven(a, b)) return true;
+  if (!box_of(a.box).meets(box_of(b.box)) || about_pole(a, b) || proven(a, b)) return true;
   if (left == 0) return false;
   --left;
   const bool first = a.share() >= b.share();

@@ -111,22 +111,26 @@ Interval near_pole(const Piece& piece, const Wedge& wedge) {
   return hull(Interval(piece.at[wedge.at_pole][wedge.away]), Interval(middle_of(piece.range[wedge.away])));
 }
 
-/// At right angles to all that is near the pole, and whether the cells are convex; nothing where it is not known.
-std::optional<std::pair<Interval3, bool>> normals_about(const std::vector<Piece>& all,
-                                                        const std::vector<Wedge>& wedges) {
+/// Of each cell near the pole the hulls of derivatives by x and y, and where its sides go, one more than cells.
+struct Fan {
+  std::vector<std::array<Interval3, 2>> along{};
+  Places places;
+};
+std::optional<Fan> fan_about(const std::vector<Piece>& all, const std::vector<Wedge>& wedges) {
   constexpr int kParts = 4;  // of a cell, around
   const Wedge &first = wedges.front(), &last = wedges.back();
   // Where far corners are on the circle about (0, 0): one more than wedges.
   const bool ring = all[first.piece].points[first.from] == all[last.piece].points[last.to];
-  const Places places = ring ? places_of_ring(all, wedges) : places_of_row(all, wedges);
+  Fan fan{.places = ring ? places_of_ring(all, wedges) : places_of_row(all, wedges)};
+  const Places& places = fan.places;
   if (places.empty()) return std::nullopt;
-  Directions found;
   for (std::size_t i = 0; i < wedges.size(); ++i) {
     const auto& [number, around, away, at_pole, from, to] = wedges[i];
     const Piece& piece = all[number];
     const std::array<Interval, 2> c{places[i][0], places[i][1]},
         step{Interval(places[i + 1][0]) - c[0], Interval(places[i + 1][1]) - c[1]};
     if (!((c[0] * step[1] - c[1] * step[0]).inf() > 0)) return std::nullopt;
+    Directions found;
     found.add(difference(piece.corners[from], piece.corners[at_pole]),
               difference(piece.corners[to], piece.corners[from]), c, step);
     const Interval begin(piece.at[from][around]),
@@ -138,10 +142,10 @@ std::optional<std::pair<Interval3, bool>> normals_about(const std::vector<Piece>
       const Interval f(double(k) / kParts, double(k + 1) / kParts);
       range[around] = begin + f * wide;
       const SurfaceJet<Interval> jet = piece.surface->over(range[0], range[1]);
-      const auto fan = piece.surface->fan_over(around, piece.at[at_pole][away], range[0], range[1]);
-      if (!fan) return std::nullopt;
+      const auto twist = piece.surface->fan_over(around, piece.at[at_pole][away], range[0], range[1]);
+      if (!twist) return std::nullopt;
       const Interval3 by_r = scaled(length, away == 0 ? jet.along_u : jet.along_v),
-                      by_f = scaled(Interval(length * wide), *fan);
+                      by_f = scaled(Interval(length * wide), *twist);
       if (!piece.column) {
         found.add(by_r, by_f, {c[0] + f * step[0], c[1] + f * step[1]}, step);
         continue;
@@ -154,9 +158,9 @@ std::optional<std::pair<Interval3, bool>> normals_about(const std::vector<Piece>
       found.add(widened(by_r, more_by_r), scaled(Interval(1) / column.growth(f), widened(by_f, more_by_f)),
                 {c[0] + share * step[0], c[1] + share * step[1]}, step);
     }
+    fan.along.push_back(*found.hulls);
   }
-  return std::pair(cross((*found.hulls)[0], (*found.hulls)[1]),
-                   ring || std::ranges::all_of(places, [](const auto& place) { return place[1] >= 0; }));
+  return fan;
 }
 
 }  // namespace
@@ -169,12 +173,18 @@ void find_poles(std::vector<Piece>& all, std::size_t first) {
       const std::uint32_t point = all[i].points[k];
       if (point != all[i].points[(k + 1) % 4] || !asked.emplace(all[i].patch, point).second) continue;
       const std::vector<Wedge> wedges = wedges_about(all, i, point);
-      const auto normals = wedges.empty() ? std::nullopt : normals_about(all, wedges);
-      if (!normals) continue;
-      for (const Wedge& wedge : wedges) {
-        Piece& piece = all[wedge.piece];
-        piece.pole = {wedge.away, piece.at[wedge.at_pole][wedge.away], near_pole(piece, wedge), normals->first,
-                      normals->second};
+      const auto fan = wedges.empty() ? std::nullopt : fan_about(all, wedges);
+      if (!fan) continue;
+      std::array<Interval3, 2> along = fan->along[0];
+      for (const auto& [by_x, by_y] : fan->along) along = {hull(along[0], by_x), hull(along[1], by_y)};
+      for (std::size_t w = 0; w < wedges.size(); ++w) {
+        Piece& piece = all[wedges[w].piece];
+        piece.pole = {.away = wedges[w].away,
+                      .at = piece.at[wedges[w].at_pole][wedges[w].away],
+                      .near = near_pole(piece, wedges[w]),
+                      .normals = cross(along[0], along[1]),
+                      .along = fan->along[w],
+                      .ends = {fan->places[w], fan->places[w + 1]}};
       }
     }
   }

@@ -24,14 +24,17 @@ bool meet(const Range& a, const Range& b) {
   return a[0].inf() < b[0].sup() && b[0].inf() < a[0].sup() && a[1].inf() < b[1].sup() && b[1].inf() < a[1].sup();
 }
 
-/// Corners that two cells have in common are at the same parameters of both.
+/// Corners that two cells have in common, some, are at the same parameters of both, but for poles.
 bool side_by_side(const Piece& a, const Piece& b) {
+  bool some = false;
   for (std::size_t i = 0; i < a.corner_count; ++i) {
     for (std::size_t j = 0; j < b.corner_count; ++j) {
-      if (a.points[i] == b.points[j] && a.at[i] != b.at[j]) return false;
+      if (a.points[i] != b.points[j] || std::ranges::count(a.numbers(), a.points[i]) > 1) continue;
+      if (a.at[i] != b.at[j]) return false;
+      some = true;
     }
   }
-  return true;
+  return some;
 }
 
 class Neighbours {
@@ -45,7 +48,7 @@ class Neighbours {
   }
 
   bool alone(const PiecePart& part) {
-    if (differ(part, part)) return true;
+    if (about_pole(part, part) || differ(part, part)) return true;
     if (left_ == 0) return false;
     --left_;
     const std::array<PiecePart, 2> both = halves(all_, part, part.longer(), Between::facets_and_surfaces);
@@ -61,25 +64,29 @@ class Neighbours {
  private:
   /// True if the derivatives prove it.
   bool differ(const PiecePart& a, const PiecePart& b) const {
-    const auto &pole = a.piece->pole, &other = b.piece->pole;
-    if (pole && other && pole->away == other->away && pole->at == other->at && pole->is_near(a.range) &&
-        other->is_near(b.range) && !holds_zero(pole->normals) && (pole->convex || a.piece == b.piece))
-      return true;
     const Range both = least(a.range, b.range);
     const SurfaceJet<Interval> jet = all_[between_[0]].surface->over(both[0], both[1]);
     Interval3 u = normalized(jet.way_u), v = normalized(jet.way_v);
-    bool columns = true;
     for (const std::uint32_t i : between_) {
       const Piece& piece = all_[i];
       if (!meet(piece.range, both)) continue;
       if (piece.blind) return false;
       u = hull(u, normalized(piece.along_u));
       v = hull(v, normalized(piece.along_v));
-      columns = columns && piece.column;
     }
-    if (independent(u, v)) return true;
-    const Interval3& meridian = columns && a.piece->column->around == 0 ? v : u;
-    return columns && dot(thin(middle_of(meridian)), meridian).inf() > 0;
+    return independent(u, v) || (a.piece == b.piece && a.piece->column && rises(*a.piece, both));
+  }
+  /// True if all H in a half-plane of a column go one way there; that of F is up to `flat` shorter across the
+  /// axis.
+  static bool rises(const Piece& piece, Range range) {
+    const std::size_t around = piece.column->around, k = piece.at[0][around] == piece.at[1][around] ? 0 : 1;
+    range[around] = Interval(piece.at[k][around]);
+    const SurfaceJet<Interval> jet = piece.surface->over(range[0], range[1]);
+    const Interval3 side = difference(piece.corners[(k + 1) % 4], piece.corners[k]);
+    const Interval up(piece.at[(k + 1) % 4][1 - around] > piece.at[k][1 - around] ? 1 : -1);
+    const Interval3 all = hull(normalized(around == 0 ? jet.way_v : jet.way_u), normalized(scaled(up, side))),
+                    way = thin(middle_of(all));
+    return dot(way, all).inf() > (Interval(piece.column->flat) * length(way) * length(all)).sup();
   }
 
   const std::vector<Piece>& all_;
@@ -88,6 +95,19 @@ class Neighbours {
 };
 
 }  // namespace
+
+bool about_pole(const PiecePart& a, const PiecePart& b) {
+  const auto &x = a.piece->pole, &y = b.piece->pole;
+  if (!x || !y || a.piece->leaf != b.piece->leaf || a.piece->patch != b.piece->patch || x->away != y->away ||
+      x->at != y->at || !x->is_near(a.range) || !y->is_near(b.range))
+    return false;
+  const auto convex = [](const Piece::Pole& first, const Piece::Pole& second) {
+    const std::array<Interval, 4> e{first.ends[0][0], first.ends[0][1], second.ends[1][0], second.ends[1][1]};
+    return first.ends[1] == second.ends[0] && (e[0] * e[3] - e[1] * e[2]).inf() > 0;
+  };
+  return (a.piece == b.piece || convex(*x, *y) || convex(*y, *x)) &&
+         !holds_zero(cross(hull(x->along[0], y->along[0]), hull(x->along[1], y->along[1])));
+}
 
 bool meet_at_pole(const Piece& a, const Piece& b) {
   if (!(a.exact() || a.column) || !(b.exact() || b.column)) return false;

@@ -112,7 +112,8 @@ struct Piece {
     double at;
     Interval near;
     Interval3 normals;
-    bool convex;  ///< the cells, of x and y there
+    std::array<Interval3, 2> along;             ///< all H of this cell there, by x and by y
+    std::array<std::array<double, 2>, 2> ends;  ///< of x and y: the directions of its sides
     bool is_near(const std::array<Interval, 2>& range) const {
       return near.inf() <= range[away].inf() && range[away].sup() <= near.sup();
     }

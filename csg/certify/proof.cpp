@@ -179,6 +179,7 @@ class Prover {
       return;
     }
     if (a != b && !pieces_.adjacent(a, b)) return ask_apart(a, b);
+    if (a != b && meet_at_pole(all_[a], all_[b])) return;
     ask_own(a, b, [&](std::size_t& steps) { return one_to_one(pieces_, of_patch(all_[a]), a, b, steps); });
   }
   /// Of pieces beside each other in a leaf, or one.

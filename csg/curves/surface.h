@@ -71,10 +71,9 @@ class Surface {
   }
   /// Where a surface is one point at a value `pole` of a parameter: its derivative by the other one, `around`,
   /// divided by the first one's distance from there. Nothing where that is not known.
-  virtual std::optional<Vector3<Interval>> fan_over(std::size_t /*around*/, double /*pole*/, const Interval& u,
-                                                    const Interval& v) const {
-    const std::optional<SurfaceBend> bend = bend_over(u, v);
-    return bend ? std::optional(bend->uv) : std::nullopt;
+  virtual std::optional<Vector3<Interval>> fan_over(std::size_t /*around*/, double /*pole*/, const Interval& /*u*/,
+                                                    const Interval& /*v*/) const {
+    return std::nullopt;
   }
   /// Nothing if it is none of revolution.
   virtual std::optional<Revolution> revolution() const { return std::nullopt; }

@@ -41,14 +41,23 @@ class RoundSurface final : public surface_math::SurfaceByJet<RoundSurface<Meridi
     const Interval& along = angle_first_ ? v : u;
     const std::optional<std::array<Interval, 2>> bent = meridian_.bend(along);
     if (!bent) return std::nullopt;
-    const auto [away, around] = directions(Interval(turns_.range * (angle_first_ ? u : v)));
+    const Vector3<Interval> away = directions(Interval(turns_.range * (angle_first_ ? u : v)))[0];
     const MeridianJet<Interval> m = meridian_.jet(along);
     const Interval speed = turn<Interval>() * turns_.range;
     const Vector3<Interval> by_angle = scaled(Interval(-(speed * speed * m.r)), away),
-                            by_both = scaled(Interval(speed * m.r_m), around),
+                            by_both = *fan_over(0, 0, u, v),
                             by_meridian = sum(scaled((*bent)[0], away), scaled((*bent)[1], as<Interval>(axis_)));
     if (angle_first_) return SurfaceBend{by_angle, by_both, by_meridian};
     return SurfaceBend{by_meridian, by_both, by_angle};
+  }
+  /// At any pole, and elsewhere: the derivative along the meridian of that by the angle.
+  std::optional<Vector3<Interval>> fan_over(std::size_t /*around*/, double /*pole*/, const Interval& u,
+                                            const Interval& v) const override {
+    using namespace surface_math;
+    const enclosure::RoundOutward outward;
+    const Interval speed = turn<Interval>() * turns_.range;
+    return scaled(Interval(speed * meridian_.jet(angle_first_ ? v : u).r_m),
+                  directions(Interval(turns_.range * (angle_first_ ? u : v)))[1]);
   }
   std::optional<Revolution> revolution() const override {
     using namespace surface_math;

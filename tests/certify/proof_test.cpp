@@ -232,6 +232,7 @@ TEST_CASE("a closed patch is asked whether it meets itself where it closes, and 
                      ", [1, 0, 0]]], segments: " + std::to_string(segments) + "}}\n",
                  "{simplify: p}");
   };
+  CHECK_FALSE(tent("[6, 1, 0], [-3, 1, 0]", 1).certified());  // the loop is within one cell
   for (const int segments : {6, 16}) {
     INFO(segments << " segments");
     CHECK(tent("[0.95, 1, 0], [0.05, 1, 0]", segments).certified());
