@@ -53,10 +53,8 @@ Row<N> as_numbers(const ConstantRow& row) {
 
 /// Whether the first or last column (of u, 0), or row, has equal points.
 bool is_point(const std::vector<ControlRow>& net, std::size_t parameter, bool first) {
-  if (parameter == 1)
-    return std::ranges::count(first ? net.front() : net.back(), (first ? net.front() : net.back())[0]) ==
-           std::ptrdiff_t(net[0].size());
-  const auto at = [&](const ControlRow& row) { return first ? row.front() : row.back(); };
+  const auto at = [&](const auto& row) { return first ? row.front() : row.back(); };
+  if (parameter == 1) return std::ranges::count(at(net), at(net)[0]) == std::ptrdiff_t(net[0].size());
   return std::ranges::all_of(net, [&](const ControlRow& row) { return at(row) == at(net[0]); });
 }
 
@@ -203,13 +201,12 @@ SplinePatch::SplinePatch(const std::vector<BezierPatch>& pieces, const std::vect
     Piece piece;
     piece.origin = constants(origin);
     piece.polynomial = std::ranges::all_of(net, all_weights_are_one);
-    polynomial = polynomial && piece.polynomial;
     for (std::size_t d = 0; d < 2; ++d) {
       piece.from[d] = constant(spans[k][d][0]);
       piece.size[d] = constant(Rational(spans[k][d][1] - spans[k][d][0]));
       for (std::size_t end = 0; end < 2; ++end) {
-        if (spans[k][d][end] == (end == 0 ? spans.front() : spans.back())[d][end])
-          points[d][end] = points[d][end] && is_point(net, d, end == 0);
+        if (!piece.polynomial || (spans[k][d][end] == border(d, end) && !is_point(net, d, end == 0)))
+          points[d][end] = false;
       }
     }
     for (std::size_t j = 0; j < net.size(); ++j) {
@@ -228,8 +225,7 @@ SplinePatch::SplinePatch(const std::vector<BezierPatch>& pieces, const std::vect
   }
   for (std::size_t d = 0; d < 2; ++d) {
     for (std::size_t end = 0; end < 2; ++end) {
-      if (polynomial && points[d][end])
-        poles_[d].push_back(constant((end == 0 ? spans.front() : spans.back())[d][end]).value);
+      if (points[d][end]) poles_[d].push_back(constant(border(d, end)).value);
     }
   }
 }

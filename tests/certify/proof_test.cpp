@@ -215,22 +215,20 @@ TEST_CASE("patches of one leaf are asked whether they meet beside their common s
 }
 
 TEST_CASE("a closed patch is asked whether it meets itself where it closes, and a wire", "[certify]") {
-  // A curve from the origin to the origin, at the end in a loop, or not.
-  const auto closed = [](const std::string& points, int segments) {
-    return Asked("  p: {bezier: {patch: [[[0, 0, 0], [0, 0, 1]], " + points +
-                     ", [[0, 0, 0], [0, 0, 1]]], segments: " + std::to_string(segments) + "}}\n",
-                 "{simplify: p}");
+  const auto asked = [](const std::string& keys, int segments) {
+    return Asked("  p: {bezier: {" + keys + "], segments: " + std::to_string(segments) + "}}\n", "{simplify: p}");
   };
-  const auto wire = [](const std::string& points, int segments) {
-    return Asked("  p: {bezier: {curve: [[0, 0, 0], " + points +
-                     ", [1, 0, 0]], segments: " + std::to_string(segments) + "}}\n",
-                 "{simplify: p}");
+  // A curve from the origin to the origin, at the end in a loop, or not.
+  const auto closed = [&](const std::string& points, int segments) {
+    return asked("patch: [[[0, 0, 0], [0, 0, 1]], " + points + ", [[0, 0, 0], [0, 0, 1]]", segments);
+  };
+  const auto wire = [&](const std::string& points, int segments) {
+    return asked("curve: [[0, 0, 0], " + points + ", [1, 0, 0]", segments);
   };
   // From a point above, over a curve with a loop or without one.
-  const auto tent = [](const std::string& points, int segments) {
-    return Asked("  p: {bezier: {patch: [[[0, 0, 1], [0, 0, 1], [0, 0, 1], [0, 0, 1]], [[0, 0, 0], " + points +
-                     ", [1, 0, 0]]], segments: " + std::to_string(segments) + "}}\n",
-                 "{simplify: p}");
+  const auto tent = [&](const std::string& points, int segments) {
+    return asked("patch: [[[0, 0, 1], [0, 0, 1], [0, 0, 1], [0, 0, 1]], [[0, 0, 0], " + points + ", [1, 0, 0]]",
+                 segments);
   };
   CHECK_FALSE(tent("[6, 1, 0], [-3, 1, 0]", 1).certified());  // the loop is within one cell
   for (const int segments : {6, 16}) {
