@@ -192,9 +192,10 @@ template CurveJet<double> SplineCurve::jet(const double&) const;
 template CurveJet<Interval> SplineCurve::jet(const Interval&) const;
 
 SplinePatch::SplinePatch(const std::vector<BezierPatch>& pieces, const std::vector<std::array<Span, 2>>& spans) {
-  bool polynomial = true;
-  std::array<std::array<bool, 2>, 2> points{
-      {{true, true}, {true, true}}};  // by parameter and end: the side is one
+  const auto border = [&](std::size_t d, std::size_t end) {
+    return (end == 0 ? spans.front() : spans.back())[d][end];
+  };
+  std::array<std::array<bool, 2>, 2> points{{{true, true}, {true, true}}};  // by parameter, end: that side is one
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const std::vector<ControlRow>& net = pieces[k].net;
     const RationalPoint origin = project(net[0][0]);
