@@ -306,7 +306,7 @@ class Places(Folder):
         ev = cnrg.evaluate(a)
         self.assertEqual([(n.level, n.file, n.line) for n in ev.notices], [("notice", __file__, at)])
         near = cnrg.union(cnrg.box([0, 0, 0], [1, 1, 1]), cnrg.box([1 + 2**-24, 0, 0], [2, 1, 1]))
-        self.assertEqual(len(cnrg.evaluate(near, [near]).notices), 1)
+        self.assertEqual(len(cnrg.evaluate(near, near).notices), 1)
         a = cnrg.box([0, 0, 0], [1, 1, 1], material="rock")
         b = cnrg.box([0, 0, 0], [1, 1, 1], material="clay")
         with self.assertWarnsRegex(cnrg.Notice, "rock"):

@@ -221,7 +221,7 @@ def evaluate(
         )
     if not isinstance(model, Node):
         raise TypeError(f"evaluate: a node or a tree is wanted, not {type(model).__name__}")
-    others = tuple(node for node in nodes if isinstance(node, Node) and node is not model)
+    others = tuple(node for node in nodes if isinstance(node, Node))
     tree = Tree.of(model, *others, weld=weld)
     return evaluate_tree(
         tree, nodes, threads=threads, rows=rows, raw=raw, validate=validate, certify=certify, progress=progress
