@@ -118,8 +118,15 @@ class Opened {
     }
     const SurfaceJet<Interval> jet = piece_.surface->over(range[0], range[1]);
     if (piece_.grid) {
-      const std::array<Interval3, 2> all{hull(normalized(piece_.along_u), normalized(jet.way_u)),
-                                         hull(normalized(piece_.along_v), normalized(jet.way_v))};
+      std::array<Interval3, 2> all{jet.way_u, jet.way_v};
+      const auto& pole = piece_.pole;
+      if (pole && range[pole->away].inf() <= pole->at && pole->at <= range[pole->away].sup()) {
+        const bool upper = pole->at > middle_of(piece_.range[pole->away]);
+        all[1 - pole->away] = scaled(Interval(upper ? -1 : 1),
+                                     *piece_.surface->fan_over(1 - pole->away, pole->at, range[0], range[1]));
+      }
+      all = {hull(normalized(piece_.along_u), normalized(all[0])),
+             hull(normalized(piece_.along_v), normalized(all[1]))};
       for (std::size_t i = 0; i < ends_.size(); ++i) {
         const std::size_t k = parameter(i);
         result.push_back(at(ends_[i], k) > at(corner_, k) ? all[k] : scaled(Interval(-1), all[k]));

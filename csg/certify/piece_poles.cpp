@@ -54,7 +54,7 @@ std::vector<Wedge> wedges_about(const std::vector<Piece>& all, std::uint32_t num
     if (!by_to.contains(at->first)) it = at;
   }
   std::vector<Wedge> row;
-  while (it != by_from.end() && row.size() < by_from.size()) {
+  while (it != by_from.end() && (row.empty() || it->second.piece != row[0].piece)) {
     row.push_back(it->second);
     it = by_from.find(all[it->second.piece].points[it->second.to]);
   }

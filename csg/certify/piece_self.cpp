@@ -64,6 +64,7 @@ class Neighbours {
  private:
   /// True if the derivatives prove it.
   bool differ(const PiecePart& a, const PiecePart& b) const {
+    if (between_.empty()) return false;
     const Range both = least(a.range, b.range);
     const SurfaceJet<Interval> jet = all_[between_[0]].surface->over(both[0], both[1]);
     Interval3 u = normalized(jet.way_u), v = normalized(jet.way_v);
@@ -86,7 +87,8 @@ class Neighbours {
     const Interval up(piece.at[(k + 1) % 4][1 - around] > piece.at[k][1 - around] ? 1 : -1);
     const Interval3 all = hull(normalized(around == 0 ? jet.way_v : jet.way_u), normalized(scaled(up, side))),
                     way = thin(middle_of(all));
-    return dot(way, all).inf() > (Interval(piece.column->flat) * length(way) * length(all)).sup();
+    return dot(way, all).inf() >
+           ((Interval(piece.column->flat) + piece.column->turned) * length(way) * length(all)).sup();
   }
 
   const std::vector<Piece>& all_;
@@ -105,8 +107,9 @@ bool about_pole(const PiecePart& a, const PiecePart& b) {
     const std::array<Interval, 4> e{first.ends[0][0], first.ends[0][1], second.ends[1][0], second.ends[1][1]};
     return first.ends[1] == second.ends[0] && (e[0] * e[3] - e[1] * e[2]).inf() > 0;
   };
-  return (a.piece == b.piece || convex(*x, *y) || convex(*y, *x)) &&
-         !holds_zero(cross(hull(x->along[0], y->along[0]), hull(x->along[1], y->along[1])));
+  return (a.piece == b.piece ||
+          (a.piece->torn == 0 && b.piece->torn == 0 && (convex(*x, *y) || convex(*y, *x)))) &&
+         independent(hull(x->along[0], y->along[0]), hull(x->along[1], y->along[1]));
 }
 
 bool meet_at_pole(const Piece& a, const Piece& b) {
@@ -120,7 +123,7 @@ bool meet_at_pole(const Piece& a, const Piece& b) {
       if (one->points[k] == one->points[(k + 1) % one->corner_count]) poles.insert(one->points[k]);
     }
   }
-  return common.size() > 1 && std::ranges::any_of(common, [&](std::uint32_t p) { return poles.contains(p); });
+  return common.size() == 2 && std::ranges::any_of(common, [&](std::uint32_t p) { return poles.contains(p); });
 }
 
 bool one_to_one(const Pieces& pieces, std::span<const std::uint32_t> patch, std::uint32_t a, std::uint32_t b,

@@ -44,8 +44,12 @@ class SweptSurface final : public SurfaceByJet<SweptSurface> {
     const N speed = turn<N>() * as<N>(turns_) * size;
     const Vector3<N> across = sum(sum(scaled(as<N>(growth_), q), scaled(speed, spin)), v);  // R^-1 S_t
     Vector3<N> normal = turned(cross(p.along, across));
-    return {sum(center, sum(scaled(size, turned(q)), scaled(t, v))), scaled(size, turned(p.along)), turned(across),
-            normal};
+    return {sum(center, sum(scaled(size, turned(q)), scaled(t, v))),
+            scaled(size, turned(p.along)),
+            turned(across),
+            normal,
+            turned(p.along),
+            turned(across)};
   }
 
   SplineCurve profile_;
