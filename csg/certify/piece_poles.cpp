@@ -122,13 +122,12 @@ std::optional<Fan> fan_about(const std::vector<Piece>& all, const std::vector<We
   // Where far corners are on the circle about (0, 0): one more than wedges.
   const bool ring = all[first.piece].points[first.from] == all[last.piece].points[last.to];
   Fan fan{.places = ring ? places_of_ring(all, wedges) : places_of_row(all, wedges)};
-  const Places& places = fan.places;
-  if (places.empty()) return std::nullopt;
+  if (fan.places.empty()) return std::nullopt;
   for (std::size_t i = 0; i < wedges.size(); ++i) {
     const auto& [number, around, away, at_pole, from, to] = wedges[i];
     const Piece& piece = all[number];
-    const std::array<Interval, 2> c{places[i][0], places[i][1]},
-        step{Interval(places[i + 1][0]) - c[0], Interval(places[i + 1][1]) - c[1]};
+    const auto& [place, next] = std::pair(fan.places[i], fan.places[i + 1]);
+    const std::array<Interval, 2> c{place[0], place[1]}, step{Interval(next[0]) - c[0], Interval(next[1]) - c[1]};
     if (!((c[0] * step[1] - c[1] * step[0]).inf() > 0)) return std::nullopt;
     Directions found;
     found.add(difference(piece.corners[from], piece.corners[at_pole]),

@@ -77,8 +77,7 @@ class Neighbours {
     }
     return independent(u, v) || (a.piece == b.piece && a.piece->column && rises(*a.piece, both));
   }
-  /// True if all H in a half-plane of a column go one way there; that of F is up to `flat` shorter across the
-  /// axis.
+  /// True if all H in a half-plane of a column go one way there; F is up to `flat` shorter across the axis.
   static bool rises(const Piece& piece, Range range) {
     const std::size_t around = piece.column->around, k = piece.at[0][around] == piece.at[1][around] ? 0 : 1;
     range[around] = Interval(piece.at[k][around]);

@@ -168,7 +168,7 @@ class Pieces {
   const std::vector<Piece>& all() const { return pieces_; }
   /// True if the pieces, of one leaf, have a corner in common.
   bool adjacent(std::uint32_t a, std::uint32_t b) const;
-  /// True if they are proven to be at an angle all along a common side: this is no curve then.
+  /// True if they are proven to be at an angle all along a common side.
   bool cross_at_edge(std::uint32_t a, std::uint32_t b) const { return at_angle_.contains(std::minmax(a, b)); }
   /// Parameters of a cell that hold the corners which it has in common with another piece of its leaf.
   std::array<Interval, 2> range_beside(std::uint32_t cell, std::uint32_t other) const;

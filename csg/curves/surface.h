@@ -70,7 +70,7 @@ class Surface {
     return std::nullopt;
   }
   /// Where a surface is one point at a value `pole` of a parameter: its derivative by the other one, `around`,
-  /// divided by the first one's distance from there. Nothing where that is not known.
+  /// divided by the difference of the first one from there. Nothing where that is not known.
   virtual std::optional<Vector3<Interval>> fan_over(std::size_t /*around*/, double /*pole*/, const Interval& /*u*/,
                                                     const Interval& /*v*/) const {
     return std::nullopt;

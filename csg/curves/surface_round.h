@@ -41,11 +41,10 @@ class RoundSurface final : public surface_math::SurfaceByJet<RoundSurface<Meridi
     const Interval& along = angle_first_ ? v : u;
     const std::optional<std::array<Interval, 2>> bent = meridian_.bend(along);
     if (!bent) return std::nullopt;
-    const Vector3<Interval> away = directions(Interval(turns_.range * (angle_first_ ? u : v)))[0];
+    const auto [away, around] = directions(Interval(turns_.range * (angle_first_ ? u : v)));
     const MeridianJet<Interval> m = meridian_.jet(along);
     const Interval speed = turn<Interval>() * turns_.range;
-    const Vector3<Interval> by_angle = scaled(Interval(-(speed * speed * m.r)), away),
-                            by_both = *fan_over(0, 0, u, v),
+    const Vector3<Interval> by_angle = scaled(Interval(-(speed * speed * m.r)), away), by_both = mixed(m, around),
                             by_meridian = sum(scaled((*bent)[0], away), scaled((*bent)[1], as<Interval>(axis_)));
     if (angle_first_) return SurfaceBend{by_angle, by_both, by_meridian};
     return SurfaceBend{by_meridian, by_both, by_angle};
@@ -55,9 +54,8 @@ class RoundSurface final : public surface_math::SurfaceByJet<RoundSurface<Meridi
                                             const Interval& v) const override {
     using namespace surface_math;
     const enclosure::RoundOutward outward;
-    const Interval speed = turn<Interval>() * turns_.range;
-    return scaled(Interval(speed * meridian_.jet(angle_first_ ? v : u).r_m),
-                  directions(Interval(turns_.range * (angle_first_ ? u : v)))[1]);
+    return mixed(meridian_.jet(angle_first_ ? v : u),
+                 directions(Interval(turns_.range * (angle_first_ ? u : v)))[1]);
   }
   std::optional<Revolution> revolution() const override {
     using namespace surface_math;
@@ -73,6 +71,9 @@ class RoundSurface final : public surface_math::SurfaceByJet<RoundSurface<Meridi
     const N c = cosine(turns), s = sine(turns);
     const Vector3<N> e1 = as<N>(first_), e2 = as<N>(second_);
     return {sum(scaled(c, e1), scaled(s, e2)), difference(scaled(c, e2), scaled(s, e1))};
+  }
+  Vector3<Interval> mixed(const MeridianJet<Interval>& m, const Vector3<Interval>& around) const {
+    return surface_math::scaled(Interval(surface_math::turn<Interval>() * turns_.range * m.r_m), around);
   }
   template <class N>
   SurfaceJet<N> jet(const N& u, const N& v) const {

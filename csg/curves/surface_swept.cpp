@@ -43,13 +43,13 @@ class SweptSurface final : public SurfaceByJet<SweptSurface> {
     const Vector3<N> q = difference(p.point, center), spin = cross(n, q);
     const N speed = turn<N>() * as<N>(turns_) * size;
     const Vector3<N> across = sum(sum(scaled(as<N>(growth_), q), scaled(speed, spin)), v);  // R^-1 S_t
-    Vector3<N> normal = turned(cross(p.along, across));
+    const Vector3<N> along = turned(p.along), over = turned(across);
     return {sum(center, sum(scaled(size, turned(q)), scaled(t, v))),
-            scaled(size, turned(p.along)),
-            turned(across),
-            normal,
-            turned(p.along),
-            turned(across)};
+            scaled(size, along),
+            over,
+            turned(cross(p.along, across)),
+            along,
+            over};
   }
 
   SplineCurve profile_;

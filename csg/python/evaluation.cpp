@@ -75,8 +75,7 @@ void bind_evaluation(py::module_& module) {
            })
       .def("diagnostics",
            [](const EvaluatedTree& e, const std::vector<std::size_t>& kept) {
-             std::vector<NodeId> roots{e.tree->result};
-             for (const std::size_t node : kept) roots.emplace_back(node);
+             const std::vector<NodeId> roots(kept.begin(), kept.end());
              std::vector<Diagnostic> all = reading_warnings(*e.tree, roots);
              all.insert(all.end(), e.evaluation.diagnostics.begin(), e.evaluation.diagnostics.end());
              for (Diagnostic& d : certificate_of(e.evaluation).told(*e.tree)) all.push_back(std::move(d));

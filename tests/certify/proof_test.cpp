@@ -166,23 +166,23 @@ TEST_CASE("balls nearly in one place are told apart far from the origin, too", "
   }
 }
 
+/// Whether a leaf is, of which all is given but the fineness.
+bool certified(const std::string& leaf, int segments, const std::string& moved = "") {
+  return Asked("  p: {" + leaf + ", segments: " + std::to_string(segments) + "}}\n", "{simplify: p" + moved + "}")
+      .certified();
+}
+
 TEST_CASE("a patch that meets itself is not certified, at any fineness", "[certify]") {
-  const auto asked = [](const char* x1, const char* x2, int segments) {
-    std::string patch;
-    for (const auto& [x, y] : {std::pair("0", "0"), {x1, "1"}, {x2, "1"}, {"1", "0"}})
-      patch += std::string("[[") + x + ", " + y + ", 0], [" + x + ", " + y + ", 1]], ";
-    return Asked("  p: {bezier: {patch: [" + patch + "], segments: " + std::to_string(segments) + "}}\n",
-                 "{simplify: p, translate: [0, 0, 1]}");
+  const auto patch = [](const std::string& x1, const std::string& x2) {
+    return "bezier: {patch: [[[0, 0, 0], [0, 0, 1]], [[" + x1 + ", 1, 0], [" + x1 + ", 1, 1]], [[" + x2 +
+           ", 1, 0], [" + x2 + ", 1, 1]], [[1, 0, 0], [1, 0, 1]]]";
   };
+  const std::string turned = "revolve: {curve: [[2, 0], {bezier: [[3.1, 1], [1.9, 1]]}, [3, 0]]",
+                    up = ", translate: [0, 0, 1]";
   for (const int segments : {3, 4, 7, 16}) {
     INFO(segments << " segments");
-    CHECK(asked("0.95", "0.05", segments).certified());
-    CHECK_FALSE(asked("1.1", "-0.1", segments).certified());  // a loop
-    // The same loop, turned.
-    const Asked turned("  p: {revolve: {curve: [[2, 0], {bezier: [[3.1, 1], [1.9, 1]]}, [3, 0]], segments: " +
-                           std::to_string(segments) + "}}\n",
-                       "{simplify: p, translate: [0, 0, 1]}");
-    CHECK_FALSE(turned.certified());
+    CHECK(certified(patch("0.95", "0.05"), segments, up));
+    for (const std::string& loop : {patch("1.1", "-0.1"), turned}) CHECK_FALSE(certified(loop, segments, up));
   }
 }
 
@@ -215,33 +215,33 @@ TEST_CASE("patches of one leaf are asked whether they meet beside their common s
 }
 
 TEST_CASE("a closed patch is asked whether it meets itself where it closes, and a wire", "[certify]") {
-  const auto asked = [](const std::string& keys, int segments) {
-    return Asked("  p: {bezier: {" + keys + "], segments: " + std::to_string(segments) + "}}\n", "{simplify: p}");
+  const auto with = [](const std::string& before, const std::string& after) {
+    return [=](const std::string& points) { return before + points + after; };
   };
-  // A curve from the origin to the origin, at the end in a loop, or not.
-  const auto closed = [&](const std::string& points, int segments) {
-    return asked("patch: [[[0, 0, 0], [0, 0, 1]], " + points + ", [[0, 0, 0], [0, 0, 1]]", segments);
-  };
-  const auto wire = [&](const std::string& points, int segments) {
-    return asked("curve: [[0, 0, 0], " + points + ", [1, 0, 0]", segments);
-  };
-  // From a point above, over a curve with a loop or without one.
-  const auto tent = [&](const std::string& points, int segments) {
-    return asked("patch: [[[0, 0, 1], [0, 0, 1], [0, 0, 1], [0, 0, 1]], [[0, 0, 0], " + points + ", [1, 0, 0]]",
-                 segments);
-  };
-  CHECK_FALSE(tent("[6, 1, 0], [-3, 1, 0]", 1).certified());  // the loop is within one cell
+  // Curves from the origin to it or [1, 0, 0], with a loop or without one; from a point over them.
+  const auto closed = with("bezier: {patch: [[[0, 0, 0], [0, 0, 1]], ", ", [[0, 0, 0], [0, 0, 1]]]");
+  const auto wire = with("bezier: {curve: [[0, 0, 0], ", ", [1, 0, 0]]");
+  const std::string top = "[[0, 0, 1], [0, 0, 1], [0, 0, 1]";
+  const auto tent = with("bezier: {patch: [" + top + ", [0, 0, 1]], [[0, 0, 0], ", ", [1, 0, 0]]]");
+  const auto cone = with("extrude: {curve: [[0, 0, 0], {bezier: [", "]}, [1, 0, 0]], vector: [0, 0, 1], scale: 0");
+  const auto two =
+      with("bezier: {patches: [[" + top + "], [[1, 0, 0], [1, 1, 0.1], [0, 1, 0]]], [" + top + "], ", "]]");
+  const std::string open = "[[2, -1, 0], [2, -1, 1]], [[2, 2, 0], [2, 2, 1]], [[-1, 1, 0], [-1, 1, 1]]",
+                    loop = "[[4, -1, 0], [4, -1, 1]], [[-2, 2, 0], [-2, 2, 1]], [[1, -1, 0], [1, -1, 1]]";
+  CHECK_FALSE(certified(tent("[6, 1, 0], [-3, 1, 0]"), 1));  // the loop is within one cell
+  CHECK_FALSE(certified(cone("[6, 1, 0], [-3, 1, 0]"), 1));
+  CHECK(certified(cone("[0.8, 1, 0], [0.2, 1, 0]"), 16));
   for (const int segments : {6, 16}) {
     INFO(segments << " segments");
-    CHECK(tent("[0.95, 1, 0], [0.05, 1, 0]", segments).certified());
-    CHECK_FALSE(tent("[1.1, 1, 0], [-0.1, 1, 0]", segments).certified());
-    CHECK(closed("[[2, -1, 0], [2, -1, 1]], [[2, 2, 0], [2, 2, 1]], [[-1, 1, 0], [-1, 1, 1]]", segments)
-              .certified());
-    CHECK_FALSE(closed("[[4, -1, 0], [4, -1, 1]], [[-2, 2, 0], [-2, 2, 1]], [[1, -1, 0], [1, -1, 1]]", segments)
-                    .certified());
-    CHECK(wire("[1, 2, 0], [2, 0, 1]", segments).certified());
-    CHECK(wire("[3, 1, 0], [-2, 1, 1]", 2 * segments).certified());
-    CHECK_FALSE(wire("[3, 1, 0], [-2, 1, 0]", segments).certified());
+    CHECK(certified(tent("[0.95, 1, 0], [0.05, 1, 0]"), segments));
+    CHECK_FALSE(certified(tent("[1.1, 1, 0], [-0.1, 1, 0]"), segments));
+    CHECK(certified(two("[[0, 1, 0], [-1, 1, 0.1], [-1, 0, 0]]"), segments));
+    CHECK_FALSE(certified(two("[[0, 1, 0], [1.2, 0.9, 0], [0.9, 0.1, 0]]"), segments));
+    CHECK(certified(closed(open), segments));
+    CHECK_FALSE(certified(closed(loop), segments));
+    CHECK(certified(wire("[1, 2, 0], [2, 0, 1]"), segments));
+    CHECK(certified(wire("[3, 1, 0], [-2, 1, 1]"), 2 * segments));
+    CHECK_FALSE(certified(wire("[3, 1, 0], [-2, 1, 0]"), segments));
   }
 }
 

@@ -123,7 +123,7 @@ class Evaluation(Sequence[Row]):
     def notices(self) -> list[Diagnostic]:
         """Notices and warnings, each with its place."""
         out = []
-        for level, file, line, column, message in self._evaluation.diagnostics(sorted(set(self._kept[1:]) - {self._kept[0]})):
+        for level, file, line, column, message in self._evaluation.diagnostics(list(dict.fromkeys(self._kept))):
             out.append(Diagnostic(level, self._tree.translated(message), *self._tree.site(file, line, column)))
         return out
 
