@@ -209,7 +209,7 @@ int run_one(Options& options) {
     if (!options.keep.empty()) throw std::runtime_error("--keep means nothing for the truth: name a system");
     const Truth truth = establish_truth(setup, problem);
     if (store) store->write_truth(problem, truth);
-    else std::cout << shown_json(to_json(truth)) << '\n';
+    else std::cout << to_json(truth) << '\n';
     return 0;
   }
   const std::optional<Truth> known =
@@ -218,7 +218,7 @@ int run_one(Options& options) {
   const SweepRow row = run_unit(setup, problem, system, known ? *known : establish_truth(setup, problem), &result);
   if (!options.keep.empty()) keep_tree(options.keep, setup.make(problem), result, row);
   if (store) store->write_row(row);
-  else std::cout << shown_json(to_json(row)) << '\n';
+  else std::cout << to_json(row) << '\n';
   return 0;
 }
 

@@ -92,7 +92,7 @@ inline nlohmann::json parse_json(const std::string& text) {
 /// Bytes that are no UTF-8, as messages of crashed programs have them, are replaced.
 template <class Json>
 std::string json_text(const Json& value, int indent = -1) {
-  return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+  return value.dump(indent, ' ', true, Json::error_handler_t::replace);
 }
 
 }  // namespace cnrg::bench

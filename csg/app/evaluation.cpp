@@ -97,9 +97,9 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
     const Node& node = tree.nodes[certificate.unknown.front()];
     throw TreeError(
         tree.file, node.operator_at,
-        "--certify: `" + node.name +
-            "` is a CAD model: of its curved faces only the facets are known, which do not decide how they "
-            "meet: build the part of shapes, or leave it out");
+        "--certify: of curved faces of `" + node.name +
+            "` only the facets are known, which do not decide how they meet, for it is a CAD model, or `weld` or "
+            "`within` moved it: build the part of shapes, or leave --certify out");
   }
   if (certificate.places.empty()) {
     if (!quiet) {

@@ -35,7 +35,7 @@ struct Certificate {
   std::size_t asked = 0, apart = 0, crossing = 0, contacts = 0;
   std::size_t left = 0;  ///< questions that were not answered within the budget
   std::vector<UncertainPlace> places;
-  std::vector<NodeId> unknown;  ///< leaves with curved faces of which no surface is known: CAD models
+  std::vector<NodeId> unknown;  ///< leaves of whose curved faces only facets are known
   void add(const Certificate& more);
   /// What a file on the true surfaces may have wrong, with the first place; empty: nothing.
   std::string doubt(const Tree& tree) const;

@@ -271,6 +271,21 @@ bool Contact::in(const PlaneEquation& plane) const {
          (kind == Kind::line ? dot(direction, normal) == 0 : is_zero(cross(direction, normal)));
 }
 
+std::optional<CylinderAxis> cylinder_axis(const Quadric& quadric) {
+  const Matrix a = matrix_of(quadric), centers = kernel({a.begin(), a.begin() + 3}, 4), lines = kernel(a, 4);
+  if (lines[0].size() != 1 || lines[3][0] != 0 || centers[0].size() != 2 || centers[3][1] == 0)
+    return std::nullopt;
+  CylinderAxis result{{lines[0][0], lines[1][0], lines[2][0]}, {}};
+  for (std::size_t k = 0; k < 3; ++k) result.middle[k] = centers[k][1] / centers[3][1];
+  return result;
+}
+
+bool equal_roots(const Rational& x, int sign, const Rational& a, int other, const Rational& b) {
+  if (x == 0) return sign == other && a == b;
+  const Rational root = sign * (b - x * x - a) / (2 * x);  // sqrt(a), if it is rational
+  return root >= 0 && root * root == a && sgn(x + sign * root) == other;
+}
+
 std::optional<Contact> contact(const Quadric& first, const Quadric& second) {
   const Matrix a = matrix_of(first), b = matrix_of(second);
   // Without what both have in their kernels, such as the direction of parallel cylinders.

@@ -3,6 +3,8 @@
 // Points of both cells are e(s) + t v and e(s') + t' v' along a common side e, where v and v' are means of the
 // derivatives across it, t and t' not below 0. They are one point only if (s - s') e' + t v - t' v' vanishes: not
 // where e', v and v' are independent, nor where e' and all between v and -v' are, for points with t + t' > 0.
+// A cell that goes on smoothly from a flat piece is on the other side of their side, seen along the plane: of a
+// straight side, or in every half-plane through the axis of both.
 // About a common corner, a plane between the derivatives away from it parts the pieces.
 #include <algorithm>
 #include <optional>
@@ -181,13 +183,16 @@ bool between(const std::vector<Interval3>& a, const std::vector<Interval3>& b) {
 
 class Beside {
  public:
-  Beside(const std::vector<Piece>& all, const Piece& a, const Piece& b, const CommonCorners& common)
-      : a_(all, a, common.of_a), side_(a_.by_side()) {
+  Beside(const Pieces& pieces, const Piece& a, const Piece& b, const CommonCorners& common)
+      : a_(pieces.all(), a, common.of_a), side_(a_.by_side()) {
     if (b.kind == Piece::Kind::flat) {
       flat_ = &b;
+      const auto around = [&](std::size_t corner) { return a.at[common.of_a[corner]][a.column->around]; };
+      if (side_ && (b.wall || (a.column && around(0) != around(1))))
+        away_ = pieces.away_from(b, a.points[common.of_a[0]], a.points[common.of_a[1]]);
       return;
     }
-    b_.emplace(all, b, common.of_b);
+    b_.emplace(pieces.all(), b, common.of_b);
     side_ = side_ && b_->by_side();
   }
 
@@ -205,7 +210,8 @@ class Beside {
       const std::vector<Interval3> away = side_ ? std::vector{of_a[1]} : of_a;
       const auto sign = [&](const Interval3& w) { return dot(flat_->normal, w); };
       return std::ranges::all_of(away, [&](const Interval3& w) { return sign(w).inf() > 0; }) ||
-             std::ranges::all_of(away, [&](const Interval3& w) { return sign(w).sup() < 0; });
+             std::ranges::all_of(away, [&](const Interval3& w) { return sign(w).sup() < 0; }) ||
+             (away_ && dot(*away_, of_a[1]).inf() > 0);
     }
     const std::vector<Interval3> of_b = b_->ways(b_->from_common(b.range, along));
     if (!side_) return between(of_a, of_b);
@@ -216,6 +222,7 @@ class Beside {
   Opened a_;
   std::optional<Opened> b_;
   const Piece* flat_ = nullptr;
+  std::optional<Interval3> away_;
   bool side_;
 };
 
@@ -234,7 +241,7 @@ bool apart_but_beside(const Pieces& pieces, std::uint32_t a, std::uint32_t b, st
   if (all[a].kind == Piece::Kind::flat) std::swap(a, b);
   const CommonCorners common = common_corners(pieces, a, b);
   if (common.of_a.size() > 2 || common.of_a.empty()) return false;
-  const Beside beside(all, all[a], all[b], common);
+  const Beside beside(pieces, all[a], all[b], common);
   std::size_t left = kMostOwnSteps;
   const bool proven = proven_by_halves(
       all, part_of(all, all[a], all[a].range), part_of(all, all[b], all[b].range),

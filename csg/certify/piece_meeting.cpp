@@ -213,7 +213,21 @@ bool Pieces::ends_in(const Piece& curve, std::size_t end, const Piece& other) co
     const auto& [a, b, c, d] = plane_of(other.sheet);
     return a * p[0] + b * p[1] + c * p[2] + d == 0;
   }
-  return std::ranges::any_of(other.numbers(), [&](std::uint32_t n) { return points_.at(other.leaf)[n] == p; });
+  // Corners of another leaf are rounded.
+  return std::ranges::any_of(other.numbers(), [&](std::uint32_t n) { return points_.at(other.leaf)[n] == p; }) &&
+         (other.kind == Piece::Kind::curve || curve.leaf == other.leaf ||
+          (has_equation(other.sheet) && side(std::uint32_t(&other - pieces_.data()), p) == 0));
+}
+
+std::optional<Interval3> Pieces::away_from(const Piece& flat, std::uint32_t p, std::uint32_t q) const {
+  const std::vector<RationalPoint>& points = points_.at(flat.leaf);
+  const auto& [a, b, c, d] = plane_of(flat.sheet);
+  const RationalPoint way = cross(RationalPoint{a, b, c}, points[q] - points[p]);
+  std::set<int> sides;
+  for (const std::uint32_t n : flat.corner_numbers) sides.insert(sgn(dot(way, points[n] - points[p])));
+  sides.erase(0);
+  if (sides.size() != 1) return std::nullopt;
+  return enclose3(Rational(-*sides.begin()) * way);
 }
 
 bool Pieces::drawn_as_one(std::uint32_t a, std::uint32_t b) const {
@@ -289,6 +303,38 @@ int Pieces::side(std::uint32_t cell, const RationalPoint& p) const {
   const RationalPoint way = p - center;
   const Rational along = dot(way, axis), square = dot(way, way), level = square + radius * radius - tube * tube;
   return sgn(level * level - 4 * radius * radius * (square - along * along / dot(axis, axis)));
+}
+
+// Seen along n, the cell is a graph over a half-plane beside the ruling, and falls from there: facets, surface and
+// all between. Two graphs that fall from rulings which cross in a point are equal in a curve through this point.
+std::optional<std::array<Rational, 3>> Pieces::ruling(std::uint32_t cell, const CylinderAxis& axis,
+                                                      const RationalPoint& n) const {
+  const Piece& piece = pieces_[cell];
+  std::vector<RationalPoint> on, off;  // from the middle
+  for (std::size_t k = 0; k < piece.corner_count; ++k) {
+    const RationalPoint& p = points_.at(piece.leaf)[piece.points[k]];
+    (is_zero(cross(gradient(cell, p), n)) ? on : off).push_back(p - axis.middle);
+  }
+  const auto along = [&](const auto& ends) {
+    return ends.size() == 2 && is_zero(cross(ends[0] - ends[1], axis.direction));
+  };
+  if (!piece.grid || !along(on) || !along(off)) return std::nullopt;
+  const Rational height = dot(n, on[0]), lower = dot(n, off[0]);
+  if (height * lower <= 0 || abs(lower) >= abs(height)) return std::nullopt;
+  const RationalPoint &m = axis.middle, out = gradient(cell, axis.middle + on[0]);
+  const Rational level = row_times(equations_.quadrics.at(piece.sheet), 3, m);
+  return std::array<Rational, 3>{dot(n, m), height, Rational(-level * height * height / dot(out, on[0]))};
+}
+
+bool Pieces::cross_in_rulings(std::uint32_t a, std::uint32_t b) const {
+  if (!is_quadric(pieces_[a].sheet) || !is_quadric(pieces_[b].sheet)) return false;
+  const auto one = cylinder_axis(equations_.quadrics.at(pieces_[a].sheet)),
+             other = cylinder_axis(equations_.quadrics.at(pieces_[b].sheet));
+  if (!one || !other) return false;
+  const RationalPoint n = cross(one->direction, other->direction);
+  const auto p = ruling(a, *one, n), q = ruling(b, *other, n);
+  return p && q && (*p)[0] + (*p)[1] == (*q)[0] + (*q)[1] &&
+         equal_roots((*p)[0] - (*q)[0], sgn((*p)[1]), (*p)[2], sgn((*q)[1]), (*q)[2]);
 }
 
 bool Pieces::on_true_side(const RationalPoint& normal, const RationalPoint& at, std::uint32_t cell,

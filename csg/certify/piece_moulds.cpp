@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "csg/curves/extrude.h"
 #include "csg/curves/parametric.h"
 #include "csg/curves/revolved.h"
 #include "csg/leaves/geometry_leaf.h"
@@ -46,6 +47,17 @@ std::map<std::uint32_t, std::vector<SideCurve>> side_curves(const CurvedForm* fo
     }
   }
   return sides;
+}
+
+bool is_wall(const CurvedForm* form, std::uint32_t patch) {
+  if (const auto* const extrusion = dynamic_cast<const ExtrudeForm*>(form))
+    return !extrusion->shape.profile.closed || patch >= 2;
+  const auto* const nets = dynamic_cast<const NetForm*>(form);
+  return nets != nullptr && patch >= nets->patches.size() &&
+         std::ranges::none_of(nets->flats[patch - nets->patches.size()].loops, [](const auto& loop) {
+           return std::ranges::any_of(loop,
+                                      [](const NetForm::Flat::Side& side) { return side.patch.has_value(); });
+         });
 }
 
 }  // namespace
@@ -96,6 +108,7 @@ Mould::Mould(const PreparedLeaf& leaf) {
     Flat& flat = flats.emplace_back();
     flat.patch = patch;
     for (const SideCurve& one : curves[patch]) flat.curves.push_back(one.number);
+    flat.wall = is_wall(leaf.form().get(), patch);
     flat.loops.emplace_back();
     for (const PointId p : soup.corners(f)) {
       if (p.valid()) flat.loops.back().push_back(number_of(p));

@@ -27,6 +27,7 @@ struct Mould {
     std::uint32_t patch = 0;
     std::vector<std::vector<std::uint32_t>> loops;
     std::vector<std::uint32_t> curves;  // numbers of its sides, of a net
+    bool wall = false;                  // Piece::wall
   };
   struct Wire {
     std::uint32_t number = 0;

@@ -315,7 +315,7 @@ class PieceMaker {
     for (std::size_t i = 1; i + 1 < outer.size() && is_zero(normal); ++i)
       normal = cross(exact[outer[i]] - exact[outer[0]], exact[outer[i + 1]] - exact[outer[0]]);
     if (is_zero(normal)) return;
-    Piece piece{.kind = Piece::Kind::flat, .leaf = place.leaf, .patch = flat.patch};
+    Piece piece{.kind = Piece::Kind::flat, .wall = flat.wall, .leaf = place.leaf, .patch = flat.patch};
     set_plane(piece, normal, exact[outer[0]]);
     Interval3 all = piece.point;
     for (const auto& loop : flat.loops) {

@@ -94,6 +94,7 @@ struct Piece {
   bool grid = false;   ///< of a cell: four corners, those of `range` in u and v
   bool bent = false;   ///< of a grid: its facets are two triangles, which share corners 0 and 2
   bool blind = false;  ///< its directions are not known: a net at its pole
+  bool wall = false;   ///< of a flat piece of an extrusion or skin: its sides are straight
   std::uint8_t corner_count = 0;
   std::uint8_t torn = 0;  ///< of a cell: bits of the sides whose curve is not the one beside it
   LeafId leaf;
@@ -186,6 +187,8 @@ class Pieces {
   bool same_corner(std::uint32_t a, std::size_t i, std::uint32_t b, std::size_t j) const;
   /// True if an end of a curve is in the plane of a flat piece, or is a corner of another one, exactly.
   bool ends_in(const Piece& curve, std::size_t end, const Piece& other) const;
+  /// Away from a flat piece in its plane, at right angles to two of its points; nothing if it is on both sides.
+  std::optional<Interval3> away_from(const Piece& flat, std::uint32_t p, std::uint32_t q) const;
   /// What two sheets have in common, if one is on one side of the other, exactly.
   const std::optional<Contact>& contact_of(std::uint32_t sheet, std::uint32_t other);
   bool is_quadric(std::uint32_t sheet) const { return equations_.quadrics.contains(sheet); }
@@ -202,6 +205,9 @@ class Pieces {
     otherwise,
   };
   Meeting facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const;
+  /// True for cells of two cylinders with normals in common only in a ruling each, drawn exactly, which cross: the
+  /// curve in which cylinders cross passes through itself there, and so do facets, whatever t is.
+  bool cross_in_rulings(std::uint32_t a, std::uint32_t b) const;
   /// Leaves with curved patches of which no surface is known, such as those of a CAD model; ascending.
   const std::set<LeafId>& unknown() const { return unknown_; }
 
@@ -233,6 +239,10 @@ class Pieces {
   /// The sides of a plane on which corners of a facet are: 1 in front, 2 behind; and those on it.
   int sides(const PlaneEquation& plane, const Facet& of, std::vector<const RationalPoint*>& on) const;
   Meeting facets_meet(const Facet& a, const Facet& b, const Contact& contact) const;
+  /// Of a ruling that is a side of the cell of a cylinder and has the normal n or -n: along n where the axis is,
+  /// how far it is from there as it is drawn, and the square of how far it is in truth.
+  std::optional<std::array<Rational, 3>> ruling(std::uint32_t cell, const CylinderAxis& axis,
+                                                const RationalPoint& n) const;
   enum class Common : std::uint8_t { nothing, contact, more };
   /// Of convex polygons that have no more than an edge each in a plane between them: of these.
   static Common in_common(const std::vector<const RationalPoint*>& a, const std::vector<const RationalPoint*>& b,

@@ -85,7 +85,10 @@ class Prover {
 
   bool is_cell(Index i) const { return all_[i].kind != Piece::Kind::curve; }
   bool lies_in(Index curve, Index cell) const {
-    return std::ranges::binary_search(all_[curve].in_sheets, all_[cell].sheet);
+    const Piece &one = all_[curve], &other = all_[cell];
+    return std::ranges::binary_search(one.in_sheets, other.sheet) ||
+           (one.exact() && other.exact() && one.in_sheets.empty() && one.points[0] != one.points[1] &&
+            pieces_.ends_in(one, 0, other) && pieces_.ends_in(one, 1, other));
   }
 
   /// What goes on smoothly as what: before anything is asked, for it makes cones wider.
@@ -320,6 +323,8 @@ class Prover {
         proof_.answers.try_emplace(key, Proof::Answer{*known});
         return true;
       }
+      if (question == Question::angle && pieces_.cross_in_rulings(tuple[0], tuple[1]))
+        return answered(key, some = true);
     }
     const Coaxial coaxial = ask_coaxial(tuple, question, Between::facets_and_surfaces);
     if (coaxial == Coaxial::apart || coaxial == Coaxial::crossing) {

@@ -10,13 +10,14 @@
 //   four            have no point in common;
 //   curve, sheet    the tangent is not at right angles to the normal; with two sheets: no point in common;
 //   two curves      no common point, but on a sheet in which both lie, where they cross at an angle.
-// Two sheets may also touch where it is known how (contact.h), with facets that do the same. Then what they have
-// in common is at an angle to a third sheet, and to what this has in common with one of them if they touch as
-// well; or it lies in the third, a plane that crosses both. Where a curve of a leaf is where two of its sheets
-// cross, it is no stratum of its own: the sheets decide. Sheets that are one surface in truth are asked whether
-// they are drawn alike. Cells about one axis are asked in a half-plane (coaxial.h). On request leaves are asked
-// whether they meet themselves, but for what is side by side at a pole: patches that are no quadrics or tori, and
-// wires (piece_self.cpp), and what is beside each other (piece_beside.cpp).
+// Two sheets may also touch where it is known how (contact.h), with facets that do the same; two cylinders may
+// cross as well where they touch (Pieces::cross_in_rulings). Then what they have in common is at an angle to a
+// third sheet, and to what this has in common with one of them if they touch as well; or it lies in the third, a
+// plane that crosses both. Where a curve of a leaf is where two of its sheets cross, it is no stratum of its own:
+// the sheets decide. Sheets that are one surface in truth are asked whether they are drawn alike. Cells about one
+// axis are asked in a half-plane (coaxial.h). On request leaves are asked whether they meet themselves, but for
+// what is side by side at a pole: patches that are no quadrics or tori, and wires (piece_self.cpp), and what is
+// beside each other (piece_beside.cpp).
 //
 // All is decided by intervals on parts of pieces, which are halved until it is, or a number of steps is reached.
 #pragma once

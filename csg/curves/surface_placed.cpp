@@ -117,9 +117,9 @@ class MovedCurve final : public Curve {
 
 }  // namespace
 
-SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform) {
+SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform, bool complete) {
   if (!leaf) return {};
-  return [leaf, transform] {
+  return [leaf, transform, complete] {
     const std::shared_ptr<const LeafSurfaces> given = leaf();
     auto result = std::make_shared<LeafSurfaces>();
     for (const auto& [number, surface] : given->patches())
@@ -132,7 +132,7 @@ SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform) {
     };
     for (const auto& [number, form] : given->forms()) take(number, form);
     for (const auto& [number, form] : given->curve_forms()) take(number, form);
-    if (!given->complete()) result->add_unknown();
+    if (!complete || !given->complete()) result->add_unknown();
     return result;
   };
 }

@@ -35,8 +35,9 @@ class PlacedSurface final : public Surface {
   Vector3<surface_math::Constant> offset_;
 };
 
-/// The surfaces and curves of a leaf where a transform put them; of a leaf that has none, none.
-SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform);
+/// The surfaces and curves of a leaf where a transform put them; of a leaf that has none, none. `complete`: its
+/// facets went with them.
+SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform, bool complete = true);
 
 /// A surface with a place on it, or a plane where `surface` is null.
 struct SurfaceSite {

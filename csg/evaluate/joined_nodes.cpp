@@ -99,6 +99,9 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
   }
   refine_seconds_ += evaluation.refine_seconds;
   if (evaluation.certificate) certificate_.add(*evaluation.certificate);
+  for (const LeafId leaf : IdRange<LeafId>(evaluation.leaf_names.size())) {
+    if (evaluation.parameters->surfaces(leaf)) certificate_.unknown.push_back(evaluation.leaves->node_of(leaf));
+  }
   add_diagnostics(std::move(evaluation.diagnostics));
   add_diagnostics(diagnostics_of(tree, node, joined.report));
   joined_.push_back(std::move(joined));

@@ -38,10 +38,22 @@ std::array<bool, 2> bends(const Piece& piece) {
   return {asked(0), asked(1)};
 }
 
+/// True if a corner was moved (csg/weld) as far as facets go: finer ones are no nearer to the surface.
+bool is_moved(const Piece& piece) {
+  double size = 0, off = 0;
+  for (std::size_t k = 0; k < 3; ++k) size = std::max(size, piece.box.hi[k] - piece.box.lo[k]);
+  for (std::size_t i = 0; i < piece.corner_count; ++i) {
+    const Vector3<double> point = piece.surface->at(piece.at[i][0], piece.at[i][1]).point;
+    for (std::size_t k = 0; k < 3; ++k)
+      off = std::max(off, std::abs(point[k] - double(middle_of(piece.corners[i][k]))));
+  }
+  return 8 * off > size;
+}
+
 /// By u and by v, a line of parameters with which a cell, or a side of one, is nearer to its surface.
 std::array<std::optional<double>, 2> further_lines(const Piece& piece, bool coaxial) {
   std::array<std::optional<double>, 2> lines;
-  if (piece.kind == Piece::Kind::flat || piece.surface == nullptr) return lines;
+  if (piece.kind == Piece::Kind::flat || piece.surface == nullptr || is_moved(piece)) return lines;
   const bool side = piece.kind == Piece::Kind::curve;
   std::array<bool, 2> asked = side ? std::array{true, true} : bends(piece);
   if (coaxial) asked[piece.column->around] = false, asked[1 - piece.column->around] = true;

@@ -101,18 +101,6 @@ std::string shown_in_quotes(std::string_view name) {
   return text;
 }
 
-std::string shown_json(std::string_view json) {
-  std::string out;
-  out.reserve(json.size());
-  for (std::size_t i = 0; i < json.size();) {
-    const Character c = first_character(json.substr(i));
-    if (c.code < 0x7f || (c.valid && !is_hostile(c.code))) out.append(json, i, c.length);
-    else append_json_escape(out, c.code);
-    i += c.length;
-  }
-  return out;
-}
-
 void append_json(std::string& text, std::string_view value) {
   constexpr std::string_view kControls = "\b\t\n\f\r\"\\", kLetters = "btnfr\"\\";
   text += '"';

@@ -40,9 +40,6 @@ std::string excerpt(std::string_view text);
 /// As it is shown, for formats with names in quotation marks and no escapes: these become apostrophes.
 std::string shown_in_quotes(std::string_view name);
 
-/// JSON text, hostile characters as escapes of JSON: it means the same, and may be looked at.
-std::string shown_json(std::string_view json);
-
 /// Where the first byte that is no UTF-8 stands; the size of the text if there is none.
 std::size_t first_invalid(std::string_view text);
 

@@ -194,7 +194,7 @@ class LeafWelder {
         return moved_parameters(*source(), transform, moves, sources, *kept);
       });
     }
-    if (old.leaf->surfaces()) made->set_surfaces(cnrg::moved(old.leaf->surfaces(), old.transform));
+    if (old.leaf->surfaces()) made->set_surfaces(cnrg::moved(old.leaf->surfaces(), old.transform, false));
     return {std::move(made), {}};
   }
 

@@ -203,17 +203,6 @@ class Csr {
     offsets_.reserve(lists + 1);
     values_.reserve(values);
   }
-  /// Builds from (id, value) pairs that are sorted by id.
-  static Csr from_sorted(std::size_t n, const std::vector<std::pair<IdT, T>>& pairs) {
-    check_count(n, kPlural<IdT>);
-    Csr csr;
-    csr.offsets_.assign(n + 1, 0);
-    csr.values_.reserve(pairs.size());
-    for (const auto& [id, value] : pairs) ++csr.offsets_[id.index() + 1];
-    sum_up(csr.offsets_, kEntries);
-    for (const auto& [id, value] : pairs) csr.values_.push_back(value);
-    return csr;
-  }
   /// Builds from offsets (n + 1 numbers) and values.
   static Csr from_parts(std::vector<std::uint32_t> offsets, std::vector<T> values) {
     check_count(offsets.size() - 1, kPlural<IdT>);

@@ -66,14 +66,6 @@ void Complex::closure_edges(FaceId f, std::vector<EdgeId>& out) const {
   sort_unique(out);
 }
 
-void Complex::closure_vertices(FaceId f, std::vector<VertexId>& out) const {
-  out.assign(face_vertices[f].begin(), face_vertices[f].end());
-  for (const LoopId l : face_loops[f]) {
-    for (const HalfEdge h : loop[l]) out.push_back(origin(h));
-  }
-  sort_unique(out);
-}
-
 ExactPoint interior_point(const Complex& complex, EdgeId e) {
   const auto [a, b] = complex.edge_ends[e];
   const RationalPoint p = complex.points.rational(a), q = complex.points.rational(b);

@@ -164,9 +164,8 @@ class Complex {
   /// The regions in the star of a cell, ascending and unique.
   void star_regions(VertexId v, std::vector<RegionId>& out) const;
   void star_regions(EdgeId e, std::vector<RegionId>& out) const;
-  /// The edges (vertices) in the closure of a face: loops, slits and isolated vertices; ascending and unique.
+  /// The edges in the closure of a face: loops and slits; ascending and unique.
   void closure_edges(FaceId f, std::vector<EdgeId>& out) const;
-  void closure_vertices(FaceId f, std::vector<VertexId>& out) const;
 
  private:
   friend class ComplexBuilder;
@@ -207,9 +206,6 @@ class Locator {
   explicit Locator(const Complex& complex);
   ~Locator();
   Location locate(const RationalPoint& p) const;
-  /// The first half-face that a ray from p in a fixed generic direction meets, among the faces for which
-  /// `accept` is true; an invalid one when it meets none. p must not lie on an accepted face.
-  HalfFace first_hit(const RationalPoint& p, const std::vector<char>& accept) const;
 
  private:
   struct Data;

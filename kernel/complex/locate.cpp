@@ -107,9 +107,4 @@ Location Locator::locate(const RationalPoint& point) const {
   return found;
 }
 
-HalfFace Locator::first_hit(const RationalPoint& point, const std::vector<char>& accept) const {
-  const RayCaster::Ray ray = data_->caster.cast(ExactPoint::from(point), FaceId::none(), accept);
-  return ray.hits.empty() ? HalfFace() : ray.hits.front();
-}
-
 }  // namespace cnrg

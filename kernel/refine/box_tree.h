@@ -19,8 +19,6 @@ class BoxTree {
   /// Builds over boxes; item i is `boxes[i]`.
   explicit BoxTree(std::vector<Box> boxes);
 
-  std::size_t item_count() const { return items_.size(); }
-
   /// Calls `visit(item)` for every item whose box satisfies `test(box)`; test must be monotone (true for a box
   /// if true for a box inside of it).
   template <class Test, class Visit>

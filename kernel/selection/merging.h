@@ -84,8 +84,6 @@ class Merging {
   RegionId region(RegionId r) { return regions_.find(r); }
   /// The smallest face of the merged face, and whether f is oriented against it.
   std::pair<FaceId, bool> face(FaceId f) const { return faces_.find(f); }
-  /// The faces that merged into a smaller one, ascending.
-  const std::vector<FaceId>& joined_faces() const { return faces_.joined(); }
   /// The edges of fate in_face, ascending.
   const std::vector<EdgeId>& inner_edges() const { return inner_edges_; }
   /// The smallest edge of the chain that holds a kept edge.

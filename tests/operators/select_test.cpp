@@ -137,7 +137,9 @@ void add_closure(const Complex& complex, FaceId f, Cells& out) {
   std::vector<EdgeId> edges;
   std::vector<VertexId> vertices;
   complex.closure_edges(f, edges);
-  complex.closure_vertices(f, vertices);
+  vertices.assign(complex.face_vertices[f].begin(), complex.face_vertices[f].end());
+  for (const LoopId l : complex.face_loops[f])
+    for (const HalfEdge h : complex.loop[l]) vertices.push_back(complex.origin(h));
   out.emplace(2, f.index());
   for (const EdgeId e : edges) out.emplace(1, e.index());
   for (const VertexId v : vertices) out.emplace(0, v.index());

@@ -40,7 +40,6 @@ class Kernel {
   }
 
   const cnrg::Complex& complex() const { return complex_; }
-  const cnrg::Locator& locator() const { return locator_; }
   const cnrg::Group& leaf(std::size_t i) const { return leaves_[i]; }
 
   // Both groups hold the same entities, and regions that correspond one to one.
@@ -219,7 +218,7 @@ std::string compare_pair(const Grid& grid, const Group& a, const Group& b, const
     if (how.thorough) {
       for (int i : {0, 1}) {
         const auto &x = kernel.leaf(i), &y = kernel.leaf(1 - i);
-        if (cnrg::classify_by_location(kernel.complex(), kernel.locator(), x, y) !=
+        if (cnrg::classify_by_location(kernel.complex(), x, y) !=
             cnrg::classify_by_propagation(kernel.complex(), x, y)) {
           return "the paper's classification and propagation differ";
         }

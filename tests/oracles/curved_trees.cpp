@@ -218,7 +218,7 @@ const Group& group_value(const Evaluation& evaluation, NodeId id) {
   return value.is_group() ? value.group() : value.stands_for.value();
 }
 
-std::string check_node(const Tree& tree, const Evaluation& evaluation, const Locator& locator, NodeId id) {
+std::string check_node(const Tree& tree, const Evaluation& evaluation, NodeId id) {
   const Complex& complex = *evaluation.complex;
   const Group& g = group_value(evaluation, id);
   std::string out = check_group(complex, g);
@@ -229,8 +229,8 @@ std::string check_node(const Tree& tree, const Evaluation& evaluation, const Loc
   if (const auto op = boolean_of(tree.nodes[id].operator_name); op && out.empty()) {
     const Group &a = group_value(evaluation, operands[0]), &b = group_value(evaluation, operands[1]);
     out = check_boolean(complex, *op, a, b, g);
-    if (out.empty() && (classify_by_location(complex, locator, a, b) != classify_by_propagation(complex, a, b) ||
-                        classify_by_location(complex, locator, b, a) != classify_by_propagation(complex, b, a))) {
+    if (out.empty() && (classify_by_location(complex, a, b) != classify_by_propagation(complex, a, b) ||
+                        classify_by_location(complex, b, a) != classify_by_propagation(complex, b, a))) {
       out = "the paper's classification and propagation differ";
     }
   }
@@ -254,10 +254,8 @@ std::string check_curved_tree(const std::string& text) {
   options.threads = 1;
   for (NodeId id : IdRange<NodeId>(tree.nodes.size())) options.nodes.push_back(id);
   const Evaluation evaluation = evaluate(tree, options);
-  const Locator locator(*evaluation.complex);
   for (NodeId id : IdRange<NodeId>(tree.nodes.size())) {
-    if (std::string f = check_node(tree, evaluation, locator, id); !f.empty())
-      return tree.nodes[id].name + ": " + f;
+    if (std::string f = check_node(tree, evaluation, id); !f.empty()) return tree.nodes[id].name + ": " + f;
   }
   return {};
 }

@@ -159,7 +159,9 @@ std::string validate(const Complex& complex, const Group& group) {
     std::vector<EdgeId> edges;
     std::vector<VertexId> vertices;
     complex.closure_edges(f, edges);
-    complex.closure_vertices(f, vertices);
+    vertices.assign(complex.face_vertices[f].begin(), complex.face_vertices[f].end());
+    for (const LoopId l : complex.face_loops[f])
+      for (const HalfEdge h : complex.loop[l]) vertices.push_back(complex.origin(h));
     for (const EdgeId e : edges)
       if (!group.has(e)) return "an edge of face " + std::to_string(f.value()) + " is missing";
     for (const VertexId v : vertices)

@@ -3,13 +3,15 @@
 // hit too: beyond them nothing is located.
 #include "tests/oracles/paper_classification.h"
 
+#include "kernel/complex/ray.h"
+
 namespace cnrg {
 namespace {
 
 class PointLocation {
  public:
-  PointLocation(const Complex& complex, const Locator& locator, const Group& other)
-      : complex_(complex), locator_(locator), other_(other), accept_(complex.face_count(), 0) {
+  PointLocation(const Complex& complex, const Group& other)
+      : complex_(complex), caster_(complex, true), other_(other), accept_(complex.face_count(), 0) {
     for (FaceId f : other.faces) accept_[f.index()] = 1;
     if (!complex.frame.valid()) return;
     for (FaceId f : IdRange<FaceId>(complex.face_count())) {
@@ -17,23 +19,22 @@ class PointLocation {
     }
   }
   Classification operator()(const RationalPoint& p) const {
-    const HalfFace hit = locator_.first_hit(p, accept_);
-    const RegionId seen = hit == HalfFace() ? RegionId(0) : complex_.region(hit);
+    const RayCaster::Ray ray = caster_.cast(ExactPoint::from(p), FaceId::none(), accept_);
+    const RegionId seen = ray.hits.empty() ? RegionId(0) : complex_.region(ray.hits.front());
     return other_.region_of(seen) != 0 ? Classification::in : Classification::out;
   }
 
  private:
   const Complex& complex_;
-  const Locator& locator_;
+  RayCaster caster_;
   const Group& other_;
   std::vector<char> accept_;
 };
 
 }  // namespace
 
-GroupClassification classify_by_location(const Complex& complex, const Locator& locator, const Group& group,
-                                         const Group& other) {
-  const PointLocation locate(complex, locator, other);
+GroupClassification classify_by_location(const Complex& complex, const Group& group, const Group& other) {
+  const PointLocation locate(complex, other);
   GroupClassification out;
   IdVector<VertexId, Classification> of_vertex(complex.points.size(), Classification::inters);
   for (VertexId v : group.vertices) {

@@ -20,8 +20,7 @@ struct GroupClassification {
 };
 
 /// By point location: rays against the faces of `other` alone.
-GroupClassification classify_by_location(const Complex& complex, const Locator& locator, const Group& group,
-                                         const Group& other);
+GroupClassification classify_by_location(const Complex& complex, const Group& group, const Group& other);
 /// By the labels of the 3-cells around each entity.
 GroupClassification classify_by_propagation(const Complex& complex, const Group& group, const Group& other);
 

@@ -15,13 +15,13 @@ enum class Class : std::uint8_t { none, in, out, inters };
 /// One operand: its entities, each with the class that the paper's location gives it, and the terms about it.
 class Operand {
  public:
-  Operand(const Complex& complex, const Locator& locator, const Group& group, const Group& other)
+  Operand(const Complex& complex, const Group& group, const Group& other)
       : complex_(complex),
         group_(group),
         faces_(complex.face_count(), Class::none),
         edges_(complex.edge_count(), Class::none),
         vertices_(complex.points.size(), Class::none) {
-    const GroupClassification c = classify_by_location(complex, locator, group, other);
+    const GroupClassification c = classify_by_location(complex, group, other);
     const auto of = [](Classification x) {
       return x == Classification::inters ? Class::inters : x == Classification::in ? Class::in : Class::out;
     };
@@ -75,14 +75,13 @@ int uses(const Complex& complex, EdgeId e, FaceId f) {
 
 class Reader {
  public:
-  Reader(const Complex& complex, const Locator& locator, BooleanOp op, Dominance dominance, const Group& left,
-         const Group& right)
+  Reader(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right)
       : complex_(complex),
         op_(op),
         dominant_(dominance != Dominance::equal),
         swapped_(op != BooleanOp::subtract && dominance == Dominance::right),
-        a_(complex, locator, swapped_ ? right : left, swapped_ ? left : right),
-        b_(complex, locator, swapped_ ? left : right, swapped_ ? right : left),
+        a_(complex, swapped_ ? right : left, swapped_ ? left : right),
+        b_(complex, swapped_ ? left : right, swapped_ ? right : left),
         face_left_(complex.face_count(), 0),
         edge_left_(complex.edge_count(), 0) {}
 
@@ -270,9 +269,9 @@ class Reasons {
 
 }  // namespace
 
-PaperReading paper_reading(const Complex& complex, const Locator& locator, BooleanOp op, Dominance dominance,
-                           const Group& left, const Group& right) {
-  return Reader(complex, locator, op, dominance, left, right).read();
+PaperReading paper_reading(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left,
+                           const Group& right) {
+  return Reader(complex, op, dominance, left, right).read();
 }
 
 std::string compare_readings(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left,

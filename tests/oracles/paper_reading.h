@@ -43,8 +43,8 @@ struct PaperReading {
   std::size_t loose = 0;          ///< vertices removed for nothing but that
 };
 
-PaperReading paper_reading(const Complex& complex, const Locator& locator, BooleanOp op, Dominance dominance,
-                           const Group& left, const Group& right);
+PaperReading paper_reading(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left,
+                           const Group& right);
 
 /// How many cells the letter removes more than the rows, by why they stay there.
 struct ReadingDifference {

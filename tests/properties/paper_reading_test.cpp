@@ -24,13 +24,12 @@ constexpr BooleanOp kOps[] = {BooleanOp::unite, BooleanOp::intersect, BooleanOp:
 constexpr Dominance kDominances[] = {Dominance::left, Dominance::right, Dominance::equal};
 
 /// Every operator and dominance on two groups; the first difference of another kind in words.
-std::string compare_all(const Complex& complex, const Locator& locator, const Group& left, const Group& right,
-                        ReadingTally& tally) {
+std::string compare_all(const Complex& complex, const Group& left, const Group& right, ReadingTally& tally) {
   for (const BooleanOp op : kOps) {
     for (const Dominance dominance : kDominances) {
       if (op == BooleanOp::subtract && dominance != Dominance::left) continue;
       const Group result = boolean_operation(complex, op, dominance, left, right).group;
-      const PaperReading letter = paper_reading(complex, locator, op, dominance, left, right);
+      const PaperReading letter = paper_reading(complex, op, dominance, left, right);
       const std::size_t before = tally.difference.faces_kept_around + tally.difference.features_of_walls;
       const std::string wrong =
           compare_readings(complex, op, dominance, left, right, result, letter, tally.difference);
@@ -48,13 +47,12 @@ std::string compare_all(const Complex& complex, const Locator& locator, const Gr
 /// The leaves in pairs, and what an operator makes of the first two against the third.
 std::string compare_leaves(const std::vector<scenes::Leaf>& leaves, std::uint64_t seed, ReadingTally& tally) {
   const auto complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
-  const Locator locator(*complex);
   const std::vector<Group> groups = leaf_groups(*complex);
-  std::string wrong = compare_all(*complex, locator, groups[0], groups[1], tally);
+  std::string wrong = compare_all(*complex, groups[0], groups[1], tally);
   if (!wrong.empty()) return "the first two: " + wrong;
   const Group both =
       boolean_operation(*complex, kOps[seed % 3], kDominances[seed / 3 % 3], groups[0], groups[1]).group;
-  wrong = compare_all(*complex, locator, both, groups[2], tally);
+  wrong = compare_all(*complex, both, groups[2], tally);
   return wrong.empty() ? "" : "their result and the third: " + wrong;
 }
 

@@ -5,12 +5,10 @@ facets: four times smaller for twice as many. With `curved=True` the elements of
 which a result knows, and the volume is right to some digits with few of them. No number here depends on luck: the
 same script prints the same digits on every machine.
 """
-import warnings
 from fractions import Fraction
 
 import cnrg
 
-warnings.simplefilter("ignore", cnrg.Notice)  # of the two points in which the pipes touch
 exact = Fraction(16, 3)
 
 

@@ -221,24 +221,24 @@ await testScale({cnrg, check, open, close, work});
   const tree = join(work, 'near.yaml'), file = join(work, 'near.html');
   writeFileSync(tree, `cnrg: 1
 nodes:
-  a: {cylinder: {from: [0, 0, -4], to: [0, 0, 4], radius: 2}}
-  b: {cylinder: {from: [-5, 0, 0], to: [5, 0, 0], radius: 2}}
+  a: {cylinder: {from: [1, 0, -3], to: [1, 0, 3], radius: 1}}
+  b: {sphere: {center: [0, 0, 0], radius: 2}}
   both: {union: [a, b]}
 result: both
 `);
   cnrg('view', tree, '-o', file, '--quiet');
   const page = await open(file);
-  await accessible(page, 'equal pipes');
+  await accessible(page, 'Viviani');
   const told = await page.locator('#doubtlist li').allTextContents();
-  check(told.length > 0 && told[0].startsWith('`a` (cylinder side) and `b` (cylinder side) near ['), `equal pipes: told in the panel: ${told[0]}`);
+  check(told.length > 0 && told[0].startsWith('`a` (cylinder side) and `b` (sphere) near ['), `Viviani: told in the panel: ${told[0]}`);
   const legend = page.locator('#legend', {hasText: 'uncertain'});
-  equal(await legend.count(), 1, 'equal pipes: the legend has the mark');
+  equal(await legend.count(), 1, 'Viviani: the legend has the mark');
   const box = await page.locator('#scene').boundingBox();
   const [x, y] = await page.evaluate(() => window.cnrg.scene.project(window.cnrg.scene.place(window.cnrg.page.doubts[0].at)));
   await page.mouse.click(box.x + x, box.y + y);
-  check((await page.locator('#note').textContent()).endsWith(told[0]), 'equal pipes: a click at the mark tells of it');
+  check((await page.locator('#note').textContent()).endsWith(told[0]), 'Viviani: a click at the mark tells of it');
   await page.uncheck('#doubts');
-  equal(await legend.count(), 0, 'equal pipes: the mark is switched off');
+  equal(await legend.count(), 0, 'Viviani: the mark is switched off');
   await close(page);
   const plain = await open(join(work, 'hostile.html'));
   check(await plain.locator('#doubtful').isHidden(), 'without uncertain places there is no switch');
