@@ -475,8 +475,8 @@ TEST_CASE("no text of a tree is HTML in its page", "[view]") {
 TEST_CASE("a page has the uncertain places of each node, in the words of the notices", "[view]") {
   const Tree tree = parse_tree(R"(cnrg: 1
 nodes:
-  a: {cylinder: {from: [0, 0, -4], to: [0, 0, 4], radius: 2}}
-  b: {cylinder: {from: [-5, 0, 0], to: [5, 0, 0], radius: 2}}
+  a: {cylinder: {from: [1, 0, -3], to: [1, 0, 3], radius: 1}}
+  b: {sphere: {center: [0, 0, 0], radius: 2}}
   both: {union: [a, b]}
 result: both
 )",
