@@ -42,7 +42,7 @@ fs::path folder_of(const Page& page) {
 }
 
 /// Where the commands of a page run: `cnrg` is the program, `example_NAME` are those of csg/examples beside it,
-/// `python3` has the module, papers/ is a copy, and the files of the first page are there.
+/// `python3` has the module and its examples, papers/ is a copy, and the files of the first page are there.
 void furnish(const Workshop& w, const Page& page) {
   fs::create_directory(w.path(".bin"));
   fs::create_symlink(CNRG_PROGRAM, w.path(".bin") / "cnrg");
@@ -53,6 +53,8 @@ void furnish(const Workshop& w, const Page& page) {
   w.write(".bin/python3", "#!/bin/sh\nPYTHONPATH='" CNRG_MODULES "' exec /usr/bin/python3 -B \"$@\"\n");
   fs::permissions(w.path(".bin/python3"), fs::perms::owner_all);
   fs::copy(root() / "papers", w.path("papers"), fs::copy_options::recursive);
+  fs::create_directories(w.path("csg/python"));
+  fs::create_directory_symlink(root() / "csg/python/examples", w.path("csg/python/examples"));
   fs::create_directories(w.path("out") / page.path.parent_path().filename());
   const Page first = read_page(root() / "README.md");
   for (const CodeBlock& block : first.blocks)
@@ -65,13 +67,11 @@ Outcome run(const Workshop& w, const fs::path& folder, const std::string& comman
                  "\n} </dev/null >.out 2>.err");
 }
 
-bool is_picture(const fs::path& file) { return file.extension() == ".png" || file.extension() == ".svg"; }
-
 /// The pictures in a folder.
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> out;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (is_picture(entry.path())) out.push_back(entry.path());
+    if (const fs::path end = entry.path().extension(); end == ".png" || end == ".svg") out.push_back(entry.path());
   }
   std::sort(out.begin(), out.end());
   return out;
