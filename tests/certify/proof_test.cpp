@@ -1,5 +1,4 @@
 // Certificates of trees whose topology is known, and of contacts and near contacts.
-#include <random>
 
 #include "csg/certify/certificate.h"
 #include "csg/evaluate/evaluate.h"
@@ -449,8 +448,17 @@ TEST_CASE("planes and edges through poles of balls and tips of cones are certifi
   }
 }
 
+void check_contact(const std::string& leaves, const char* result, AskedProof proof, const Cells& cells) {
+  for (const int finer : {1, 2}) {
+    INFO(leaves << finer);
+    const Asked asked(leaves, result, proof, finer);
+    CHECK(asked.certified());
+    CHECK(asked.certificate().contacts > 0);
+    CHECK(asked.cells() == cells);
+  }
+}
+
 TEST_CASE("contacts of planes and quadrics are certified where they are drawn", "[certify]") {
-  std::mt19937_64 random(47);
   const std::string slab = "  a: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n";
   const std::string one = "  a: {sphere: {center: [0, 0, 0], radius: 1}}\n";
   const std::string pipe = "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 1}}\n";
@@ -470,13 +478,7 @@ TEST_CASE("contacts of planes and quadrics are certified where they are drawn", 
            {"  a: {cone: {from: [0, 0, 0], to: [0, 0, 28/17], radius: 105/34, segments: 16}" + turned +
                 "  b: {halfspace: {point: [3360/4913, 0, 6300/4913], normal: [-8/17, 0, -15/17]}" + turned,
             {2, 2, 3, 2}}}) {
-    for (const int finer : {1, 2}) {
-      INFO(leaves << finer);
-      const Asked asked(leaves, "{union: [a, b]}", AskedProof::within_budget, finer);
-      CHECK(asked.certified());
-      CHECK(asked.certificate().contacts > 0);
-      CHECK(asked.cells() == cells);
-    }
+    check_contact(leaves, "{union: [a, b]}", AskedProof::within_budget, cells);
   }
 }
 
@@ -493,13 +495,7 @@ TEST_CASE("contacts of tori are certified where they are drawn", "[certify]") {
            {ring + "  b: {cylinder: {from: [6, -2, 0], to: [6, 4, 0], radius: 2}}\n", {1, 0, 0, 0}},
            {ring + "  b: {torus: {center: [7.5, 0, 0], axis: [0, 0, 1], radius: 3, tube: 0.5}}\n",
             {1, 0, 0, 0}}}) {
-    for (const int finer : {1, 2}) {
-      INFO(leaves << finer);
-      const Asked asked(leaves, "{intersection: [a, b]}", AskedProof::to_the_end, finer);
-      CHECK(asked.certified());
-      CHECK(asked.certificate().contacts > 0);
-      CHECK(asked.cells() == cells);
-    }
+    check_contact(leaves, "{intersection: [a, b]}", AskedProof::to_the_end, cells);
   }
 }
 

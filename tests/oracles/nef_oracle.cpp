@@ -190,58 +190,39 @@ NefSet NefSet::leaf(const scenes::Leaf& leaf) {
   return unite_all(std::move(sets));
 }
 
+template <class Make>
+NefSet NefSet::of(const Make& make) {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(make()); });
+  return set;
+}
+
 NefSet NefSet::unite(const NefSet& other) const {
-  NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(bench::nef::united(data_->nef, other.data_->nef)); });
-  return set;
+  return of([&] { return bench::nef::united(data_->nef, other.data_->nef); });
 }
-
 NefSet NefSet::intersect(const NefSet& other) const {
-  NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(bench::nef::common(data_->nef, other.data_->nef)); });
-  return set;
+  return of([&] { return bench::nef::common(data_->nef, other.data_->nef); });
 }
-
 NefSet NefSet::subtract(const NefSet& other) const {
-  NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(bench::nef::closed_difference(data_->nef, other.data_->nef)); });
-  return set;
+  return of([&] { return bench::nef::closed_difference(data_->nef, other.data_->nef); });
 }
-
 NefSet NefSet::without(const NefSet& other) const {
-  NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(bench::nef::without(data_->nef, other.data_->nef)); });
-  return set;
+  return of([&] { return bench::nef::without(data_->nef, other.data_->nef); });
 }
-
 NefSet NefSet::complement() const {
-  NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(data_->nef.complement()); });
-  return set;
+  return of([&] { return data_->nef.complement(); });
 }
-
 NefSet NefSet::interior() const {
-  NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(bench::nef::settled(data_->nef.interior())); });
-  return set;
+  return of([&] { return bench::nef::settled(data_->nef.interior()); });
 }
-
 NefSet NefSet::closure() const {
-  NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(bench::nef::settled(data_->nef.closure())); });
-  return set;
+  return of([&] { return bench::nef::settled(data_->nef.closure()); });
 }
-
 NefSet NefSet::boundary() const {
-  NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(bench::nef::settled(data_->nef.boundary())); });
-  return set;
+  return of([&] { return bench::nef::settled(data_->nef.boundary()); });
 }
-
 NefSet NefSet::regularization() const {
-  NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(bench::nef::settled(data_->nef.regularization())); });
-  return set;
+  return of([&] { return bench::nef::settled(data_->nef.regularization()); });
 }
 
 bool NefSet::unbounded() const { return bench::nef::unbounded_mark(data_->nef); }

@@ -62,6 +62,8 @@ class NefSet {
 
  private:
   struct Data;
+  template <class Make>
+  static NefSet of(const Make& make);
   std::shared_ptr<const Data> data_;
 };
 
