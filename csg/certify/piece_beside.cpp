@@ -111,6 +111,33 @@ class Opened {
     range[k] = Interval(std::max(all.inf(), piece_.range[k].inf()), std::min(all.sup(), piece_.range[k].sup()));
     return range;
   }
+  /// Of all H there from the common corner: F is in the cone of the ways to other corners, S in that of its
+  /// derivatives.
+  std::vector<Interval3> ways_from_corner(const Range& range) const {
+    if (!piece_.grid || piece_.pole) return ways(range);
+    const SurfaceJet<Interval> jet = piece_.surface->over(range[0], range[1]);
+    std::vector<Interval3> result;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      const std::size_t k = parameter(i);
+      const Interval3 way = normalized(k == 0 ? jet.way_u : jet.way_v);
+      result.push_back(at(ends_[i], k) > at(corner_, k) ? way : scaled(Interval(-1), way));
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (piece_.points[i] != piece_.points[corner_])
+        result.push_back(normalized(difference(piece_.corners[i], piece_.corners[corner_])));
+    }
+    return result;
+  }
+  /// The derivatives of all H along a side, where a range has it.
+  Interval3 along_side(Range range) const {
+    if (!piece_.grid || piece_.pole) return ways(range)[0];
+    const std::size_t k = parameter(0);
+    range[1 - k] = at(corner_, 1 - k);
+    const SurfaceJet<Interval> jet = piece_.surface->over(range[0], range[1]);
+    const Interval3 way = normalized(k == 0 ? jet.way_u : jet.way_v);
+    return hull(normalized(difference(piece_.corners[ends_[0]], piece_.corners[corner_])),
+                at(ends_[0], k) > at(corner_, k) ? way : scaled(Interval(-1), way));
+  }
   /// The derivatives of all H there, away from the common corner: of a side the first is along it.
   std::vector<Interval3> ways(const Range& range) const {
     std::vector<Interval3> result;
@@ -169,9 +196,10 @@ bool between(const std::vector<Interval3>& a, const std::vector<Interval3>& b) {
   Guess3 mean{};
   for (const Guess3& w : all) mean = sum(mean, w);
   if (parts(mean)) return true;
-  // At one angle to three of them.
+  // Between two of them, or at one angle to three.
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
+      if (parts(sum(all[i], all[j]))) return true;
       for (std::size_t k = 0; k < j; ++k) {
         const Guess3 d = sum(cross(all[i], all[j]), sum(cross(all[j], all[k]), cross(all[k], all[i])));
         if (parts(d) || parts(scaled(Upward(-1), d))) return true;
@@ -205,7 +233,8 @@ class Beside {
   bool joined(const PiecePart& a, const PiecePart& b) const {
     std::optional<Interval> along;
     if (side_) along = hull(a_.along(a.range), b_ ? b_->along(b.range) : a_.along(a.range));
-    const std::vector<Interval3> of_a = a_.ways(a_.from_common(a.range, along));
+    const Range range_of_a = a_.from_common(a.range, along);
+    const std::vector<Interval3> of_a = a_.ways(range_of_a);
     if (flat_ != nullptr) {
       const std::vector<Interval3> away = side_ ? std::vector{of_a[1]} : of_a;
       const auto sign = [&](const Interval3& w) { return dot(flat_->normal, w); };
@@ -213,10 +242,14 @@ class Beside {
              std::ranges::all_of(away, [&](const Interval3& w) { return sign(w).sup() < 0; }) ||
              (away_ && dot(*away_, of_a[1]).inf() > 0);
     }
-    const std::vector<Interval3> of_b = b_->ways(b_->from_common(b.range, along));
-    if (!side_) return between(of_a, of_b);
-    const Interval3 e = hull(of_a[0], of_b[0]);
-    return independent(e, hull(of_a[1], scaled(Interval(-1), of_b[1]))) || independent(e, of_a[1], of_b[1]);
+    const Range range_of_b = b_->from_common(b.range, along);
+    if (!side_) return between(a_.ways_from_corner(range_of_a), b_->ways_from_corner(range_of_b));
+    const std::vector<Interval3> of_b = b_->ways(range_of_b);
+    const Interval3 e = hull(a_.along_side(range_of_a), b_->along_side(range_of_b));
+    // Of e and all between v and -v'.
+    const std::vector<Interval3> across{normalized(cross(e, of_a[1])), normalized(cross(of_b[1], e))};
+    return all_above(sum(middle_of(across[0]), middle_of(across[1])), across, 1) ||
+           independent(e, of_a[1], of_b[1]);
   }
 
   Opened a_;
