@@ -39,7 +39,7 @@ struct CylinderAxis {
   RationalPoint direction, middle;
 };
 std::optional<CylinderAxis> cylinder_axis(const Quadric& quadric);
-/// True if x + sign sqrt(a) = other sqrt(b), for a, b > 0 and signs that are not 0.
+/// True if x + sign sqrt(a) = other sqrt(b), for a, b from 0 and signs that are not 0.
 bool equal_roots(const Rational& x, int sign, const Rational& a, int other, const Rational& b);
 
 /// Nothing where they may cross: it is not proven that one is on one side of the other.

@@ -310,6 +310,7 @@ int Pieces::side(std::uint32_t cell, const RationalPoint& p) const {
 std::optional<std::array<Rational, 3>> Pieces::ruling(std::uint32_t cell, const CylinderAxis& axis,
                                                       const RationalPoint& n) const {
   const Piece& piece = pieces_[cell];
+  if (piece.kind == Piece::Kind::curve) return std::array<Rational, 3>{dot(n, axis.middle), 0, 0};
   std::vector<RationalPoint> on, off;  // from the middle
   for (std::size_t k = 0; k < piece.corner_count; ++k) {
     const RationalPoint& p = points_.at(piece.leaf)[piece.points[k]];
@@ -327,14 +328,21 @@ std::optional<std::array<Rational, 3>> Pieces::ruling(std::uint32_t cell, const 
 }
 
 bool Pieces::cross_in_rulings(std::uint32_t a, std::uint32_t b) const {
-  if (!is_quadric(pieces_[a].sheet) || !is_quadric(pieces_[b].sheet)) return false;
-  const auto one = cylinder_axis(equations_.quadrics.at(pieces_[a].sheet)),
-             other = cylinder_axis(equations_.quadrics.at(pieces_[b].sheet));
+  const auto axis = [&](std::uint32_t i) -> std::optional<CylinderAxis> {
+    const Piece& piece = pieces_[i];
+    if (is_quadric(piece.sheet)) return cylinder_axis(equations_.quadrics.at(piece.sheet));
+    if (piece.kind != Piece::Kind::curve || !piece.exact()) return std::nullopt;
+    const RationalPoint &from = points_.at(piece.leaf)[piece.points[0]],
+                        &to = points_.at(piece.leaf)[piece.points[1]];
+    return CylinderAxis{to - from, from};
+  };
+  const auto one = axis(a), other = axis(b);
   if (!one || !other) return false;
   const RationalPoint n = cross(one->direction, other->direction);
+  if (is_zero(n)) return false;
   const auto p = ruling(a, *one, n), q = ruling(b, *other, n);
   return p && q && (*p)[0] + (*p)[1] == (*q)[0] + (*q)[1] &&
-         equal_roots((*p)[0] - (*q)[0], sgn((*p)[1]), (*p)[2], sgn((*q)[1]), (*q)[2]);
+         equal_roots((*p)[0] - (*q)[0], (*p)[1] < 0 ? -1 : 1, (*p)[2], (*q)[1] < 0 ? -1 : 1, (*q)[2]);
 }
 
 bool Pieces::on_true_side(const RationalPoint& normal, const RationalPoint& at, std::uint32_t cell,

@@ -78,6 +78,9 @@ Mould::Mould(const PreparedLeaf& leaf) {
   if (const auto* const round = dynamic_cast<const RevolvedForm*>(leaf.form().get()))
     one_round_surface = round->lines.size() == 1 && round->lines[0].size() == 1 &&
                         round->lines[0][0].kind != MeridianPiece::Kind::net;
+  if (const auto* const extrusion = dynamic_cast<const ExtrudeForm*>(leaf.form().get()))
+    rulings = extrusion->shape.vector;
+  std::map<std::uint32_t, Rational> areas;  // of parameters, by patch
   std::vector<Interval> values;
   if (parameters_) {
     for (const Rational& value : parameters_->values()) values.push_back(enclose(value));
@@ -96,6 +99,10 @@ Mould::Mould(const PreparedLeaf& leaf) {
           const LeafParameters::Corner& corner = corners[i % corners.size()];
           return {parameters_->values()[corner.u], parameters_->values()[corner.v]};
         };
+        Rational twice = 0;
+        for (std::size_t i = 0; i < corners.size(); ++i)
+          twice += at(i)[0] * at(i + 1)[1] - at(i + 1)[0] * at(i)[1];
+        areas[patch] += abs(twice) / 2;
         for (std::size_t i = 0; i < corners.size(); ++i) {
           cell.sides.push_back(0);
           for (const SideCurve& one : curves[patch]) {
@@ -114,6 +121,12 @@ Mould::Mould(const PreparedLeaf& leaf) {
       if (p.valid()) flat.loops.back().push_back(number_of(p));
       else flat.loops.emplace_back();
     }
+  }
+  const auto* const nets = dynamic_cast<const NetForm*>(leaf.form().get());
+  for (std::uint32_t p = 0; surfaces && nets != nullptr && p < nets->patches.size(); ++p) {
+    for (const auto& [patch, span] : nets->patches[p].pieces)
+      areas[p] -= (span[0][1] - span[0][0]) * (span[1][1] - span[1][0]);
+    torn = torn || (surfaces->patch(p) != nullptr && areas[p] < 0);
   }
   std::size_t i = 0;
   for (const Soup::Wire& wire : soup.wires()) {

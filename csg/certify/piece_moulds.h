@@ -39,6 +39,8 @@ struct Mould {
   std::vector<Wire> wires;
   std::vector<std::uint32_t> isolated;
   std::shared_ptr<const LeafSurfaces> surfaces;
+  std::optional<RationalPoint> rulings;  // of an extrusion
+  bool torn = false;                     // facets of no area are missing
   bool one_round_surface = false;  // a ball, a ring, a cylinder or cone with its discs: it does not meet itself
 
   explicit Mould(const PreparedLeaf& leaf);

@@ -110,7 +110,7 @@ class PieceMaker {
     for (const RationalPoint& p : exact) place.points.push_back(enclose3(p));
     if (mould.surfaces) {
       out_.leaf_surfaces_.push_back(mould.surfaces);
-      if (!mould.surfaces->complete()) out_.unknown_.insert(leaf);
+      if (!mould.surfaces->complete() || mould.torn) out_.unknown_.insert(leaf);
     }
     for (const Mould::Cell& cell : mould.cells) surface_of(place, cell.patch);
     place.boxes.resize(mould.cells.size());
@@ -414,6 +414,11 @@ class PieceMaker {
           curve.column = piece.column;
         break;
       }
+      // Ends of segments are exact.
+      const std::vector<RationalPoint>& exact = out_.points_.at(place.leaf);
+      if (place.mould.rulings && is_zero(cross(exact[edge.second] - exact[edge.first],
+                                               place.transform.apply_to_vector(*place.mould.rulings))))
+        curve.surface = nullptr;
       // One number along a line of parameters of the patch, or for a straight edge.
       if (curve.surface != nullptr) {
         const bool on_u = curve.side[0][0].inf() == curve.side[1][0].inf();

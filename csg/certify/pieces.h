@@ -206,7 +206,8 @@ class Pieces {
   };
   Meeting facets_meet(std::uint32_t a, std::uint32_t b, const Contact& contact) const;
   /// True for cells of two cylinders with normals in common only in a ruling each, drawn exactly, which cross: the
-  /// curve in which cylinders cross passes through itself there, and so do facets, whatever t is.
+  /// curve in which cylinders cross passes through itself there, and so do facets, whatever t is. Or for such a
+  /// cell and a straight line in place of the other ruling.
   bool cross_in_rulings(std::uint32_t a, std::uint32_t b) const;
   /// Leaves with curved patches of which no surface is known, such as those of a CAD model; ascending.
   const std::set<LeafId>& unknown() const { return unknown_; }
@@ -240,7 +241,7 @@ class Pieces {
   int sides(const PlaneEquation& plane, const Facet& of, std::vector<const RationalPoint*>& on) const;
   Meeting facets_meet(const Facet& a, const Facet& b, const Contact& contact) const;
   /// Of a ruling that is a side of the cell of a cylinder and has the normal n or -n: along n where the axis is,
-  /// how far it is from there as it is drawn, and the square of how far it is in truth.
+  /// how far it is from there as it is drawn, and the square of how far it is in truth. A line is its own axis.
   std::optional<std::array<Rational, 3>> ruling(std::uint32_t cell, const CylinderAxis& axis,
                                                 const RationalPoint& n) const;
   enum class Common : std::uint8_t { nothing, contact, more };

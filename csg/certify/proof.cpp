@@ -323,9 +323,9 @@ class Prover {
         proof_.answers.try_emplace(key, Proof::Answer{*known});
         return true;
       }
-      if (question == Question::angle && pieces_.cross_in_rulings(tuple[0], tuple[1]))
-        return answered(key, some = true);
     }
+    if (tuple.size() == 2 && question == Question::angle && pieces_.cross_in_rulings(tuple[0], tuple[1]))
+      return answered(key, some = true);
     const Coaxial coaxial = ask_coaxial(tuple, question, Between::facets_and_surfaces);
     if (coaxial == Coaxial::apart || coaxial == Coaxial::crossing) {
       some = coaxial == Coaxial::crossing;

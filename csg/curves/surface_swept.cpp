@@ -89,8 +89,9 @@ bool in_plane_with(const std::vector<RationalPoint>& points, RationalPoint along
 }
 
 bool on_line(const std::vector<RationalPoint>& points) {
-  return std::all_of(points.begin(), points.end(),
-                     [&](const RationalPoint& p) { return collinear(points.front(), points.back(), p); });
+  const auto other = std::ranges::find_if(points, [&](const RationalPoint& p) { return p != points[0]; });
+  return std::ranges::all_of(
+      points, [&](const RationalPoint& p) { return other == points.end() || collinear(points[0], *other, p); });
 }
 
 /// True for what is sure to be a part of a plane, so that its facets are all that there is to know.
