@@ -18,8 +18,10 @@ class Arguments(unittest.TestCase):
 
     def test_a_node_of_another_tree_is_not_found(self):
         tree = cnrg.Tree.of(cnrg.box([0, 0, 0], [1, 1, 1]))
-        for node in (cnrg.box([0, 0, 0], [2, 2, 2]), None, 3):
-            with self.assertRaisesRegex(KeyError, "not in the tree"):
+        with self.assertRaisesRegex(KeyError, "not in the tree"):
+            tree.evaluate(cnrg.box([0, 0, 0], [2, 2, 2]))
+        for node in (None, 3, [tree.result]):
+            with self.assertRaisesRegex(TypeError, "a node or its name is wanted, not "):
                 tree.evaluate(node)
 
     def test_whatever_is_given_only_documented_errors_come_out(self):

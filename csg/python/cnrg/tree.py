@@ -388,6 +388,8 @@ class Tree:
         """The number by which the library knows a node."""
         if isinstance(node, str):
             node = self[node]
+        if not isinstance(node, Node):
+            raise TypeError(f"a node or its name is wanted, not {type(node).__name__}")
         if self._numbers is None:
             records = self._tree.records() if self._text is None else None
             names = {r.name: i for i, r in enumerate(records)} if records else {}
