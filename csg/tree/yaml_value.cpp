@@ -211,17 +211,18 @@ std::vector<std::vector<RationalPoint>> Value::loops(const std::string& what, in
   return result;
 }
 
-std::vector<Value::Entry> Value::entries(const std::string& what) const {
+std::vector<Value::Entry> Value::entries(const std::string& what, std::string_view first) const {
+  if (!is_map()) fail_type(what, "a map {" + std::string(first) + ": value, ...}");
   std::vector<YAML::Node> around;
   return entries(what, around);
 }
 
 std::vector<Value::Entry> Value::entries(const std::string& what, std::vector<YAML::Node>& around) const {
-  if (!is_map()) fail_type(what, "a map {key: value, ...}");
   if (std::ranges::any_of(around, [&](const YAML::Node& node) { return node.is(node_); }))
     fail("this map is merged into itself; remove the `<<` that names it");
   if (around.size() == kMostMerged)
     fail("more than " + std::to_string(kMostMerged) + " maps are merged into each other; merge fewer");
+  if (!is_map()) fail_type(what, "a map {key: value, ...}");
   around.push_back(node_);
   std::vector<Entry> entries;
   std::unordered_set<std::string> own, merged;
@@ -270,7 +271,7 @@ Fields::Fields(const Value& map, const Form& form, std::string what, Faults* fau
     : map_(map),
       form_(form),
       what_(what.empty() ? std::string(form.name) : std::move(what)),
-      entries_(map.entries(what_)) {
+      entries_(map.entries(what_, form.keys.empty() || form.keys[0].name.empty() ? "key" : form.keys[0].name)) {
   Faults own;
   check_keys(own);
   if (own.empty()) check_presence(own);  // what is missing may be what is misspelt

@@ -76,7 +76,7 @@ class Value {
   struct Entry;
   /// Keys and values of a map in the order of the file; at the place of `<<` those of the maps there that it has
   /// not itself. A repeated key, one that is no text and a map that is merged into itself fail.
-  std::vector<Entry> entries(const std::string& what) const;
+  std::vector<Entry> entries(const std::string& what, std::string_view first = "key") const;
 
  private:
   /// `around`: the maps that this one is merged into.
