@@ -118,7 +118,16 @@ void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<Bez
 /// What a segment of an extrusion sweeps.
 void add_segment(LeafSurfaces& surfaces, std::uint32_t patch, const ExtrudeShape& shape,
                  const RationalPoint& center, const CurveNet& net) {
-  if (sweeps_plane(shape, net)) return;
+  if (sweeps_plane(shape, net)) {
+    // A curve that turns back in its own line goes as far as it is drawn.
+    const RationalPoint &first = net.points.front(), way = net.points.back() - first;
+    if (on_line(net.points) && std::ranges::any_of(net.points, [&](const RationalPoint& p) {
+          const Rational along = cnrg::dot(p - first, way);
+          return p != first && (along <= 0 || along > cnrg::dot(way, way));
+        }))
+      surfaces.add_unknown();
+    return;
+  }
   surfaces.add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
   if (std::optional<SurfaceForm> form = extruded_form(shape, center, net))
     surfaces.add_form(patch, std::move(*form));
