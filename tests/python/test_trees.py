@@ -300,6 +300,15 @@ class Places(Folder):
         self.assertAlmostEqual(place.at[0], 2, delta=0.1)
         self.assertRegex(str(told[0].message), "near .*they touch, or are nearer to it than")
 
+    def test_what_facets_alone_tell_is_not_certified(self):
+        row = "[[-8/9, 2, {0}], [28/27, -2/3, {0}], [-28/27, -2/3, {0}], [8/9, 2, {0}]]"  # crosses itself at 1/3 and 2/3
+        for leaf in (
+            f"bezier: {{patch: [{row.format(0)}, {row.format(1)}], segments: 3}}",
+            "extrude: {curve: [[0, 0, 0], {bezier: [[5, 0, 0]]}, [1, 0, 0]], vector: [0, 0, 1], segments: 1}",  # up to 25/9
+        ):
+            tree = cnrg.parse(f"cnrg: 1\nnodes:\n  a: {{{leaf}}}\nresult: a\n")
+            self.assertEqual(tree.evaluate(certify=True).certificate.unknown, ("a",))
+
     def test_warnings_and_notices_have_their_place(self):
         at = line() + 1
         a = cnrg.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
