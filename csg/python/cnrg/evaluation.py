@@ -82,7 +82,7 @@ class Certificate:
     """questions that were not answered within the budget"""
     places: tuple[UncertainPlace, ...]
     unknown: tuple[str, ...]
-    """leaves with curved faces of which only facets are known: CAD models"""
+    """leaves of whose curved faces only facets are known, such as CAD models"""
 
     @property
     def certified(self) -> bool:
