@@ -98,9 +98,8 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
     throw TreeError(tree.file, node.operator_at,
                     "--certify: of curved faces of `" + node.name +
                         "` only the facets are known, which do not decide how they meet: it is a CAD model, "
-                        "`weld` or `within` "
-                        "moved it, or facets without area are missing: build it of shapes, make it finer, or "
-                        "leave --certify out");
+                        "`weld` or `within` moved it, or facets without area are missing: build it of shapes, "
+                        "make it finer, or leave --certify out");
   }
   if (certificate.places.empty()) {
     if (!quiet) {

@@ -118,9 +118,7 @@ class Opened {
     const SurfaceJet<Interval> jet = piece_.surface->over(range[0], range[1]);
     std::vector<Interval3> result;
     for (std::size_t i = 0; i < ends_.size(); ++i) {
-      const std::size_t k = parameter(i);
-      const Interval3 way = normalized(k == 0 ? jet.way_u : jet.way_v);
-      result.push_back(at(ends_[i], k) > at(corner_, k) ? way : scaled(Interval(-1), way));
+      result.push_back(toward(i, normalized(parameter(i) == 0 ? jet.way_u : jet.way_v)));
     }
     for (std::size_t i = 0; i < 4; ++i) {
       if (piece_.points[i] != piece_.points[corner_])
@@ -134,9 +132,8 @@ class Opened {
     const std::size_t k = parameter(0);
     range[1 - k] = at(corner_, 1 - k);
     const SurfaceJet<Interval> jet = piece_.surface->over(range[0], range[1]);
-    const Interval3 way = normalized(k == 0 ? jet.way_u : jet.way_v);
     return hull(normalized(difference(piece_.corners[ends_[0]], piece_.corners[corner_])),
-                at(ends_[0], k) > at(corner_, k) ? way : scaled(Interval(-1), way));
+                toward(0, normalized(k == 0 ? jet.way_u : jet.way_v)));
   }
   /// The derivatives of all H there, away from the common corner: of a side the first is along it.
   std::vector<Interval3> ways(const Range& range) const {
@@ -156,10 +153,7 @@ class Opened {
       }
       all = {hull(normalized(piece_.along_u), normalized(all[0])),
              hull(normalized(piece_.along_v), normalized(all[1]))};
-      for (std::size_t i = 0; i < ends_.size(); ++i) {
-        const std::size_t k = parameter(i);
-        result.push_back(at(ends_[i], k) > at(corner_, k) ? all[k] : scaled(Interval(-1), all[k]));
-      }
+      for (std::size_t i = 0; i < ends_.size(); ++i) result.push_back(toward(i, all[parameter(i)]));
       return result;
     }
     const Interval3 u = hull(piece_.along_u, jet.along_u), v = hull(piece_.along_v, jet.along_v);
@@ -172,6 +166,11 @@ class Opened {
 
  private:
   double at(std::size_t corner, std::size_t k) const { return piece_.at[corner][k]; }
+  /// The derivative by the parameter that leads to an end, in this direction.
+  Interval3 toward(std::size_t end, const Interval3& way) const {
+    const std::size_t k = parameter(end);
+    return at(ends_[end], k) > at(corner_, k) ? way : scaled(Interval(-1), way);
+  }
   /// Of a grid: which one leads from the common corner to an end.
   std::size_t parameter(std::size_t end) const { return at(ends_[end], 0) != at(corner_, 0) ? 0 : 1; }
 
@@ -234,6 +233,8 @@ class Beside {
     std::optional<Interval> along;
     if (side_) along = hull(a_.along(a.range), b_ ? b_->along(b.range) : a_.along(a.range));
     const Range range_of_a = a_.from_common(a.range, along);
+    if (!side_ && flat_ == nullptr)
+      return between(a_.ways_from_corner(range_of_a), b_->ways_from_corner(b_->from_common(b.range, along)));
     const std::vector<Interval3> of_a = a_.ways(range_of_a);
     if (flat_ != nullptr) {
       const std::vector<Interval3> away = side_ ? std::vector{of_a[1]} : of_a;
@@ -243,7 +244,6 @@ class Beside {
              (away_ && dot(*away_, of_a[1]).inf() > 0);
     }
     const Range range_of_b = b_->from_common(b.range, along);
-    if (!side_) return between(a_.ways_from_corner(range_of_a), b_->ways_from_corner(range_of_b));
     const std::vector<Interval3> of_b = b_->ways(range_of_b);
     const Interval3 e = hull(a_.along_side(range_of_a), b_->along_side(range_of_b));
     // Of e and all between v and -v'.

@@ -73,11 +73,9 @@ std::vector<Known> near_contacts() {
        "{union: [a, b]}",
        {1, 6, 7, 1}},
       {"vaults that cross at one height",
-       "  a: {extrude: {profile: [[-1, -1, 0], [1, -1, 0], [1, 0, 0], {bezier: [[1, 3/4, 0]], weights: [5, 4, "
-       "5]}, "
-       "[7/25, 24/25, 0], {bezier: [[0, 25/24, 0]], weights: [25, 24, 25]}, [-7/25, 24/25, 0], {bezier: [[-1, "
-       "3/4, "
-       "0]], weights: [5, 4, 5]}, [-1, 0, 0]], vector: [0, 0, 4]}}\n"
+       "  a: {extrude: {profile: [[-1, -1, 0], [1, -1, 0], [1, 0, 0], {bezier: [[1, 3/4, 0]], weights: "
+       "[5, 4, 5]}, [7/25, 24/25, 0], {bezier: [[0, 25/24, 0]], weights: [25, 24, 25]}, [-7/25, 24/25, 0], "
+       "{bezier: [[-1, 3/4, 0]], weights: [5, 4, 5]}, [-1, 0, 0]], vector: [0, 0, 4]}}\n"
        "  b: {simplify: a, rotate: {axis: [0, 1, 0], degrees: 90}, translate: [-2, 0, 2]}\n",
        "{union: [a, b]}",
        {37, 64, 29, 1}},
