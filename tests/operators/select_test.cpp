@@ -132,21 +132,17 @@ TEST_CASE("of components single cells are picked, which keep their component", "
 /// Cells by dimension and id.
 using Cells = std::set<std::pair<int, std::size_t>>;
 
-/// The cells in the closure of a face, of an edge.
-void add_closure(const Complex& complex, FaceId f, Cells& out) {
-  std::vector<EdgeId> edges;
-  std::vector<VertexId> vertices;
-  complex.closure_edges(f, edges);
-  vertices.assign(complex.face_vertices[f].begin(), complex.face_vertices[f].end());
-  for (const LoopId l : complex.face_loops[f])
-    for (const HalfEdge h : complex.loop[l]) vertices.push_back(complex.origin(h));
-  out.emplace(2, f.index());
-  for (const EdgeId e : edges) out.emplace(1, e.index());
-  for (const VertexId v : vertices) out.emplace(0, v.index());
-}
+/// The cells in the closure of an edge, of a face.
 void add_closure(const Complex& complex, EdgeId e, Cells& out) {
   out.emplace(1, e.index());
   for (const VertexId v : complex.edge_ends[e]) out.emplace(0, v.index());
+}
+void add_closure(const Complex& complex, FaceId f, Cells& out) {
+  std::vector<EdgeId> edges;
+  complex.closure_edges(f, edges);
+  out.emplace(2, f.index());
+  for (const EdgeId e : edges) add_closure(complex, e, out);
+  for (const VertexId v : complex.face_vertices[f]) out.emplace(0, v.index());
 }
 
 TEST_CASE("selections in random scenes are what brute force picks", "[select][random]") {
