@@ -95,12 +95,6 @@ Key round_key(const MeridianPiece& piece, const RationalPoint& center, const Rat
   return key;
 }
 
-bool on_a_line(const ControlRow& net) {
-  const RationalPoint first = project(net.front()), last = project(net.back());
-  return std::all_of(net.begin(), net.end(),
-                     [&](const Homogeneous& h) { return collinear(first, last, project(h)); });
-}
-
 class Numbers {
  public:
   void add_equations(SurfaceEquations& out) const {
@@ -210,7 +204,7 @@ class Numbers {
     }
     for (const PlacedPiece& piece : nets.pieces) {
       const auto number = static_cast<std::uint32_t>(piece.number);
-      if (is_flat(piece.patch)) {
+      if (plane_normal(points_of(piece.patch.net))) {
         unknown_.insert(number);
         continue;
       }
@@ -230,24 +224,9 @@ class Numbers {
 
   void add_swept(std::uint32_t patch, const ControlRow& net, const Sweep& sweep) {
     const ControlRow across = reduced(sweep.projected(net));
-    const auto on = on_a_line(across) ? std::nullopt : swept_.place(across, sweep.direction);
+    const auto on = on_one_line(points_of({across})) ? std::nullopt : swept_.place(across, sweep.direction);
     if (on) keys_[patch].insert({kSwept, Rational(on->carrier)});
     else unknown_.insert(patch);
-  }
-
-  static bool is_flat(const BezierPatch& patch) {
-    std::vector<RationalPoint> points;
-    for (const ControlRow& row : patch.net) {
-      for (const Homogeneous& h : row) points.push_back(project(h));
-    }
-    RationalPoint along{0, 0, 0}, normal{0, 0, 0};
-    for (const RationalPoint& p : points) {
-      const RationalPoint way = p - points[0];
-      if (is_zero(along)) along = way;
-      if (is_zero(normal)) normal = cross(along, way);
-      if (dot(normal, way) != 0) return false;
-    }
-    return true;
   }
 
   std::map<std::uint32_t, std::set<Key>> keys_;  // of the instance, by patch

@@ -66,6 +66,9 @@ bool misses(const Piece& flat, const Interval3& box);
 /// About how far facets are from the surface there.
 double thickness_of(const PiecePart& part);
 
+/// True if derivatives prove that two cells of a patch have no point in common but for equal parameters.
+bool differ(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a, std::uint32_t b);
+
 /// How often parts are halved for one of the questions below; `steps` gets more by it.
 constexpr std::size_t kMostOwnSteps = 200;
 /// True if H is one to one on two parts of a patch, for they are near a pole.

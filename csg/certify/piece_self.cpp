@@ -47,21 +47,6 @@ class Neighbours {
     std::ranges::copy_if(patch, std::back_inserter(between_), [&](auto i) { return meet(all[i].range, both); });
   }
 
-  bool alone(const PiecePart& part) {
-    if (about_pole(part, part) || differ(part, part)) return true;
-    if (left_ == 0) return false;
-    --left_;
-    const std::array<PiecePart, 2> both = halves(all_, part, part.longer(), Between::facets_and_surfaces);
-    return alone(both[0]) && alone(both[1]) && ask(both[0], both[1]);
-  }
-  bool ask(const PiecePart& a, const PiecePart& b) {
-    const auto proven = [&](const PiecePart& x, const PiecePart& y) {
-      return differ(x, y) || parted(std::array{x, y}, Between::facets_and_surfaces);
-    };
-    return proven_by_halves(all_, a, b, proven, left_);
-  }
-
- private:
   /// True if the derivatives prove it.
   bool differ(const PiecePart& a, const PiecePart& b) const {
     if (between_.empty()) return false;
@@ -77,6 +62,21 @@ class Neighbours {
     }
     return independent(u, v) || (a.piece == b.piece && a.piece->column && rises(*a.piece, both));
   }
+  bool alone(const PiecePart& part) {
+    if (about_pole(part, part) || differ(part, part)) return true;
+    if (left_ == 0) return false;
+    --left_;
+    const std::array<PiecePart, 2> both = halves(all_, part, part.longer(), Between::facets_and_surfaces);
+    return alone(both[0]) && alone(both[1]) && ask(both[0], both[1]);
+  }
+  bool ask(const PiecePart& a, const PiecePart& b) {
+    const auto proven = [&](const PiecePart& x, const PiecePart& y) {
+      return differ(x, y) || parted(std::array{x, y}, Between::facets_and_surfaces);
+    };
+    return proven_by_halves(all_, a, b, proven, left_);
+  }
+
+ private:
   /// True if all H in a half-plane of a column go one way there; F is up to `flat` shorter across the axis.
   static bool rises(const Piece& piece, Range range) {
     const std::size_t around = piece.column->around, k = piece.at[0][around] == piece.at[1][around] ? 0 : 1;
@@ -123,6 +123,13 @@ bool meet_at_pole(const Piece& a, const Piece& b) {
     }
   }
   return common.size() == 2 && std::ranges::any_of(common, [&](std::uint32_t p) { return poles.contains(p); });
+}
+
+bool differ(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a,
+            std::uint32_t b) {
+  std::size_t none = 0;
+  return Neighbours(all, patch, all[a], all[b], none)
+      .differ(part_of(all, all[a], all[a].range), part_of(all, all[b], all[b].range));
 }
 
 bool one_to_one(const Pieces& pieces, std::span<const std::uint32_t> patch, std::uint32_t a, std::uint32_t b,

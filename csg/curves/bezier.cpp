@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/integers.h"
 
 namespace cnrg {
@@ -226,6 +227,36 @@ BezierPatch part(const BezierPatch& patch, const std::array<Rational, 2>& u, con
   BezierPatch turned = transposed(result);
   for (ControlRow& row : turned.net) row = part(std::move(row), v[0], v[1]);
   return transposed(turned);
+}
+
+std::vector<RationalPoint> points_of(const std::vector<ControlRow>& net) {
+  std::vector<RationalPoint> points;
+  for (const ControlRow& row : net) std::ranges::transform(row, std::back_inserter(points), project);
+  return points;
+}
+
+std::optional<RationalPoint> plane_normal(const std::vector<RationalPoint>& points, RationalPoint along) {
+  RationalPoint normal{0, 0, 0};
+  for (const RationalPoint& p : points) {
+    const RationalPoint way = p - points[0];
+    if (is_zero(along)) along = way;
+    if (is_zero(normal)) normal = cross(along, way);
+    if (dot(normal, way) != 0) return std::nullopt;
+  }
+  return normal;
+}
+
+bool on_one_line(const std::vector<RationalPoint>& points) {
+  const auto normal = plane_normal(points);
+  return normal && is_zero(*normal);
+}
+
+bool runs_straight(const std::vector<RationalPoint>& points) {
+  const RationalPoint &first = points.front(), way = points.back() - first;
+  return std::ranges::all_of(points, [&](const RationalPoint& p) {
+    const Rational along = dot(p - first, way);
+    return p == first || (is_zero(cross(p - first, way)) && along > 0 && along <= dot(way, way));
+  });
 }
 
 CanonicalCurve canonical(const BezierCurve& curve) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "kernel/exact/rational.h"
@@ -63,6 +64,15 @@ BezierPatch transposed(const BezierPatch& patch);
 BezierPatch reduced(const BezierPatch& patch);
 /// The piece of a patch between two parameters along u and two along v, as a patch of its own.
 BezierPatch part(const BezierPatch& patch, const std::array<Rational, 2>& u, const std::array<Rational, 2>& v);
+
+/// The control points of a net.
+std::vector<RationalPoint> points_of(const std::vector<ControlRow>& net);
+/// The normal of a plane that holds the points and the direction, which may be zero; zero if many do.
+std::optional<RationalPoint> plane_normal(const std::vector<RationalPoint>& points,
+                                          RationalPoint along = {0, 0, 0});
+bool on_one_line(const std::vector<RationalPoint>& points);
+/// True for control points of a line that stays between its ends, or of a point.
+bool runs_straight(const std::vector<RationalPoint>& points);
 
 /// The form in which curves are compared: least degree, first weight 1, and of its two directions the one whose
 /// net is smaller. Curves with equal nets, reversed or not, with weights in proportion, or of raised degree, have

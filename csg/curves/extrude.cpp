@@ -75,7 +75,7 @@ class Extrusion {
         if (along != (l == 0)) reverse(lines[l]);
       }
     }
-    LeafBuilder builder(closed ? Fill::winding : Fill::none, record_);
+    LeafBuilder builder(closed ? Fill::winding : Fill::none, record_, true);
     std::vector<std::vector<PointId>> lower = section(builder, lines, 0), bottom = lower;
     Rational from = 0;
     for (const Rational& to : heights()) {

@@ -20,7 +20,7 @@ class ParametricLeaf {
       : form_(form),
         common_(common),
         boundary_(form.fineness, common == nullptr ? nullptr : common->steps.get()),
-        builder_(form.fill),
+        builder_(form.fill, nullptr, true),
         record_(record) {}
 
   std::unique_ptr<PreparedLeaf> run() {

@@ -121,7 +121,7 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const RevolveShape& shape, LeafParame
   }
   const CircleFrame frame(shape.axis);
   const RationalPoint up = unit_axis(frame);
-  LeafBuilder builder(closed ? Fill::winding : Fill::none, record);
+  LeafBuilder builder(closed ? Fill::winding : Fill::none, record, true);
   std::vector<std::vector<PointId>> first;
   const auto section = [&](int k) {
     Rational degrees(k, turns);

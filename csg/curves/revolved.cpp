@@ -21,7 +21,7 @@ class Sweep {
  public:
   using PointAt = std::function<RationalPoint(const MeridianPoint&, std::size_t)>;
   Sweep(const RevolvedForm& form, const RevolvedGrid& grid, const PointAt& point, LeafParameters* record)
-      : form_(form), grid_(grid), point_(point), builder_(form.solid ? Fill::winding : Fill::none, record) {}
+      : form_(form), grid_(grid), point_(point), builder_(form.solid ? Fill::winding : Fill::none, record, true) {}
 
   std::unique_ptr<PreparedLeaf> run() {
     for (const auto& [patch, name] : form_.names) builder_.name_patch(patch, name.c_str());

@@ -104,15 +104,20 @@ std::shared_ptr<const LeafSurfaces> true_surfaces(const RevolveShape& shape) {
     for (const CurveNet& net : line.segments) {
       const std::vector<BezierCurve> pieces = curve_pieces(net, "revolve");
       const std::uint32_t patch = number++;
-      const bool disk = std::all_of(net.points.begin(), net.points.end(),
+      const bool flat = std::all_of(net.points.begin(), net.points.end(),
                                     [&](const RationalPoint& p) { return p[2] == net.points[0][2]; });
-      if (disk) continue;  // flat
+      const auto ends = [&](const CurveNet& at, const RationalPoint& p) {
+        return !shape.profile.closed && &net == &at && p[0] > 0;
+      };
+      const bool rim =
+          ends(line.segments.front(), net.points.front()) || ends(line.segments.back(), net.points.back());
+      if (flat && !rim && runs_straight(net.points)) continue;
       surfaces->add_patch(patch, turned({.center = shape.center,
                                          .frame = CircleFrame(shape.axis),
                                          .degrees = shape.degrees,
                                          .angle_first = false},
                                         ProfileSegment{{pieces, curve_spans(net)}}));
-      surfaces->add_form(patch, revolved_form(shape, net));
+      if (!flat) surfaces->add_form(patch, revolved_form(shape, net));
     }
   }
   return surfaces;

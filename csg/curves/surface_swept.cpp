@@ -76,59 +76,52 @@ class RuledSurface final : public SurfaceByJet<RuledSurface> {
   SplineCurve first_, ways_;
 };
 
-/// Points that span no more than a plane with the given vector.
-bool in_plane_with(const std::vector<RationalPoint>& points, RationalPoint along) {
-  RationalPoint normal{0, 0, 0};
-  for (const RationalPoint& p : points) {
-    const RationalPoint way = p - points[0];
-    if (is_zero(along)) along = way;
-    if (is_zero(normal)) normal = cnrg::cross(along, way);
-    if (cnrg::dot(normal, way) != 0) return false;
-  }
-  return true;
+/// True if it is proven that a flat patch is nowhere folded.
+bool keeps_front(const Surface& surface, const Vector3<Interval>& normal, const std::array<Interval, 2>& at,
+                 int halved) {
+  const SurfaceJet<Interval> jet = surface.over(at[0], at[1]);
+  const Interval front = dot(cross(jet.way_u, jet.way_v), normal);  // also in a pole
+  if (front.inf() > 0 || front.sup() < 0) return true;
+  if (halved == 0) return false;
+  const std::size_t k = halved % 2;
+  std::array<Interval, 2> low = at, high = at;
+  low[k] = Interval(at[k].inf(), enclosure::middle_of(at[k]));
+  high[k] = Interval(enclosure::middle_of(at[k]), at[k].sup());
+  return keeps_front(surface, normal, low, halved - 1) && keeps_front(surface, normal, high, halved - 1);
 }
 
-bool on_line(const std::vector<RationalPoint>& points) {
-  const auto other = std::ranges::find_if(points, [&](const RationalPoint& p) { return p != points[0]; });
-  return std::ranges::all_of(
-      points, [&](const RationalPoint& p) { return other == points.end() || collinear(points[0], *other, p); });
-}
-
-/// True for what is sure to be a part of a plane, so that its facets are all that there is to know.
-bool sweeps_plane(const ExtrudeShape& shape, const CurveNet& net) {
-  if (shape.twist != 0) return false;
-  return on_line(net.points) || (shape.scale == 1 && in_plane_with(net.points, shape.vector));
-}
-
-/// `net` is that of all the pieces.
+/// Of a flat patch facets are all that there is to know, but of folds and of curves that are the rim of a sheet.
 void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<BezierPatch>& pieces,
-             const std::vector<std::array<Span, 2>>& spans, const PatchNet& net) {
+             const std::vector<std::array<Span, 2>>& spans, const PatchNet& net, bool sheet) {
   std::vector<RationalPoint> points;
+  bool curved = false;
   for (const BezierPatch& piece : pieces) {
-    for (const ControlRow& row : piece.net) {
-      for (const Homogeneous& h : row) points.push_back(project(h));
-    }
+    std::ranges::copy(points_of(piece.net), std::back_inserter(points));
+    for (std::size_t k = 0; k < 4; ++k)
+      curved = curved || (sheet && !runs_straight(points_of({piece.side(k).net})));
   }
-  if (!in_plane_with(points, {0, 0, 0})) {
-    surfaces.add_patch(number, std::make_shared<const SplinePatch>(pieces, spans));
-    surfaces.add_form(number, net_form(net));
-  }
+  const auto surface = std::make_shared<const SplinePatch>(pieces, spans);
+  const auto normal = plane_normal(points);
+  const enclosure::RoundOutward outward;
+  const auto unfolded = [&](const std::array<Span, 2>& span) {
+    const auto whole = [](const Span& s) {
+      return hull(surface_math::enclose(s[0]), surface_math::enclose(s[1]));
+    };
+    return keeps_front(*surface, as<Interval>(constants(*normal)), {whole(span[0]), whole(span[1])}, 8);
+  };
+  if (normal && !curved && std::ranges::all_of(spans, unfolded)) return;
+  surfaces.add_patch(number, surface);
+  if (!normal) surfaces.add_form(number, net_form(net));
 }
 
 /// What a segment of an extrusion sweeps.
 void add_segment(LeafSurfaces& surfaces, std::uint32_t patch, const ExtrudeShape& shape,
                  const RationalPoint& center, const CurveNet& net) {
-  if (sweeps_plane(shape, net)) {
-    // A curve that turns back in its own line goes as far as it is drawn.
-    const RationalPoint &first = net.points.front(), way = net.points.back() - first;
-    if (on_line(net.points) && std::ranges::any_of(net.points, [&](const RationalPoint& p) {
-          const Rational along = cnrg::dot(p - first, way);
-          return p != first && (along <= 0 || along > cnrg::dot(way, way));
-        }))
-      surfaces.add_unknown();
-    return;
-  }
+  const bool flat =
+      shape.twist == 0 && (on_one_line(net.points) || (shape.scale == 1 && plane_normal(net.points, shape.vector)));
+  if (flat && runs_straight(net.points)) return;
   surfaces.add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
+  if (flat) return;
   if (std::optional<SurfaceForm> form = extruded_form(shape, center, net))
     surfaces.add_form(patch, std::move(*form));
 }
@@ -177,9 +170,8 @@ PatchNet net_of(const BezierPatch& patch) {
 std::shared_ptr<const LeafSurfaces> true_surfaces(const BezierShape& shape) {
   auto surfaces = std::make_shared<LeafSurfaces>();
   std::uint32_t number = 0;
-  for (const PatchNet& net : shape.patches) {
-    add_net(*surfaces, number++, patch_pieces(net, "bezier"), patch_spans(net), net);
-  }
+  for (const PatchNet& net : shape.patches)
+    add_net(*surfaces, number++, patch_pieces(net, "bezier"), patch_spans(net), net, shape.fill == Fill::none);
   number = 0;
   for (const CurveNet& net : shape.curves) {
     surfaces->add_form(number, curve_form(net));
@@ -198,8 +190,8 @@ std::shared_ptr<const LeafSurfaces> skin_surfaces(const NetForm& skin) {
       add_segment(*surfaces, number++, *moved, {0, 0, 0}, moved->profile.lines[0].segments[0]);
       continue;
     }
-    add_net(*surfaces, number, {piece.patch}, {piece.span}, net_of(piece.patch));
-    if (surfaces->patch(number) != nullptr) {
+    add_net(*surfaces, number, {piece.patch}, {piece.span}, net_of(piece.patch), false);
+    if (surfaces->forms().contains(number)) {
       if (std::shared_ptr<const Surface> lines = ruled(piece.patch)) surfaces->add_patch(number, std::move(lines));
     }
     ++number;
@@ -214,7 +206,7 @@ std::shared_ptr<const LeafSurfaces> true_surfaces(const CoonsShape& shape) {
     std::array<BezierCurve, 4> curves;
     for (std::size_t k = 0; k < 4; ++k) curves[k] = curve_pieces(round[k], "coons")[0];
     const BezierPatch patch = coons_patch(curves);
-    add_net(*surfaces, number++, {patch}, {{{{0, 1}, {0, 1}}}}, net_of(patch));
+    add_net(*surfaces, number++, {patch}, {{{{0, 1}, {0, 1}}}}, net_of(patch), shape.fill == Fill::none);
   }
   return surfaces;
 }

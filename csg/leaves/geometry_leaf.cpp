@@ -91,7 +91,7 @@ const std::shared_ptr<const PreparedLeaf>& no_geometry() {
 
 LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
   const Soup& from = geometry_;
-  const LeafId leaf = soup.add_leaf(from.fill(LeafId(0)));
+  const LeafId leaf = soup.add_leaf(from.fill(LeafId(0)), from.curved_sides(LeafId(0)));
   const bool identity = transform.identity();
   if (from.fill(LeafId(0)) == Fill::cells) {
     if (const auto axes = moved_axes(from.own_axes(LeafId(0)), transform)) soup.set_own_axes(leaf, *axes);

@@ -41,12 +41,13 @@ RationalPoint exact_value(const Soup& soup, PointId p);
 /// The parameters of the four corners of a facet of a grid, u and v of each.
 using CornerParameters = std::array<std::array<const Rational*, 2>, 4>;
 
-/// Builds the geometry of one leaf and, into `record`, where it is given, the parameters of its facets. Throws
+/// Builds the geometry of one leaf and, into `record`, where it is given, the parameters of its facets;
+/// `curved_sides` as Soup::add_leaf has it, of a sheet. Throws
 /// Stopped where the making of leaves is stopped (leaf_stop.h).
 class LeafBuilder {
  public:
-  explicit LeafBuilder(Fill fill, LeafParameters* record = nullptr)
-      : leaf_(soup_.add_leaf(fill)), fill_(fill), record_(record) {}
+  explicit LeafBuilder(Fill fill, LeafParameters* record = nullptr, bool curved_sides = false)
+      : leaf_(soup_.add_leaf(fill, curved_sides && fill == Fill::none)), fill_(fill), record_(record) {}
   Soup& soup() { return soup_; }
   LeafId leaf() const { return leaf_; }
   PointId point(const RationalPoint& p) {

@@ -208,7 +208,9 @@ class CarriedGroup::Maker {
   Index removed_facets(EdgeId e) {
     std::vector<Index> list;
     bool curved = has_wire(e);
-    const auto see = [&](const Soup::Face& source) { curved = curved || source.surface != 0; };
+    const auto see = [&](const Soup::Face& source) {
+      curved = curved || source.surface != 0 || source.curved_sides;
+    };
     for (const FaceUse& use : complex_.edge_uses[e]) {
       for (const Cover& x : complex_.cover(use.face)) see(complex_.sources[x.source]);
     }

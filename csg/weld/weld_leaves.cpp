@@ -147,7 +147,7 @@ class LeafWelder {
   LeafInstance replaced(Index i) const {
     const Soup& from = *soups_[i];
     Soup soup;
-    const LeafId leaf = soup.add_leaf(from.fill(LeafId(0)));
+    const LeafId leaf = soup.add_leaf(from.fill(LeafId(0)), from.curved_sides(LeafId(0)));
     if (const LeafAxes* const axes = from.own_axes(LeafId(0))) soup.set_own_axes(leaf, *axes);
     std::map<RationalPoint, PointId> ids;
     const auto id = [&](const RationalPoint& p) {

@@ -8,9 +8,10 @@
 
 namespace cnrg {
 
-LeafId Soup::add_leaf(Fill fill) {
+LeafId Soup::add_leaf(Fill fill, bool curved_sides) {
   check_count(leaf_count() + 1, kPlural<LeafId>);
   fills_.push_back(fill);
+  curved_sides_.push_back(curved_sides ? 1 : 0);
   first_points_.emplace_back(point_count());
   return LeafId(fills_.size() - 1);
 }
@@ -71,6 +72,7 @@ SourceId Soup::end_face(const Face& face) {
   check_count(faces_.size() + 1, kPlural<SourceId>);
   offsets_.push_back(place32(corners_.size(), "corners of faces"));
   faces_.push_back(face);
+  faces_.back().curved_sides = curved_sides(face.leaf);
   return SourceId(faces_.size() - 1);
 }
 

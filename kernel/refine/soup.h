@@ -39,8 +39,9 @@ using LeafAxes = std::array<RationalPoint, 3>;
 
 class Soup {
  public:
-  /// A new leaf; its faces, wires and points are added to it by id.
-  LeafId add_leaf(Fill fill);
+  /// A new leaf; its faces, wires and points are added to it by id. `curved_sides`: it is a sheet of which
+  /// add_curve_end tells all corners, so that each side of its patches is one curve.
+  LeafId add_leaf(Fill fill, bool curved_sides = false);
   /// The coordinates in which a leaf was made, before it was moved: in these its cavities are numbered. Without
   /// them it is where it was made.
   void set_own_axes(LeafId leaf, const LeafAxes& axes) { own_axes_.emplace_back(leaf, axes); }
@@ -81,6 +82,7 @@ class Soup {
     LeafId leaf;
     std::uint32_t leaf_face = 0, patch = 0, front = 0, back = 0;
     std::uint32_t surface = 0;  ///< the number of the curved surface that it lies on; 0: none is known
+    bool curved_sides = false;  ///< as its leaf
   };
   struct Wire {
     LeafId leaf;
@@ -95,6 +97,7 @@ class Soup {
   std::size_t face_count() const { return faces_.size(); }
   std::size_t leaf_count() const { return fills_.size(); }
   Fill fill(LeafId leaf) const { return fills_[leaf.index()]; }
+  bool curved_sides(LeafId leaf) const { return curved_sides_[leaf.index()] != 0; }
   /// The first point that was added after the leaf.
   PointId first_point(LeafId leaf) const { return first_points_[leaf.index()]; }
   /// nullptr: x, y and z.
@@ -122,6 +125,7 @@ class Soup {
   std::vector<double> xyz_;                                   // nearest doubles
   std::vector<std::pair<PointId, RationalPoint>> rationals_;  // sorted by id: the points that are no doubles
   std::vector<Fill> fills_;
+  std::vector<char> curved_sides_;     // by leaf
   std::vector<PointId> first_points_;  // by leaf
   std::vector<std::pair<LeafId, LeafAxes>> own_axes_;
   std::vector<Face> faces_;

@@ -32,29 +32,61 @@ Surface surface_of(const Complex& complex, FaceId f, const Cover& cover) {
   return surface_of(complex.sources[cover.source], complex.face_sheet[f]);
 }
 
-void collect(const Complex& complex, const PieceOfCurve& at, std::vector<Surface>& surfaces,
-             std::vector<std::pair<Surface, SheetId>>& facets) {
+// What lies along an edge.
+struct Surroundings {
+  std::vector<LeafId> leaves;                            // in any order
+  std::vector<Surface> surfaces;                         // ascending
+  std::vector<std::pair<Surface, SheetId>> facets;       // in any order
+  std::vector<std::pair<LeafId, std::uint32_t>> sheets;  // patches with curved sides, once for each facet
+  std::size_t faces = 0;                                 // with a facet of a leaf that counts
+
+  // The patches that end there.
+  std::vector<std::pair<LeafId, std::uint32_t>> sides() const {
+    std::vector<std::pair<LeafId, std::uint32_t>> out;
+    for (const auto& patch : sheets) {
+      if (std::count(sheets.begin(), sheets.end(), patch) == 1) out.push_back(patch);
+    }
+    sort_unique(out);
+    return out;
+  }
+  // The leaves that count go on over the edge, on one surface or beside none: another one has cut there.
+  bool is_cut() const {
+    return surfaces.empty() ||
+           (surfaces.size() == 1 && std::get<0>(surfaces[0]) != Kind::wire && faces > 1 && sides().empty());
+  }
+};
+
+Surroundings collect(const Complex& complex, const PieceOfCurve& at) {
+  Surroundings out;
+  const auto see = [&](const Soup::Face& source, SheetId sheet) {
+    out.leaves.push_back(source.leaf);
+    out.surfaces.push_back(surface_of(source, sheet));
+    out.facets.emplace_back(out.surfaces.back(), sheet);
+    if (source.curved_sides) out.sheets.emplace_back(source.leaf, source.patch);
+  };
   for (const FaceUse& use : complex.edge_uses[at.edge]) {
     const bool bare = std::find(at.bare.begin(), at.bare.end(), use.face) != at.bare.end();
+    const std::size_t before = out.surfaces.size();
     for (const Cover& c : complex.cover(use.face)) {
-      if (!bare && !counts(at.leaves, complex.sources[c.source].leaf)) continue;
-      surfaces.push_back(surface_of(complex, use.face, c));
-      facets.emplace_back(surfaces.back(), complex.face_sheet[use.face]);
+      const Soup::Face& source = complex.sources[c.source];
+      if (bare || counts(at.leaves, source.leaf)) see(source, complex.face_sheet[use.face]);
     }
+    out.faces += out.surfaces.size() > before ? 1 : 0;
   }
   for (const std::uint32_t place : complex.edge_removed_facets[at.edge]) {
     const RemovedFacet& facet = complex.removed_facets[place];
-    if (!counts(at.leaves, facet.source.leaf)) continue;
-    surfaces.push_back(surface_of(facet.source, facet.sheet));
-    facets.emplace_back(surfaces.back(), facet.sheet);
+    if (counts(at.leaves, facet.source.leaf)) see(facet.source, facet.sheet);
   }
   for (SegmentId s : complex.edge_segments[at.edge]) {
     for (WireId w : complex.segment_wires[s]) {
       const Soup::Wire& wire = complex.wires[w];
-      if (counts(at.leaves, wire.leaf)) surfaces.emplace_back(Kind::wire, wire.leaf, wire.leaf_edge);
+      if (!counts(at.leaves, wire.leaf)) continue;
+      out.leaves.push_back(wire.leaf);
+      out.surfaces.emplace_back(Kind::wire, wire.leaf, wire.leaf_edge);
     }
   }
-  sort_unique(surfaces);
+  sort_unique(out.surfaces);
+  return at.leaves && out.is_cut() ? collect(complex, {at.edge}) : out;
 }
 
 }  // namespace
@@ -64,15 +96,18 @@ bool straight(const Complex& complex, VertexId v, EdgeId a, EdgeId b) {
 }
 
 bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const PieceOfCurve& b) {
+  const Surroundings at_a = collect(complex, a), at_b = collect(complex, b);
+  const auto along = [](const Surroundings& at, LeafId leaf) {
+    return std::find(at.leaves.begin(), at.leaves.end(), leaf) != at.leaves.end();
+  };
   for (const LeafId leaf : complex.curve_ends[v]) {
-    if (counts(a.leaves, leaf) && counts(b.leaves, leaf)) return false;
+    if (along(at_a, leaf) && along(at_b, leaf)) return false;
   }
-  std::vector<Surface> along_a, along_b;
-  std::vector<std::pair<Surface, SheetId>> facets;
-  collect(complex, a, along_a, facets);
-  collect(complex, b, along_b, facets);
-  if (along_a != along_b || along_a.empty()) return false;
-  if (std::get<0>(along_a.back()) == Kind::wire) return true;
+  if (at_a.surfaces != at_b.surfaces || at_a.surfaces.empty()) return false;
+  if (std::get<0>(at_a.surfaces.back()) == Kind::wire) return true;
+  if (const auto sides = at_a.sides(); !sides.empty() && sides == at_b.sides()) return true;
+  std::vector<std::pair<Surface, SheetId>> facets = at_a.facets;
+  facets.insert(facets.end(), at_b.facets.begin(), at_b.facets.end());
   sort_unique(facets);
   return std::adjacent_find(facets.begin(), facets.end(),
                             [](const auto& x, const auto& y) { return x.first == y.first; }) != facets.end();

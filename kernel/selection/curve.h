@@ -4,10 +4,13 @@
 // remember their curve. Facets that were removed before the complex was refined count, too. Two edges are pieces
 // of one curve when the same surfaces lie around both, curved ones and planes, and the same wires' curves on both,
 // and one of these is curved at the vertex: a surface with facets of more than one sheet there, or a shared wire
-// curve. Where a leaf says that its curves end (the corners of a curved surface), none goes on.
+// curve. Sides of a sheet that declares all corners are curves as well, however they are drawn
+// (Soup::Face::curved_sides). Where a leaf says that its curves end (the corners of a curved surface), none goes
+// on.
 //
-// Only leaves that the value in question came from count: others may run along a curve for a part of its way. A
-// face that none of these covers, the wall of a hole that another leaf has cut, lies on what cut it.
+// Only leaves that the value in question came from count: others may run along a curve for a part of its way. What
+// none of these makes, the wall of a hole or an edge in one surface or in a region, lies on what cut it: there all
+// leaves count.
 #pragma once
 
 #include <optional>

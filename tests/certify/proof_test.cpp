@@ -84,6 +84,14 @@ std::vector<Known> near_contacts() {
        "  b: {polyline: [[291/325, 97/260, 1], [2, 3, 1]]}\n",
        "{sum: [a, b]}",
        {3, 4, 3, 1}},
+      {"a circle that is cut out of a plane which is there again",
+       ball + "  b: {polygon: [[-2, -2, 0.3], [2, -2, 0.3], [2, 2, 0.3], [-2, 2, 0.3]]}\n",
+       "{sum: [{subtract: [b, a]}, b]}",
+       {4, 5, 2, 0}},
+      {"corners of a box that is cut out of a cylinder's side",
+       "  a: {revolve: {curve: [[1, -1], [1, 1]]}}\n  b: {box: {min: [0, -0.5, -0.5], max: [2, 0.5, 0.5]}}\n",
+       "{sum: [{subtract: [a, b]}, a]}",
+       {4, 6, 2, 0}},
       {"a side of a patch that crosses a plane at a small angle",
        "  a: {bezier: {patch: [[[461/84, -115/84, 1055/336], [475/84, -59/84, 1111/336], [1355/252, "
        "-121/252, 2717/1008]], [[1481/252, -373/252, 2843/1008], [1523/252, -205/252, 3011/1008], [1453/252, "
@@ -330,6 +338,22 @@ TEST_CASE("pieces of one leaf are asked three at a time, and its curves", "[cert
        "{sweep: {profile: [[0, 0, 0], [0, 1, 0], [0, 1, 1], [0, 0, 1]], path: [[0, 0, 0], [5, 0, 0], [5, 5, 0]], "
        "radius: 2, segments: SEGMENTS}}",
        {16, 28, 14, 1}},
+      {"a flat patch with curved sides",
+       "{bspline: {patch: {points: [[[0, 0, 0], [1, -1, 0], [2, 0, 0], [3, 1, 0]], [[1, 5, 0], [2, 4, 0], [3, 5, "
+       "0], [4, 6, 0]]], degree: [2, 1]}, segments: SEGMENTS}}",
+       {4, 4, 1, 0}},
+      {"a flat ring with a wall at its inner side",
+       "{revolve: {curve: [[1, 1], [1, 0], [2, 0]], axis: [1, 2, 2], segments: SEGMENTS}}",
+       {0, 3, 2, 0}},
+      {"walls in one plane with curved ends",
+       "{extrude: {curve: [[0, 0, 0], {bezier: [[1, 1, 0]]}, [2, 0, 0], {bezier: [[3, -1, 0]]}, [5, 0, 0]], "
+       "vector: [1/3, 2, 0], segments: SEGMENTS}}",
+       {6, 7, 2, 0}},
+      {"a flat patch that is folded",
+       "{bezier: {patch: [[[0, 0, 0], [5, 0, 0], [2, 0, 0]], [[0, 2, 0], [5, 2, 0], [2, 2, 0]]], segments: "
+       "SEGMENTS}}",
+       {0, 0, 0, 0},
+       false},
       {"a wire that returns to the patch at whose corner it begins",
        "{bezier: {patches: [[[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 2, 0], [1, 2, 1], [2, 2, 0]]]], curves: "
        "[[[0, 0, 0], [1, 0.3, 0.975], [2, 1, 0.45]]], segments: SEGMENTS}}",

@@ -41,15 +41,11 @@ fs::path folder_of(const Page& page) {
   return folder.parent_path() == kLessons ? folder : fs::path(".");
 }
 
-/// Where the commands of a page run: `cnrg` is the program, `example_NAME` are those of csg/examples beside it,
+/// Where the commands of a page run: `cnrg` is the program,
 /// `python3` has the module and its examples, papers/ is a copy, and the files of the first page are there.
 void furnish(const Workshop& w, const Page& page) {
   fs::create_directory(w.path(".bin"));
   fs::create_symlink(CNRG_PROGRAM, w.path(".bin") / "cnrg");
-  for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(CNRG_PROGRAM).parent_path())) {
-    const fs::path name = entry.path().filename();
-    if (name.string().starts_with("example_")) fs::create_symlink(entry.path(), w.path(".bin") / name);
-  }
   w.write(".bin/python3", "#!/bin/sh\nPYTHONPATH='" CNRG_MODULES "' exec /usr/bin/python3 -B \"$@\"\n");
   fs::permissions(w.path(".bin/python3"), fs::perms::owner_all);
   fs::copy(root() / "papers", w.path("papers"), fs::copy_options::recursive);

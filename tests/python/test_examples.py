@@ -1,4 +1,4 @@
-"""Each script of csg/python/examples opens with words that teach, and prints what the comment at its end says."""
+"""Each example prints what the comment at its end says; scripts of csg/python/examples open with words that teach."""
 import ast
 import importlib.util
 import os
@@ -9,15 +9,15 @@ import tempfile
 import unittest
 from pathlib import Path
 
-FOLDER = Path(os.environ["CNRG_SOURCES"]) / "csg/python/examples"
+CSG = Path(os.environ["CNRG_SOURCES"]) / "csg"
 OTHERS = ("dask", "h5py", "meshio")  # packages that some of them show how to work with
 
 
-def expected(text):
+def expected(text, mark="# "):
     """The lines behind the line `# Output:`, without their `# `."""
     lines = text.splitlines()
-    at = lines.index("# Output:")
-    return "".join(line[2:] + "\n" for line in lines[at + 1:])
+    at = lines.index(mark + "Output:")
+    return "".join(line[len(mark):] + "\n" for line in lines[at + 1:])
 
 
 class Examples(unittest.TestCase):
@@ -39,9 +39,20 @@ class Examples(unittest.TestCase):
         self.assertEqual(done.stdout, expected(text))
 
 
-def add(path):
-    setattr(Examples, f"test_{path.stem}_prints_what_it_says", lambda self: self.check(path))
+    def check_program(self, path):
+        program = Path(os.environ["CNRG_PROGRAM"]).with_name("example_" + path.stem)
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([str(program)], cwd=folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue(done.stdout)
+        self.assertEqual(done.stdout, expected(path.read_text(), "// "))
 
 
-for script in sorted(FOLDER.glob("*.py")):
-    add(script)
+def add(path, check):
+    setattr(Examples, f"test_{path.stem}_prints_what_it_says", lambda self: check(self, path))
+
+
+for script in sorted(CSG.glob("python/examples/*.py")):
+    add(script, Examples.check)
+for source in sorted(CSG.glob("examples/*.cpp")):
+    add(source, Examples.check_program)
