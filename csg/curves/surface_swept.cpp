@@ -117,8 +117,8 @@ void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<Bez
 /// What a segment of an extrusion sweeps.
 void add_segment(LeafSurfaces& surfaces, std::uint32_t patch, const ExtrudeShape& shape,
                  const RationalPoint& center, const CurveNet& net) {
-  const bool flat =
-      shape.twist == 0 && (on_one_line(net.points) || (shape.scale == 1 && plane_normal(net.points, shape.vector)));
+  const bool flat = shape.twist == 0 &&
+                    (on_one_line(net.points) || (shape.scale == 1 && plane_normal(net.points, shape.vector)));
   if (flat && runs_straight(net.points)) return;
   surfaces.add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
   if (flat) return;
