@@ -84,6 +84,8 @@ class Extrusion {
       lower = upper;
       from = to;
     }
+    if (shape_.scale == 0)
+      builder.soup().add_curve_end(builder.leaf(), lower[0][0]);  // lines meet there at angles
     if (!closed) {
       for (const auto& ids : {bottom[0], lower[0]}) {
         if (builder.value(ids.front()) == builder.value(ids.back())) continue;  // a tube, the top of a cone

@@ -87,13 +87,14 @@ ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOpt
   }
   options.watch.begin("crossings");
   const bool to_the_end = options.proof == AskedProof::to_the_end;
+  std::size_t most = kStepsByDefault;
   for (int round = 0;; ++round) {
     options.watch.check();
     const PlacedLeaves still{before(motion_, placed->instances), placed->surfaces, placed->equations};
     auto pieces = std::make_unique<Pieces>(still, options.reach, moulds, to_the_end);
     std::optional<EarlierProof> earlier;
     if (proof_) earlier.emplace(EarlierProof{*pieces_, *proof_});
-    proof_ = prove(*pieces, asked, to_the_end ? kMostSteps : kStepsByDefault, earlier ? &*earlier : nullptr);
+    proof_ = prove(*pieces, asked, most, earlier ? &*earlier : nullptr);
     pieces_ = std::move(pieces);
     for (const OpenPlace& open : proof_->open) {
       std::vector<LeafId> leaves;
@@ -102,8 +103,15 @@ ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOpt
       undecided_.insert(std::move(leaves));
     }
     for (const auto& [leaves, count] : proof_->left) undecided_.insert(leaves);
-    if (round == kMostRounds || !add_lines()) return;
-    placed = &draw(lines_);
+    if (round < kMostRounds && add_lines()) {
+      placed = &draw(lines_);
+    } else if (to_the_end && most < kMostSteps &&
+               !proof_->open.empty()) {  // of finer facets first, with fewer steps
+      most = kMostSteps;
+      round = 0;
+    } else {
+      return;
+    }
   }
 }
 
