@@ -1,12 +1,12 @@
 // The surface mesh: points, straight pieces of edges, facets and regions as entities with what bounds them.
 #include <algorithm>
-#include <unordered_map>
 
 #include "csg/mesh/material_field.h"
 #include "csg/mesh/mesh.h"
 #include "csg/result/flat.h"
 #include "csg/result/solid.h"
 #include "kernel/base/limits.h"
+#include "kernel/base/number_table.h"
 #include "kernel/base/sorted.h"
 
 namespace cnrg {
@@ -39,21 +39,26 @@ class SurfaceMesher {
   CellTagger tagger_;
   MeshGroups groups_;
   Mesh mesh_;
-  std::vector<Index> point_;                          // entity of dimension 0 and point of the mesh, or kNone
-  std::unordered_map<std::uint64_t, Index> segment_;  // entity of dimension 1 between two points
-  std::vector<std::array<Index, 2>> facets_;          // of each face: entities of dimension 2, first and end
-  std::vector<std::array<Index, 2>> steps_;           // around a facet
-  std::vector<std::uint64_t> walked_;                 // the same, sorted
+  std::vector<Index> point_;                  // entity of dimension 0 and point of the mesh, or kNone
+  NumberTable segment_;                       // entity of dimension 1 between two points
+  std::vector<std::array<Index, 2>> facets_;  // of each face: entities of dimension 2, first and end
+  std::vector<std::array<Index, 2>> steps_;   // around a facet
+  std::vector<std::uint64_t> walked_;         // the same, sorted
 
   /// Every point that something has is an entity; those that are vertices of the result are features.
   void number_points() {
     point_.assign(flat_.points.size(), kNone);
     const auto use = [&](Index p) { point_[p] = 0; };
-    for (const auto& f : flat_.faces)
-      for (const auto& t : f.triangles)
-        for (const Index p : t) use(p);
-    for (const auto& e : flat_.edges)
-      for (const Index p : e.points) use(p);
+    std::size_t most = 0;  // segments
+    for (const auto& f : flat_.faces) {
+      most += 3 * f.triangles.size();
+      for (const auto& t : f.triangles) std::ranges::for_each(t, use);
+    }
+    for (const auto& e : flat_.edges) {
+      most += e.points.size();
+      std::ranges::for_each(e.points, use);
+    }
+    segment_ = NumberTable(most);
     for (const auto& v : flat_.vertices) use(v.point);
     for (Index p = 0; p < point_.size(); ++p) {
       if (point_[p] == kNone) continue;
@@ -72,16 +77,18 @@ class SurfaceMesher {
 
   /// The piece between two points: one of an edge of the result, or a new one between two facets of a patch.
   Index segment(Index a, Index b) {
-    const auto [entry, fresh] = segment_.try_emplace(edge_key(a, b), Index(mesh_.segments.size()));
-    if (fresh) {
-      a = point_[a], b = point_[b];
-      mesh_.segments.push_back({{std::min(a, b), std::max(a, b)}, entry->second});
+    const auto ends = sorted(std::array{point_[a], point_[b]});
+    const std::uint64_t hash = edge_key(a, b) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
+    Index& known = segment_.slot(hash >> 32, [&](Index s) { return mesh_.segments[s].points == ends; });
+    if (known == kNone) {
+      known = Index(mesh_.segments.size());
+      mesh_.segments.push_back({ends, known});
       auto& entity = mesh_.entities[1].emplace_back();
       entity.feature = false;
       entity.tags.dimension = 1;
-      entity.boundary = {std::int32_t(std::min(a, b) + 1), -std::int32_t(std::max(a, b) + 1)};
+      entity.boundary = {std::int32_t(ends[0] + 1), -std::int32_t(ends[1] + 1)};
     }
-    return entry->second;
+    return known;
   }
 
   void add_edges() {
