@@ -218,30 +218,19 @@ class JsonWriter {
           .add("name", view_.parameters->patch_name(leaf, patch));
     });
     lines("cells", list, [&](Line& line, const std::vector<PatchCorner>* cell) {
-      append(line, *cell, [&](const PatchCorner& corner) {
+      append_json(line, *cell, [&](const PatchCorner& corner) {
         const auto& [x, y, z] = corner.point;
         const auto& [u, v] = corner.at;
-        append(line, std::array{&x, &y, &z, &u, &v}, [&](const Rational* c) { append_quoted(line, *c); });
+        append_json(line, std::array{&x, &y, &z, &u, &v}, [&](const Rational* c) { append_quoted(line, *c); });
       });
     });
   }
 
-  /// A list, each item by `write(item)`.
-  template <class List, class Write>
-  static void append(Line& line, const List& list, Write write) {
-    char before = '[';
-    for (const auto& item : list) {
-      line << std::exchange(before, ',');
-      write(item);
-    }
-    line << (before == '[' ? "[]" : "]");
-  }
-
   void point(Line& line, VertexId v) const {
     if (const double* x = view_.complex->points.doubles(v)) {
-      append(line, std::span(x, 3), [&](double c) { append_quoted(line, c); });
+      append_json(line, std::span(x, 3), [&](double c) { append_quoted(line, c); });
     } else {
-      append(line, view_.complex->points.rational(v), [&](const Rational& c) { append_quoted(line, c); });
+      append_json(line, view_.complex->points.rational(v), [&](const Rational& c) { append_quoted(line, c); });
     }
   }
 
@@ -249,7 +238,7 @@ class JsonWriter {
     static constexpr std::string_view kKeys[] = {",\"point\":true", ",\"edges\":", ",\"faces\":", ",\"regions\":"};
     line << ",\"origin\":";
     auto cell = origin.cells.begin();
-    append(line, origin.leaves, [&](LeafId leaf) {
+    append_json(line, origin.leaves, [&](LeafId leaf) {
       line << "{\"leaf\":" << leaf_number_.at(leaf);
       while (cell != origin.cells.end() && cell->leaf == leaf) {
         const int dimension = cell->dimension;
@@ -295,21 +284,21 @@ class JsonWriter {
   void face(Line& line, const FlatComplex::Face& f) const {
     add_walks(line, f);
     line << ",\"component\":" << f.component << ",\"entity\":" << f.entity << ",\"regions\":";
-    append(line, f.regions, [&](Index region) {
+    append_json(line, f.regions, [&](Index region) {
       if (region == FlatComplex::kNone) line << "null";
       else line << region;
     });
     line << ",\"patch\":" << patch_[static_cast<std::size_t>(&f - flat_.faces.data())];
     if (!f.facets.empty()) {
-      append(line << ",\"facets\":", f.facets, [&](const FlatComplex::Facet& facet) {
+      append_json(line << ",\"facets\":", f.facets, [&](const FlatComplex::Facet& facet) {
         add_walks(line, facet);
         line << '}';
       });
     }
     append_json(line << ",\"triangles\":", f.triangles);
     if (!f.cells.empty()) {
-      append(line << ",\"cells\":", f.cells, [&](const auto& facet) {
-        append(line, facet, [&](const auto& cell) { line << cell_number_.at(cell); });
+      append_json(line << ",\"cells\":", f.cells, [&](const auto& facet) {
+        append_json(line, facet, [&](const auto& cell) { line << cell_number_.at(cell); });
       });
     }
     add_said(line, f.origin);
@@ -343,8 +332,8 @@ class JsonWriter {
     if (!r.bounded) line << "null";
     else if (const Part* part = part_of(r)) append_quoted(line, part->volume(*view_.complex).bounded);
     else append_quoted(line, volume(*view_.complex, r.cells).value());
-    append(line << ",\"shells\":", r.shells, [&](const std::vector<Index>& shell) {
-      append(line, shell, [&](Index side) {
+    append_json(line << ",\"shells\":", r.shells, [&](const std::vector<Index>& shell) {
+      append_json(line, shell, [&](Index side) {
         line << "{\"face\":" << (side >> 1) << ",\"side\":" << (side & 1 ? "\"back\"}" : "\"front\"}");
       });
     });

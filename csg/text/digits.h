@@ -50,6 +50,7 @@ class Line {
     end_ = std::to_chars(begin, begin + kLongest, number).ptr;
     return *this;
   }
+  Line& operator+=(const auto& piece) { return *this << piece; }
   Line& operator<<(const std::array<double, 3>& xyz) { return *this << xyz[0] << ' ' << xyz[1] << ' ' << xyz[2]; }
 
  private:

@@ -23,8 +23,8 @@ inline void append_json(std::string& text, const std::string& value) {
 }
 
 /// A list, each item by `write(item)`.
-template <class List, class Write>
-void append_json(std::string& text, const List& list, Write write) {
+template <class Text, class List, class Write>
+void append_json(Text& text, const List& list, Write write) {
   char before = '[';
   for (const auto& item : list) {
     text += before;
