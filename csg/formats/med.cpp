@@ -68,10 +68,10 @@ class MedWriter {
   const std::array<std::vector<std::string>, 4> names_;
   const std::unique_ptr<Hdf5File> file_ = new_hdf5_file();
   /// By dimension and groups: the number.
-  std::map<std::pair<std::size_t, std::vector<Index>>, std::int32_t> families_;
+  std::map<std::pair<std::size_t, ShortList<Index, 2>>, std::int32_t> families_;
   std::int32_t of_elements_ = 0, of_points_ = 0;
 
-  std::int32_t family(std::size_t dimension, const std::vector<Index>& groups) {
+  std::int32_t family(std::size_t dimension, const ShortList<Index, 2>& groups) {
     if (groups.empty()) return 0;
     const auto [entry, fresh] = families_.try_emplace({dimension, groups}, 0);
     if (fresh) entry->second = dimension == 0 ? ++of_points_ : --of_elements_;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "csg/formats/formats.h"
 #include "csg/formats/gmsh_order.h"
@@ -62,8 +63,10 @@ class MshWriter {
   std::string run() {
     std::string comment = shown(mesh_.node);
     std::replace(comment.begin(), comment.end(), '$', ' ');  // it begins a section
-    text_ = "$MeshFormat\n" + std::string(version_ == Version::two ? "2.2" : "4.1") +
-            " 0 8\n$EndMeshFormat\n$Comments\nnode " + comment + ", written by cnrg\n$EndComments\n";
+    constexpr std::size_t kElement = 256;                    // bytes; what is not needed is not touched
+    text_.reserve(kElement * (mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size()));
+    text_ += "$MeshFormat\n" + std::string(version_ == Version::two ? "2.2" : "4.1") +
+             " 0 8\n$EndMeshFormat\n$Comments\nnode " + comment + ", written by cnrg\n$EndComments\n";
     add_names();
     if (version_ == Version::two) {
       add_mere_nodes();
@@ -87,8 +90,8 @@ class MshWriter {
   std::string text_;
   const PointTexts texts_;
   std::array<std::vector<Extent>, 4> boxes_;
-  std::array<std::vector<std::string>, 4> names_;          ///< of groups
-  std::array<std::vector<std::vector<Index>>, 4> groups_;  ///< of entities
+  std::array<std::vector<std::string>, 4> names_;  ///< of groups
+  std::array<std::array<Index, 2>, 4> rest_{};     ///< groups of cells in none, by `feature`
   std::set<std::string> given_;
   std::size_t elements_ = 0;
 
@@ -102,18 +105,18 @@ class MshWriter {
   /// The groups of the mesh, and one for cells of the result in none of these, one for what is no such cell.
   void name_groups(std::size_t d) {
     static constexpr const char* kRest[] = {"vertices", "edges", "faces", "regions"};
-    std::array<Index, 2> rest{};
     for (const auto& entity : mesh_.entities[d]) {
-      groups_[d].push_back(entity.groups);
-      if (one_group_ && !entity.groups.empty()) groups_[d].back().resize(1);
       if (!entity.groups.empty()) continue;
-      Index& group = rest[entity.feature];
-      if (group == 0) {
-        names_[d].push_back(unused(std::string(kRest[d]) + (entity.feature ? "" : " of facets")));
-        group = Index(names_[d].size());
-      }
-      groups_[d].back().push_back(group);
+      Index& group = rest_[d][entity.feature];
+      if (group != 0) continue;
+      names_[d].push_back(unused(std::string(kRest[d]) + (entity.feature ? "" : " of facets")));
+      group = Index(names_[d].size());
     }
+  }
+  std::span<const Index> groups(std::size_t d, std::size_t entity) const {
+    const Mesh::Entity& of = mesh_.entities[d][entity];
+    if (of.groups.empty()) return {&rest_[d][of.feature], 1};
+    return {of.groups.begin(), one_group_ ? 1 : of.groups.size()};
   }
 
   void add_names() {
@@ -121,8 +124,7 @@ class MshWriter {
     std::string lines;
     for (std::size_t d = 0; d < 4; ++d) {
       std::vector<char> used(names_[d].size(), !one_group_);
-      for (const auto& groups : groups_[d])
-        for (const Index g : groups) used[g - 1] = 1;
+      for (std::size_t i = 0; one_group_ && i < mesh_.entities[d].size(); ++i) used[groups(d, i)[0] - 1] = 1;
       for (std::size_t g = 0; g < names_[d].size(); ++g) {
         if (!used[g]) continue;
         Line(lines) << d << ' ' << g + 1 << " \"" << names_[d][g] << "\"\n";
@@ -178,7 +180,7 @@ class MshWriter {
           line << ' ' << numbers.size();
           for (const auto n : numbers) line << ' ' << n;
         };
-        add(groups_[d][i]);
+        add(groups(d, i));
         if (d > 0) add(mesh_.entities[d][i].boundary);
         line << " \n";
       });
@@ -257,7 +259,7 @@ class MshWriter {
       }
       line << number + i + 1;
       if (version_ == Version::two)
-        line << ' ' << type << " 2 " << groups_[dimension][entity][0] << ' ' << entity + 1;
+        line << ' ' << type << " 2 " << groups(dimension, entity)[0] << ' ' << entity + 1;
       mesh_.for_each_node(simplices[i], edges, [&](Index p) { line << ' ' << p + 1; });
       line << '\n';
     });

@@ -58,6 +58,7 @@ class VtuWriter {
     add_regions();
     if (grid_.empty()) add_nothing();
     if (!flat_.frame_points.empty()) drop_places();
+    flat_ = {};  // the text takes as much
     if (!split_) return {grid_.text(view_, points_.xyz), report_rounding(points_, drawing_)};
     return {grid_.text(view_, split_->points(), &split_->parameters()), report_rounding(points_, drawing_)};
   }

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <map>
+#include <ranges>
+#include <span>
+#include <string_view>
 
 #include "csg/mesh/material_field.h"
 #include "csg/result/file_numbers.h"
@@ -17,32 +19,29 @@
 namespace cnrg {
 namespace {
 
-void append_base64(std::string& text, const std::string& bytes) {
+void append_base64(std::string& text, std::string_view bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   const std::size_t start = text.size(), groups = bytes.size() / 3, rest = bytes.size() % 3;
   text.resize(start + 4 * (groups + (rest > 0)), '=');
-  const auto put = [&](std::size_t g, std::size_t n) {
-    const auto at = [&](std::size_t k) {
-      return k < n ? std::uint32_t{static_cast<unsigned char>(bytes[3 * g + k])} : 0;
-    };
-    const std::uint32_t group = at(0) << 16 | at(1) << 8 | at(2);
-    char* const to = &text[start + 4 * g];
-    for (std::size_t k = 0; k <= n; ++k) to[k] = kDigits[group >> (18 - 6 * k) & 63];
+  const auto put = [from = bytes.data(), to = text.data() + start](std::size_t g, auto n) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < n; ++k)
+      group |= std::uint32_t{static_cast<unsigned char>(from[3 * g + k])} << (16 - 8 * k);
+    for (std::size_t k = 0; k <= n; ++k) to[4 * g + k] = kDigits[group >> (18 - 6 * k) & 63];
   };
-  for_each_index(groups, [&](std::size_t g) { put(g, 3); });
+  for_each_index(groups, [&](std::size_t g) { put(g, std::integral_constant<std::size_t, 3>()); });
   if (rest > 0) put(groups, rest);
 }
 
 template <class T>
-std::string little_endian(const std::vector<T>& values) {
-  std::string bytes(values.size() * sizeof(T), '\0');
-  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+decltype(auto) little_endian(const std::vector<T>& values) {
   if constexpr (std::endian::native == std::endian::big) {
-    for (std::size_t i = 0; i < bytes.size(); i += sizeof(T)) {
-      std::reverse(bytes.data() + i, bytes.data() + i + sizeof(T));
-    }
+    std::vector<T> turned = values;
+    for (T& value : turned) std::ranges::reverse(std::as_writable_bytes(std::span(&value, 1)));
+    return turned;
+  } else {
+    return (values);
   }
-  return bytes;
 }
 
 std::string comment(const ResultView& view) {
@@ -59,8 +58,12 @@ void append_array(std::string& text, const char* name, const char* type, const s
   text += "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name + "\"";
   if (components != 1) text += " NumberOfComponents=\"" + std::to_string(components) + "\"";
   text += " format=\"binary\">\n";
-  const std::string bytes = little_endian(values);
-  append_base64(text, little_endian(std::vector<std::uint64_t>{bytes.size()}) + bytes);
+  const std::vector<T>& turned = little_endian(values);
+  const std::string_view bytes(reinterpret_cast<const char*>(turned.data()), turned.size() * sizeof(T));
+  std::string head;  // the length, and what fills the third group
+  for (int k = 0; k < 8; ++k) head += static_cast<char>(bytes.size() >> (8 * k));
+  append_base64(text, head.append(bytes.substr(0, 1)));
+  if (bytes.size() > 1) append_base64(text, bytes.substr(1));
   text += "\n</DataArray>\n";
 }
 
@@ -103,10 +106,12 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   std::vector<double> coordinates;
   for (const auto& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
 
-  std::string text = "<?xml version=\"1.0\"?>\n<!-- " + comment(view) +
-                     " -->\n"
-                     "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-                     "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
+  std::string text;
+  text.reserve(11 * (connectivity_.size() + offsets_.size()) + 60 * types_.size() + 33 * points.size());
+  text += "<?xml version=\"1.0\"?>\n<!-- " + comment(view) +
+          " -->\n"
+          "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+          "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
   append_names(text, "region", regions, 1);
   append_names(text, "material", materials, 1);
   append_names(text, "source_leaf", leaves, 0);
@@ -136,44 +141,31 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
     text += "</PointData>\n";
   }
   text += "<CellData Scalars=\"region\">\n";
-  const auto append_tag = [&](const char* name, std::int32_t CellTags::*tag) {
-    std::vector<std::int32_t> values;
-    for (const CellTags& tags : tags_) values.push_back(tags.*tag);
-    append_array(text, name, "Int32", values);
+  for (std::size_t k = 0; k < kTags.size(); ++k) append_array(text, kTags[k].first, "Int32", tags_[k]);
+  const auto append_values = [&](const std::string& name, const char* type, auto value_of) {
+    std::vector<decltype(value_of(tags(0)))> values;
+    for (std::size_t i = 0; i < types_.size(); ++i) values.push_back(value_of(tags(i)));
+    append_array(text, in_xml(name).c_str(), type, values);
   };
-  append_tag("dimension", &CellTags::dimension);
-  append_tag("cell", &CellTags::cell);
-  append_tag("component", &CellTags::component);
-  append_tag("region", &CellTags::region);
-  append_tag("region_front", &CellTags::front);
-  append_tag("region_back", &CellTags::back);
-  append_tag("regions_bounded", &CellTags::bounded);
-  append_tag("material", &CellTags::material);
-  append_tag("source_leaf", &CellTags::leaf);
-  append_tag("source_face", &CellTags::face);
-  if (!names.empty()) {
-    std::vector<std::int32_t> values;
-    for (const CellTags& tags : tags_) values.push_back(number_of_name(names, tags));
-    append_array(text, "name", "Int32", values);
+  if (!names.empty())
+    append_values("name", "Int32", [&](const CellTags& tags) { return number_of_name(names, tags); });
+  for (const PropertyFields::Field& field : properties.fields()) {
+    const std::string name = array_name(field.key);
+    if (field.numeric)
+      append_values(name, "Float64", [&](const CellTags& tags) { return PropertyFields::number(field, tags); });
+    else append_values(name, "Int32", [&](const CellTags& tags) { return PropertyFields::text(field, tags); });
   }
-  for (const PropertyFields::Field& field : properties.fields()) append_property(text, field);
   append_fractions(text, view, points);
   if (parameters != nullptr) append_array(text, "patch", "Int32", parameters->patches);
   text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   return text;
 }
 
-void VtuGrid::append_property(std::string& text, const PropertyFields::Field& field) const {
-  const std::string name = in_xml(array_name(field.key));
-  if (field.numeric) {
-    std::vector<double> values;
-    for (const CellTags& tags : tags_) values.push_back(PropertyFields::number(field, tags));
-    append_array(text, name.c_str(), "Float64", values);
-  } else {
-    std::vector<std::int32_t> values;
-    for (const CellTags& tags : tags_) values.push_back(PropertyFields::text(field, tags));
-    append_array(text, name.c_str(), "Int32", values);
-  }
+CellTags VtuGrid::tags(std::size_t cell) const {
+  CellTags out;
+  for (std::size_t k = 0; k < kTags.size(); ++k) out.*kTags[k].second = tags_[k][cell];
+  out.said = said_[cell];
+  return out;
 }
 
 void VtuGrid::append_fractions(std::string& text, const ResultView& view,
@@ -187,7 +179,7 @@ void VtuGrid::append_fractions(std::string& text, const ResultView& view,
     corners.clear();
     for (; begin < end; ++begin) corners.push_back(points[static_cast<std::size_t>(connectivity_[begin])]);
     const std::vector<double> here =
-        corners.empty() ? field.at(0, RationalPoint{}) : field.at(material_component(view, tags_[i]), corners);
+        corners.empty() ? field.at(0, RationalPoint{}) : field.at(material_component(view, tags(i)), corners);
     for (std::size_t k = 0; k < here.size(); ++k) fractions[k].push_back(here[k]);
   }
   for (std::size_t k = 0; k < fractions.size(); ++k) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/result/cell_tags.h"
@@ -48,14 +49,27 @@ class VtuGrid {
   // One entry per cell of the grid.
   std::vector<std::int64_t> connectivity_, offsets_;
   std::vector<std::uint8_t> types_;
-  std::vector<CellTags> tags_;
-  void append_property(std::string& text, const PropertyFields::Field& field) const;
+  static constexpr std::array<std::pair<const char*, std::int32_t CellTags::*>, 10> kTags{
+      {{"dimension", &CellTags::dimension},
+       {"cell", &CellTags::cell},
+       {"component", &CellTags::component},
+       {"region", &CellTags::region},
+       {"region_front", &CellTags::front},
+       {"region_back", &CellTags::back},
+       {"regions_bounded", &CellTags::bounded},
+       {"material", &CellTags::material},
+       {"source_leaf", &CellTags::leaf},
+       {"source_face", &CellTags::face}}};
+  std::array<std::vector<std::int32_t>, kTags.size()> tags_;
+  std::vector<const Attributes*> said_;  // CellTags::said
+  CellTags tags(std::size_t cell) const;
   void append_fractions(std::string& text, const ResultView& view,
                         const std::vector<std::array<double, 3>>& points) const;
   void add_tags(VtuCell kind, const CellTags& tags) {
     offsets_.push_back(std::int64_t(connectivity_.size()));
     types_.push_back(std::uint8_t(kind));
-    tags_.push_back(tags);
+    for (std::size_t k = 0; k < kTags.size(); ++k) tags_[k].push_back(tags.*kTags[k].second);
+    said_.push_back(tags.said);
   }
 };
 

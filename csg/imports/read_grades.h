@@ -1,4 +1,4 @@
-// Graded materials of a result in .json (the format is that of csg/result/result_json.cpp).
+// Graded materials of a result in .json (the format is that of csg/formats/result.schema.json).
 #pragma once
 
 #include <functional>

@@ -24,15 +24,16 @@
 
 #include "csg/result/cell_tags.h"
 #include "csg/result/rounding.h"
+#include "kernel/base/short_list.h"
 
 namespace cnrg {
 
 struct Mesh {
   using Index = std::uint32_t;
   struct Entity {
-    std::vector<Index> groups;  ///< numbers of groups of its dimension, from 1
+    ShortList<Index, 2> groups;  ///< numbers of groups of its dimension, from 1
     /// What bounds it, of one dimension less: number + 1, negative when it runs the other way.
-    std::vector<std::int32_t> boundary;
+    ShortList<std::int32_t, 4> boundary;
     bool feature = true;  ///< a cell of the result; false: between the facets of one patch
     bool wire = false;    ///< dimension 1: no face has it on its boundary
     CellTags tags;        ///< of the cell of the result that it is or is a part of
@@ -112,7 +113,7 @@ inline bool is_odd(const std::array<Mesh::Index, 3>& c) {
 struct MeshGroups {
   std::array<std::vector<std::string>, 4> names;
   std::size_t sources = 0;  ///< how many groups of faces by their leaves there are: the last ones
-  std::array<std::vector<std::vector<Mesh::Index>>, 4> of;
+  std::array<std::vector<ShortList<Mesh::Index, 2>>, 4> of;
 };
 MeshGroups mesh_groups(const ResultView& view, const FlatComplex& flat);
 /// By region: the name of its first group, with its number (`r3`) behind it where several regions have that name;

@@ -112,7 +112,7 @@ class Grouper {
       groups.push_back(piece.at(region.component));
       if (!of.name.empty()) groups.push_back(named.at(of.first));
       if (const auto on = on_sides.find(region.component); on != on_sides.end())
-        groups.insert(groups.end(), on->second.begin(), on->second.end());
+        groups.append(on->second.begin(), on->second.end());
     }
   }
 
@@ -190,7 +190,7 @@ class Grouper {
       const Attributes* what = said(cells[i]);
       if (what != nullptr && !what->name.empty()) of.push_back(given.at(shown_in_quotes(what->name.text())));
       const std::vector<Index>& further = numbers.at(keys[i]);
-      of.insert(of.end(), further.begin(), further.end());
+      of.append(further.begin(), further.end());
     }
   }
 
@@ -299,7 +299,7 @@ std::vector<std::string> region_labels(const FlatComplex& flat, const MeshGroups
   std::vector<std::string> names(flat.regions.size());
   for (Index r = 0; r < names.size(); ++r) {
     if (!flat.active(r)) continue;
-    const Index group = groups.of[3][r].at(0);
+    const Index group = groups.of[3][r][0];
     names[r] = groups.names[3][group - 1];
     if (uses[group] > 1) names[r] += " r" + std::to_string(r);
   }

@@ -282,13 +282,18 @@ class Splitter {
     for (const Index side : {0U, 1U}) {
       Mesh::Entity& of = side == 0 ? mesh_.entities[2][face] : front;
       of.side = true;
-      for (const Index k : asked) of.groups.insert(of.groups.begin(), first_side_ + 2 * k + side);
+      std::vector<Index> groups(of.groups.begin(), of.groups.end());
+      for (const Index k : asked) groups.insert(groups.begin(), first_side_ + 2 * k + side);
+      of.groups = {groups.begin(), groups.end()};
     }
     mesh_.entities[2].push_back(std::move(front));
     for (Mesh::Property& property : mesh_.properties) property.values[2].push_back(property.values[2][face]);
     const auto behind = std::int32_t(face + 1), before = std::int32_t(it->second + 1);
-    for (const Index region : {back_region, front_region})
-      std::erase_if(mesh_.entities[3][region].boundary, [&](std::int32_t b) { return std::abs(b) == behind; });
+    for (const Index region : {back_region, front_region}) {
+      auto& list = mesh_.entities[3][region].boundary;
+      list = {list.begin(),
+              std::remove_if(list.begin(), list.end(), [&](std::int32_t b) { return std::abs(b) == behind; })};
+    }
     mesh_.entities[3][back_region].boundary.push_back(behind);
     mesh_.entities[3][front_region].boundary.push_back(-before);
     return it->second;

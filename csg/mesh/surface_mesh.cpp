@@ -1,13 +1,12 @@
 // The surface mesh: points, straight pieces of edges, facets and regions as entities with what bounds them.
 #include <algorithm>
-#include <map>
-#include <unordered_map>
 
 #include "csg/mesh/material_field.h"
 #include "csg/mesh/mesh.h"
 #include "csg/result/flat.h"
 #include "csg/result/solid.h"
 #include "kernel/base/limits.h"
+#include "kernel/base/number_table.h"
 #include "kernel/base/sorted.h"
 
 namespace cnrg {
@@ -40,19 +39,26 @@ class SurfaceMesher {
   CellTagger tagger_;
   MeshGroups groups_;
   Mesh mesh_;
-  std::vector<Index> point_;                          // entity of dimension 0 and point of the mesh, or kNone
-  std::unordered_map<std::uint64_t, Index> segment_;  // entity of dimension 1 between two points
-  std::vector<std::array<Index, 2>> facets_;          // of each face: entities of dimension 2, first and end
+  std::vector<Index> point_;                  // entity of dimension 0 and point of the mesh, or kNone
+  NumberTable segment_;                       // entity of dimension 1 between two points
+  std::vector<std::array<Index, 2>> facets_;  // of each face: entities of dimension 2, first and end
+  std::vector<std::array<Index, 2>> steps_;   // around a facet
+  std::vector<std::uint64_t> walked_;         // the same, sorted
 
   /// Every point that something has is an entity; those that are vertices of the result are features.
   void number_points() {
     point_.assign(flat_.points.size(), kNone);
     const auto use = [&](Index p) { point_[p] = 0; };
-    for (const auto& f : flat_.faces)
-      for (const auto& t : f.triangles)
-        for (const Index p : t) use(p);
-    for (const auto& e : flat_.edges)
-      for (const Index p : e.points) use(p);
+    std::size_t most = 0;  // segments
+    for (const auto& f : flat_.faces) {
+      most += 3 * f.triangles.size();
+      for (const auto& t : f.triangles) std::ranges::for_each(t, use);
+    }
+    for (const auto& e : flat_.edges) {
+      most += e.points.size();
+      std::ranges::for_each(e.points, use);
+    }
+    segment_ = NumberTable(most);
     for (const auto& v : flat_.vertices) use(v.point);
     for (Index p = 0; p < point_.size(); ++p) {
       if (point_[p] == kNone) continue;
@@ -71,16 +77,18 @@ class SurfaceMesher {
 
   /// The piece between two points: one of an edge of the result, or a new one between two facets of a patch.
   Index segment(Index a, Index b) {
-    const auto [entry, fresh] = segment_.try_emplace(edge_key(a, b), Index(mesh_.segments.size()));
-    if (fresh) {
-      a = point_[a], b = point_[b];
-      mesh_.segments.push_back({{std::min(a, b), std::max(a, b)}, entry->second});
+    const auto ends = sorted(std::array{point_[a], point_[b]});
+    const std::uint64_t hash = edge_key(a, b) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
+    Index& known = segment_.slot(hash >> 32, [&](Index s) { return mesh_.segments[s].points == ends; });
+    if (known == kNone) {
+      known = Index(mesh_.segments.size());
+      mesh_.segments.push_back({ends, known});
       auto& entity = mesh_.entities[1].emplace_back();
       entity.feature = false;
       entity.tags.dimension = 1;
-      entity.boundary = {std::int32_t(std::min(a, b) + 1), -std::int32_t(std::max(a, b) + 1)};
+      entity.boundary = {std::int32_t(ends[0] + 1), -std::int32_t(ends[1] + 1)};
     }
-    return entry->second;
+    return known;
   }
 
   void add_edges() {
@@ -114,17 +122,16 @@ class SurfaceMesher {
 
   /// One entity; or a triangle each, where an edge or a point lies inside that a mesher would not see otherwise.
   void add_facet(Index face, const std::vector<FlatComplex::Loop>& loops, bool isolated, Index begin, Index end) {
-    std::vector<std::array<Index, 2>> steps;
-    std::vector<std::uint64_t> walked;
+    steps_.clear(), walked_.clear();
     for (const auto& loop : loops) {
       for (std::size_t k = 0; k < loop.size(); ++k) {
-        steps.push_back({loop[k], loop[(k + 1) % loop.size()]});
-        walked.push_back(edge_key(steps.back()[0], steps.back()[1]));
+        steps_.push_back({loop[k], loop[(k + 1) % loop.size()]});
+        walked_.push_back(edge_key(steps_.back()[0], steps_.back()[1]));
       }
     }
-    std::sort(walked.begin(), walked.end());
-    const bool inside = isolated || std::adjacent_find(walked.begin(), walked.end()) != walked.end();
-    if (!inside) return add_entity(face, steps, begin, end);
+    std::sort(walked_.begin(), walked_.end());
+    const bool inside = isolated || std::adjacent_find(walked_.begin(), walked_.end()) != walked_.end();
+    if (!inside) return add_entity(face, steps_, begin, end);
     for (Index t = begin; t < end; ++t) {
       const auto& p = flat_.faces[face].triangles[t];
       add_entity(face, {{p[0], p[1]}, {p[1], p[2]}, {p[2], p[0]}}, t, t + 1);
@@ -146,18 +153,17 @@ class SurfaceMesher {
     for (Index i = 0; i < flat_.regions.size(); ++i) {
       const auto& region = flat_.regions[i];
       if (region.component == 0) continue;
-      std::map<Index, int> faces;  // the side, or 0 for both
-      for (const auto& shell : region.shells) {
-        for (const Index side : shell) {
-          const auto [entry, fresh] = faces.try_emplace(side >> 1, (side & 1) == 0 ? -1 : 1);
-          if (!fresh) entry->second = 0;
-        }
-      }
+      std::vector<Index> sides;
+      for (const auto& shell : region.shells) sides.insert(sides.end(), shell.begin(), shell.end());
+      std::sort(sides.begin(), sides.end());
       auto& entity = mesh_.entities[3].emplace_back();
-      for (const auto& [face, side] : faces) {
-        for (Index f = facets_[face][0]; f < facets_[face][1]; ++f) {
-          entity.boundary.push_back(side < 0 ? -std::int32_t(f + 1) : std::int32_t(f + 1));
-        }
+      for (std::size_t k = 0; k < sides.size(); ++k) {
+        const auto& [begin, end] = facets_[sides[k] >> 1];
+        const bool front = (sides[k] & 1) == 0,
+                   both = k + 1 < sides.size() && front && sides[k + 1] == sides[k] + 1;
+        for (Index f = begin; f < end; ++f)
+          entity.boundary.push_back(front && !both ? -std::int32_t(f + 1) : std::int32_t(f + 1));
+        k += both;
       }
       entity.groups = groups_.of[3][i];
       entity.tags = tagger_.region(i);

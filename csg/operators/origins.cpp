@@ -58,10 +58,13 @@ void add_face(const Complex& complex, FaceId f, std::span<const LeafId> leaves, 
   for (const RegionId r : complex.face_regions[f]) labels.add(r);
 }
 
+/// `from`: only those that walk the edge from there.
 void add_faces_around(const Complex& complex, EdgeId e, std::span<const LeafId> leaves, LabelsOnce& labels,
-                      std::vector<LeafCell>& out) {
+                      std::vector<LeafCell>& out, VertexId from = {}) {
   labels.add(complex.edge_region[e]);
-  for (const FaceUse& use : complex.edge_uses[e]) add_face(complex, use.face, leaves, labels, out);
+  for (const FaceUse& use : complex.edge_uses[e]) {
+    if (!from.valid() || complex.origin(use.half_edge) == from) add_face(complex, use.face, leaves, labels, out);
+  }
 }
 
 /// Those that the complex knows of the cell by itself.
@@ -160,7 +163,7 @@ void append_leaf_cells(const Complex& complex, VertexId v, std::span<const LeafI
   LabelsOnce labels(complex, leaves, out);
   labels.add(complex.vertex_region[v]);
   for (const EdgeId e : complex.vertex_edges[v]) {
-    add_faces_around(complex, e, leaves, labels, out);
+    add_faces_around(complex, e, leaves, labels, out, v);
     add_wires(complex, e, leaves, out);
   }
   for (const FaceId f : complex.vertex_faces[v]) add_face(complex, f, leaves, labels, out);

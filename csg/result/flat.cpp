@@ -2,14 +2,11 @@
 // numbers, are turned so that their front is the outside, and are cut into triangles.
 #include "csg/result/flat.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <span>
 
 #include "csg/geometry/canonical_loop.h"
 #include "csg/operators/cell_sources.h"
-#include "csg/operators/component_lists.h"
 #include "csg/result/file_numbers.h"
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
@@ -33,9 +30,10 @@ class Flattener {
         shapes_(what == Flattening::shapes),
         drawn_(what != Flattening::cells),
         complex_(*view.complex),
-        own_(view.simplified->in_order ? SimplifiedComplex() : *view.simplified),
-        simple_(view.simplified->in_order ? *view.simplified : own_),
-        points_(simple_.in_order ? CanonicalPoints(complex_, simple_) : cnrg::put_in_order(complex_, own_)),
+        own_(view.simplified->points.empty() ? *view.simplified : SimplifiedComplex()),
+        simple_(view.simplified->points.empty() ? own_ : *view.simplified),
+        points_(simple_.points.empty() ? cnrg::put_in_order(complex_, own_)
+                                       : CanonicalPoints(complex_, simple_.points)),
         of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
         value_(view.value->is_group() ? of_group_ : view.value->components()),
         sources_(complex_, value_) {
@@ -70,8 +68,8 @@ class Flattener {
   IdVector<EdgeId, Index> edge_of_;  // simplified edge that holds an edge of the complex
   IdVector<FaceId, Index> front_;    // the side of a face of the complex that is the front of the simplified one
   std::vector<unsigned> walks_;      // how often listed faces walk each simplified edge
-  std::vector<char> slit_;
-  std::vector<unsigned char> flipped_;  // faces whose front is not that of the simplified complex
+  std::vector<char> slit_, holds_regions_;  // by simplified edge; by component
+  std::vector<unsigned char> flipped_;      // faces whose front is not that of the simplified complex
 
   void count_walks() {
     edge_of_.assign(complex_.edge_count(), kNone);
@@ -102,11 +100,14 @@ class Flattener {
   }
 
   void make_regions() {
+    const auto sets = sets_of(complex_.region_count, value_.selection.regions, value_.origins.regions);
+    holds_regions_.assign(value_.attributes.size() + 1, 0);
     for (const auto& region : simple_.regions) {
+      holds_regions_[region.component] = 1;
       flat_.regions.push_back({region.component, region.bounded, region.shells, region.cells, {}});
       if (!drawn_) continue;
       auto& origin = flat_.regions.back().origin;
-      origin = origin_of(value_.selection.regions, value_.origins.regions, region.cells);
+      origin = origin_of(sets, region.cells);
       finish(origin);
     }
   }
@@ -116,11 +117,19 @@ class Flattener {
   static EdgeId id_of(HalfEdge h) { return h.edge(); }
   static VertexId id_of(VertexId v) { return v; }
 
+  /// By cell of the complex, of those that are active.
+  template <class IdT>
+  static IdVector<IdT, LeafSetId> sets_of(std::size_t count, const std::vector<std::pair<IdT, Component>>& list,
+                                          const std::vector<LeafSetId>& sets) {
+    IdVector<IdT, LeafSetId> out(count, LeafSetId::none());
+    for (std::size_t k = 0; k < list.size(); ++k) out[list[k].first] = sets[k];
+    return out;
+  }
+
   /// Of a cell of the result that unites `cells` of the complex. The cells of a region share one set of all its
   /// leaves, which may be as many as the cells: so each set is taken once, not once for each cell.
   template <class IdT, class Cells>
-  FlatComplex::Provenance origin_of(const std::vector<std::pair<IdT, Component>>& list,
-                                    const std::vector<LeafSetId>& sets, const Cells& cells) const {
+  FlatComplex::Provenance origin_of(const IdVector<IdT, LeafSetId>& sets, const Cells& cells) const {
     struct Lists {
       std::vector<LeafSetId> from;
       std::vector<LeafId> of;
@@ -130,10 +139,10 @@ class Flattener {
     from.clear(), of.clear(), on.clear();
     for (const auto& cell : cells) {
       const IdT id = id_of(cell);
-      const std::size_t k = place_in(list, id);
-      if (k == list.size()) continue;
-      if (from.empty() || from.back() != sets[k]) from.push_back(sets[k]);
-      append_leaf_cells(complex_, id, value_.origins.sets[sets[k]], on);
+      const LeafSetId set = sets[id];
+      if (!set.valid()) continue;
+      if (from.empty() || from.back() != set) from.push_back(set);
+      append_leaf_cells(complex_, id, value_.origins.sets[set], on);
     }
     sort_unique(from);
     for (const LeafSetId set : from) {
@@ -147,25 +156,20 @@ class Flattener {
 
   static LeafId leaf_of(LeafId leaf) { return leaf; }
   static LeafId leaf_of(const LeafCell& cell) { return cell.leaf; }
-  static LeafId leaf_of(const FlatComplex::Patch& patch) { return patch.first; }
-  static LeafId leaf_of(const std::pair<FlatComplex::Patch, std::vector<PatchCorner>>& cells) {
-    return leaf_of(cells.first);
-  }
+  /// Of a patch, or of what comes with one.
+  static LeafId leaf_of(const auto& of) { return leaf_of(of.first); }
 
   /// By the places of leaves.
   template <class List>
   void put_in_order_of_place(List& list) const {
     if (by_number_) return;
-    std::stable_sort(list.begin(), list.end(), [&](const auto& a, const auto& b) {
-      return view_.place(leaf_of(a)) < view_.place(leaf_of(b));
-    });
+    std::ranges::stable_sort(list, {}, [&](const auto& of) { return view_.place(leaf_of(of)); });
   }
 
   /// The last word on an origin: its lists are ascending until then.
   void finish(FlatComplex::Provenance& origin) const {
     name_makers(origin);
-    put_in_order_of_place(origin.leaves);
-    put_in_order_of_place(origin.cells);
+    put_in_order_of_place(origin.leaves), put_in_order_of_place(origin.cells);
   }
 
   /// What a joined leaf stands for is in its place (csg/evaluate/leaf_numbers.h).
@@ -180,9 +184,8 @@ class Flattener {
     }
     if (named.empty()) return;
     const auto drop_named = [&](auto& list) {
-      std::vector kept(list.begin(), list.end());
-      std::erase_if(kept, [&](const auto& of) { return std::ranges::binary_search(named, leaf_of(of)); });
-      list = {kept.begin(), kept.end()};
+      const auto is_named = [&](const auto& of) { return std::ranges::binary_search(named, leaf_of(of)); };
+      list = {list.begin(), std::remove_if(list.begin(), list.end(), is_named)};
     };
     drop_named(origin.leaves), drop_named(origin.cells);
   }
@@ -258,6 +261,7 @@ class Flattener {
   }
 
   void make_faces() {
+    const auto sets = sets_of(complex_.face_count(), value_.selection.faces, value_.origins.faces);
     flipped_.assign(simple_.faces.size(), 0);
     flat_.faces.resize(simple_.faces.size());
     for_each_index(simple_.faces.size(), [&](std::size_t i) {
@@ -282,7 +286,7 @@ class Flattener {
       face.entity = from.component != 0 && !inside_component(from.component, from.regions);
       face.own = face.entity || sources_.said(from.cells[0].face()) != nullptr;
       if (!whole_) return;
-      face.origin = origin_of(value_.selection.faces, value_.origins.faces, from.cells);
+      face.origin = origin_of(sets, from.cells);
       face.origin.said = sources_.said(from.cells[0].face());
       face.patch = patch_of(from, face.origin.leaves);
       face.surface = surface_of(from, face);
@@ -313,8 +317,7 @@ class Flattener {
       }
     }
     for (auto& list : face.cells) sort_unique(list);
-    const auto none = [](const auto& list) { return list.empty(); };
-    if (std::all_of(face.cells.begin(), face.cells.end(), none)) face.cells.clear();
+    if (std::ranges::all_of(face.cells, [](const auto& list) { return list.empty(); })) face.cells.clear();
   }
 
   /// True if the cover is of a leaf that the face came from; all are where none is.
@@ -385,29 +388,27 @@ class Flattener {
     for (OrderedFacet& facet : facets) reverse_all(facet.facet.loops);
   }
 
-  bool inside_component(Component component, Index region) const {
-    return region != kNone && region < simple_.regions.size() && simple_.regions[region].component == component;
-  }
-  bool inside_component(Component component, RegionId region) const {
-    return inside_component(component, region_index(region));
-  }
   template <class Regions>
   bool inside_component(Component component, const Regions& regions) const {
-    return std::all_of(regions.begin(), regions.end(), [&](auto r) { return inside_component(component, r); });
+    return std::ranges::all_of(regions, [&](auto region) {
+      const Index r = region_index(region);
+      return r != kNone && simple_.regions[r].component == component;
+    });
   }
 
   /// Of an edge or vertex: is it more than the interior of a region of its component?
   template <class Cell, class IdT>
   void set_entity(Cell& cell, IdT id) const {
-    struct Around {
+    cell.entity = cell.component != 0;
+    if (cell.entity && holds_regions_[cell.component]) {
       std::vector<RegionId> regions;
-    };
-    auto& regions = PerThread<Around>::own().regions;
-    complex_.star_regions(id, regions);
-    cell.entity = cell.component != 0 && !inside_component(cell.component, regions);
+      complex_.star_regions(id, regions);
+      cell.entity = !inside_component(cell.component, regions);
+    }
     cell.own = cell.entity || sources_.said(id) != nullptr;
   }
 
+  static Index region_index(Index region) { return region; }
   Index region_index(RegionId region) const {
     const auto place = simple_.region_place[region.index()];
     return place.dimension == 3 && place.index < simple_.regions.size() ? place.index : kNone;
@@ -449,6 +450,7 @@ class Flattener {
   }
 
   void make_edges() {
+    const auto sets = sets_of(complex_.edge_count(), value_.selection.edges, value_.origins.edges);
     front_.assign(complex_.face_count(), 0);
     for (const auto& face : simple_.faces) {
       for (const HalfFace cell : face.cells) front_[cell.face()] = Index(cell.side());
@@ -462,10 +464,6 @@ class Flattener {
       edge.slit = slit_[i];
       if (shapes_ && !edge.wire && !edge.slit && flat_.frame_points.empty()) return;
       edge.points = loop_of(from.chain);
-      if (!from.closed) {
-        const Index last = points_.number(complex_.target(from.chain.back()));
-        if (last != kNone) edge.points.push_back(last);
-      }
       edge.closed = from.closed;
       if (edge.closed) {
         rotate_to_least(edge.points);
@@ -473,6 +471,8 @@ class Flattener {
           std::reverse(edge.points.begin() + 1, edge.points.end());
         }
       } else {
+        const Index last = points_.number(complex_.target(from.chain.back()));
+        if (last != kNone) edge.points.push_back(last);
         Loop reversed(edge.points.rbegin(), edge.points.rend());
         if (reversed < edge.points) edge.points = std::move(reversed);
       }
@@ -480,11 +480,10 @@ class Flattener {
       set_entity(edge, first);
       if (edge.wire) edge.region = region_index(complex_.some_region(first));
       const auto& features = value_.features.edges;
-      edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
-        return std::binary_search(features.begin(), features.end(), h.edge());
-      });
+      edge.feature = std::ranges::all_of(
+          from.chain, [&](HalfEdge h) { return std::ranges::binary_search(features, h.edge()); });
       if (!whole_) return;
-      edge.origin = origin_of(value_.selection.edges, value_.origins.edges, from.chain);
+      edge.origin = origin_of(sets, from.chain);
       edge.origin.said = sources_.said(first);
       add_carriers(edge, from);
       finish(edge.origin);
@@ -492,6 +491,13 @@ class Flattener {
   }
 
   void add_carriers(FlatComplex::Edge& edge, const SimplifiedComplex::Edge& from) const {
+    for (const FaceUse& use : complex_.edge_uses[from.chain[0].edge()]) {
+      const SimplifiedComplex::Place place = simple_.face_place[use.face.index()];
+      if (place.dimension != 2 || place.index >= simple_.faces.size()) continue;
+      const Index side = Index(use.before().side()) ^ front_[use.face];
+      edge.around.push_back(place.index * 2 + (side ^ flipped_[place.index]));
+    }
+    if (view_.parameters == nullptr) return;
     const auto counts = [&](LeafId leaf) {
       return leaf != complex_.frame &&
              std::binary_search(edge.origin.leaves.begin(), edge.origin.leaves.end(), leaf);
@@ -523,13 +529,6 @@ class Flattener {
     put_in_order_of_place(curves);
     edge.patches = {patches.begin(), patches.end()};
     if (!curves.empty()) edge.curve = curves.front();
-    const auto uses = complex_.edge_uses[from.chain[0].edge()];
-    for (const FaceUse& use : uses) {
-      const SimplifiedComplex::Place place = simple_.face_place[use.face.index()];
-      if (place.dimension != 2 || place.index >= simple_.faces.size()) continue;
-      const Index side = Index(use.before().side()) ^ front_[use.face];
-      edge.around.push_back(place.index * 2 + (side ^ flipped_[place.index]));
-    }
   }
 
   template <class T>
@@ -551,6 +550,7 @@ class Flattener {
     for (const auto& face : flat_.faces) {
       for (const Index p : face.isolated) in_face[p] = 1;
     }
+    const auto sets = sets_of(complex_.points.size(), value_.selection.vertices, value_.origins.vertices);
     flat_.vertices.resize(simple_.vertices.size());
     for_each_index(simple_.vertices.size(), [&](std::size_t i) {
       const auto& from = simple_.vertices[i];
@@ -564,7 +564,7 @@ class Flattener {
       const auto& features = value_.features.vertices;
       vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
       if (!whole_) return;
-      vertex.origin = origin_of(value_.selection.vertices, value_.origins.vertices, std::span(&from.cell, 1));
+      vertex.origin = origin_of(sets, std::span(&from.cell, 1));
       vertex.origin.said = sources_.said(from.cell);
       finish(vertex.origin);
     });
@@ -574,8 +574,10 @@ class Flattener {
   void turn_shells() {
     for (auto& region : flat_.regions) {
       for (auto& shell : region.shells) {
-        for (Index& side : shell) side ^= flipped_[side >> 1];
-        tbb::parallel_sort(shell.begin(), shell.end());
+        for (std::size_t k = 0; k < shell.size(); ++k) {
+          shell[k] ^= flipped_[shell[k] >> 1];
+          if (k > 0 && shell[k] < shell[k - 1]) std::swap(shell[k], shell[k - 1]);  // both sides of a face
+        }
       }
       std::sort(region.shells.begin(), region.shells.end());
     }

@@ -61,7 +61,8 @@ struct FlatComplex {
     bool slit = false;     ///< a face walks it twice
     Index region = kNone;  ///< the region that holds a wire
     Provenance origin;
-    /// Patches, of the leaves that it came from, that are around all of it, and the curve that covers all of it.
+    /// With ResultView::parameters: patches, of the leaves that it came from, that are around all of it, and the
+    /// curve that covers all of it.
     ShortList<Patch, 2> patches;
     std::optional<Patch> curve;  ///< Soup::Wire::leaf_edge
     /// The faces around it in radial order, each by the side that is seen first (face * 2 + side, 0: front); a

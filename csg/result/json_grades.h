@@ -1,4 +1,4 @@
-// Graded materials as members of a .json (the format is that of result_json.cpp).
+// Graded materials as members of a .json (the format is that of csg/formats/result.schema.json).
 #pragma once
 
 #include <string>

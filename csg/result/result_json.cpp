@@ -1,47 +1,5 @@
-// The exact and lossless format: JSON with one cell per line and coordinates as fractions.
-//
-// {
-//   "format": "cnrg result", "version": 1, "node": name, "group": true | false, "dominance": fraction of a group,
-//   "leaves": [{"name"}],
-//   "materials": [{"name", "color", "dominance"}],                   a dominance that is not 0
-//   "grades": [{"material", "placement": {"linear": [row], "offset"},      if a material is graded
-//     "linear": {"from", "to"} or "distance": {"to", "points", "vertices", "segments", "triangles"},
-//     "stops": [{"at", "mixture"}],
-//     "nested": [{"material", "linear" or "distance", "stops"}]}],   of graded materials in mixtures, if there are
-//     any
-//       or, in place of the last four, "blend": [{"material", "grade",          a grade before this one in the
-//       list
-//         "boundary": {"points", "vertices", "segments", "triangles"}}]}],          of two
-//   "components": [{"name", "called", "material", "leaves": [leaf], "grade", "properties", "dominance"}],
-//                                                                    component i is at [i - 1]
-//   "attributes": [{"name", "called", "material", "grade", "properties"}],  what is said of cells of dimension <
-//   3, if any "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
-//   "frame": [point],                                                points that stand for infinity "vertices":
-//   [{"point", "component", "origin", ...}], "edges": [{"points": [point], "closed", "component", "origin", ...}],
-//   "faces":
-//   [{"loops": [[point]], "component", "regions": [front, back], "patch", "triangles", "origin", ...}], "regions":
-//   [{"component", "bounded", "shells": [[{"face", "side"}]], "volume", "origin", ...}]
-// }
-// "properties" are {key: text or {"number": fraction}}; they are left out where there are none. A face, edge or
-// vertex of which something is said has "attributes", a place in that list.
-//
-// A component of 0 says that the cell is not part of the result but bounds a part of it. In a group the regions
-// are the components, and its faces, edges and vertices that are entities have the number after the last one;
-// only components of other values have a dominance each. `entity` is false for cells that are only the interior
-// of a region. A region that no cell lists is null. Loops have the face to the left as seen from its front: the
-// outer loop of a flat face comes first and is counter-clockwise. `facets` are the planar pieces of a face that is
-// not flat. Faces with the same `patch` are of one patch of a leaf.
-//
-// With parameters (leaves/parameters.h) there are two more lists before "faces", and a member of faces, where
-// there are any:
-//   "patches": [{"patch", "leaf", "name"}],           of those that have parameters
-//   "cells": [[[x, y, z, u, v], ...]],                cells of patches by their corners
-//   "faces": [{..., "cells": [[cell]]}]               in which cells each facet lies, all of a flat face
-//
-// `origin` names the leaves that a cell of the result came from, and what of them holds it (boundaries included),
-// over all cells that simplification united in it: [{"leaf", "faces": [...], "edges": [...], "point": true,
-// "regions": [...]}], by the leaf's own numbers; what is empty is left out. Edges are wires, a point is isolated,
-// regions count from 1.
+// The exact and lossless format: JSON with one cell per line and coordinates as fractions. What its members mean
+// is in csg/formats/result.schema.json.
 #include "csg/result/result_json.h"
 
 #include <algorithm>
@@ -67,17 +25,16 @@ std::string json_quoted(std::string_view value) {
   return text;
 }
 
-void append_quoted(std::string& text, const Rational& value) { (((text += '"') += to_string(value)) += '"'); }
+void append_quoted(Line& line, const Rational& value) { line << '"' << to_string(value) << '"'; }
 
 /// As the fraction in lowest terms.
-void append_quoted(std::string& text, double value) {
+void append_quoted(Line& line, double value) {
   int exponent = 0;
   auto numerator = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
   exponent -= 53;
   const int zeros = numerator == 0 ? 0 : std::countr_zero(static_cast<std::uint64_t>(numerator));
   numerator >>= zeros, exponent += zeros;
-  if (numerator != 0 && (exponent > 0 || exponent < -63)) return append_quoted(text, from_double(value));
-  Line line(text);
+  if (numerator != 0 && (exponent > 0 || exponent < -63)) return append_quoted(line, from_double(value));
   line << '"' << numerator;
   if (numerator != 0 && exponent < 0) line << '/' << (std::uint64_t{1} << -exponent);
   line << '"';
@@ -88,8 +45,10 @@ class JsonWriter {
   JsonWriter(const ResultView& view, FlatComplex flat) : view_(view), flat_(std::move(flat)) {}
 
   std::string run() {
-    text_ = "{\n\"format\": \"cnrg result\",\n\"version\": 1,\n\"node\": " + json_quoted(view_.node) +
-            ",\n\"group\": " + (view_.value->is_group() ? "true" : "false");
+    constexpr std::size_t kCell = 160;  // bytes; what is not needed is not touched
+    text_.reserve(kCell * (flat_.points.size() + flat_.vertices.size() + flat_.edges.size() + flat_.faces.size()));
+    text_ += "{\n\"format\": \"cnrg result\",\n\"version\": 1,\n\"node\": " + json_quoted(view_.node) +
+             ",\n\"group\": " + (view_.value->is_group() ? "true" : "false");
     if (view_.value->is_group()) {
       text_ += ",\n\"dominance\": " + json_quoted(to_string(view_.value->group().dominance));
     }
@@ -108,27 +67,26 @@ class JsonWriter {
            [&](const ComponentAttributes& a) { attributes(a, &a.leaves, &a.dominance); });
     }
     if (!said_.empty()) list("attributes", said_, [&](const Attributes* a) { attributes(*a); });
-    lines("points", flat_.points, [&](std::string& out, VertexId v) { point(out, v); });
+    lines("points", flat_.points, [&](Line& line, VertexId v) { point(line, v); });
     append_json(text_ += ",\n\"frame\": ", flat_.frame_points);
-    lines("vertices", flat_.vertices, [&](std::string& out, const auto& v) { vertex(out, v); });
-    lines("edges", flat_.edges, [&](std::string& out, const auto& e) { edge(out, e); });
+    lines("vertices", flat_.vertices, [&](Line& line, const auto& v) { vertex(line, v); });
+    lines("edges", flat_.edges, [&](Line& line, const auto& e) { edge(line, e); });
     patch_ = patch_numbers(flat_);
     if (view_.parameters != nullptr) cells();
-    lines("faces", flat_.faces, [&](std::string& out, const auto& f) { face(out, f); });
+    lines("faces", flat_.faces, [&](Line& line, const auto& f) { face(line, f); });
     find_parts();
-    lines("regions", flat_.regions, [&](std::string& out, const auto& r) { region(out, r); });
+    lines("regions", flat_.regions, [&](Line& line, const auto& r) { region(line, r); });
     if (view_.volume_bound) {
       const std::optional<double> bound = view_.volume_bound();
       if (bound != 0.0) text_ += ",\n\"volume_bound\": " + (bound ? json_quoted(bound_text(bound)) : "null");
     }
     text_ += "\n}\n";
-    return joined();
+    return std::move(text_);
   }
 
  private:
   const ResultView& view_;
   FlatComplex flat_;
-  std::vector<std::string> parts_;  // of the text, before `text_`
   std::map<Component, const Part*> parts_by_component_;
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
@@ -151,27 +109,16 @@ class JsonWriter {
     text_ += "]";
   }
 
-  /// A long list; blocks of lines are made on all threads.
+  /// A long list, a line for each of its items.
   template <class T, class Append>
   void lines(const char* key, const std::vector<T>& items, Append append) {
-    std::vector<std::string> blocks = blocks_of_lines(items.size(), [&](std::string& out, std::size_t i) {
-      out += i == 0 ? "\n" : ",\n";
-      append(out, items[i]);
-    });
     text_ += ",\n\"" + std::string(key) + "\": [";
-    parts_.push_back(std::move(text_));
-    parts_.insert(parts_.end(), std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end()));
-    text_ = "]";
-  }
-
-  std::string joined() {
-    parts_.push_back(std::move(text_));
-    std::size_t size = 0;
-    for (const std::string& part : parts_) size += part.size();
-    std::string all;
-    all.reserve(size);
-    for (std::string& part : parts_) all += std::exchange(part, {});
-    return all;
+    append_lines(text_, items.size(), [&](std::string& out, std::size_t i) {
+      Line line(out);
+      line << (i == 0 ? "\n" : ",\n");
+      append(line, items[i]);
+    });
+    text_ += "]";
   }
 
   /// Leaves that the result names, numbered in the file.
@@ -233,9 +180,8 @@ class JsonWriter {
     };
     see(flat_.vertices), see(flat_.edges), see(flat_.faces);
   }
-  void add_said(JsonObject& object, const FlatComplex::Provenance& origin) const {
-    if (origin.said == nullptr) return;
-    object.add("attributes", said_number_.at(*origin.said));
+  void add_said(Line& line, const FlatComplex::Provenance& origin) const {
+    if (origin.said != nullptr) line << ",\"attributes\":" << said_number_.at(*origin.said);
   }
 
   template <class See>
@@ -271,89 +217,93 @@ class JsonWriter {
           .add("leaf", leaf_number_.at(leaf))
           .add("name", view_.parameters->patch_name(leaf, patch));
     });
-    lines("cells", list, [](std::string& out, const std::vector<PatchCorner>* cell) {
-      append_json(out, *cell, [&](const PatchCorner& corner) {
+    lines("cells", list, [&](Line& line, const std::vector<PatchCorner>* cell) {
+      append_json(line, *cell, [&](const PatchCorner& corner) {
         const auto& [x, y, z] = corner.point;
         const auto& [u, v] = corner.at;
-        append_json(out, std::array{&x, &y, &z, &u, &v}, [&](const Rational* c) { append_quoted(out, *c); });
+        append_json(line, std::array{&x, &y, &z, &u, &v}, [&](const Rational* c) { append_quoted(line, *c); });
       });
     });
   }
 
-  void point(std::string& out, VertexId v) const {
+  void point(Line& line, VertexId v) const {
     if (const double* x = view_.complex->points.doubles(v)) {
-      append_json(out, std::span(x, 3), [&](double c) { append_quoted(out, c); });
+      append_json(line, std::span(x, 3), [&](double c) { append_quoted(line, c); });
     } else {
-      append_json(out, view_.complex->points.rational(v), [&](const Rational& c) { append_quoted(out, c); });
+      append_json(line, view_.complex->points.rational(v), [&](const Rational& c) { append_quoted(line, c); });
     }
   }
 
-  void add_origin(JsonObject& object, const FlatComplex::Provenance& origin) const {
-    static constexpr const char* kKeys[] = {"point", "edges", "faces", "regions"};
-    std::string& out = object.key("origin");
+  void add_origin(Line& line, const FlatComplex::Provenance& origin) const {
+    static constexpr std::string_view kKeys[] = {",\"point\":true", ",\"edges\":", ",\"faces\":", ",\"regions\":"};
+    line << ",\"origin\":";
     auto cell = origin.cells.begin();
-    append_json(out, origin.leaves, [&](LeafId leaf) {
-      JsonObject item(out);
-      item.add("leaf", leaf_number_.at(leaf));
+    append_json(line, origin.leaves, [&](LeafId leaf) {
+      line << "{\"leaf\":" << leaf_number_.at(leaf);
       while (cell != origin.cells.end() && cell->leaf == leaf) {
         const int dimension = cell->dimension;
-        const auto end = std::find_if(cell, origin.cells.end(), [&](const LeafCell& c) {
-          return c.leaf != leaf || c.dimension != dimension;
-        });
-        item.key(kKeys[dimension]);
-        if (dimension == 0) append_json(out, true);
-        else append_json(out, std::span(cell, end), [&](const LeafCell& c) { append_json(out, c.number); });
-        cell = end;
+        line << kKeys[dimension];
+        char before = '[';
+        for (; cell != origin.cells.end() && cell->leaf == leaf && cell->dimension == dimension; ++cell) {
+          if (dimension > 0) line << std::exchange(before, ',') << cell->number;
+        }
+        if (dimension > 0) line << ']';
       }
+      line << '}';
     });
   }
 
-  void vertex(std::string& out, const FlatComplex::Vertex& v) const {
-    JsonObject object(out);
-    object.add("point", v.point).add("component", v.component).add("entity", v.entity).add("feature", v.feature);
-    if (v.region != FlatComplex::kNone) object.add("region", v.region);
-    add_said(object, v.origin);
-    if (v.component != 0) add_origin(object, v.origin);
+  /// What vertices and edges end with.
+  template <class Cell>
+  void add_rest(Line& line, const Cell& cell) const {
+    if (cell.region != FlatComplex::kNone) line << ",\"region\":" << cell.region;
+    add_said(line, cell.origin);
+    if (cell.component != 0) add_origin(line, cell.origin);
+    line << '}';
   }
 
-  void edge(std::string& out, const FlatComplex::Edge& e) const {
-    JsonObject object(out);
-    object.add("points", e.points).add("closed", e.closed).add("component", e.component);
-    object.add("entity", e.entity).add("feature", e.feature).add("wire", e.wire);
-    if (e.region != FlatComplex::kNone) object.add("region", e.region);
-    add_said(object, e.origin);
-    if (e.component != 0) add_origin(object, e.origin);
+  void vertex(Line& line, const FlatComplex::Vertex& v) const {
+    line << "{\"point\":" << v.point << ",\"component\":" << v.component << ",\"entity\":" << v.entity
+         << ",\"feature\":" << v.feature;
+    add_rest(line, v);
+  }
+
+  void edge(Line& line, const FlatComplex::Edge& e) const {
+    append_json(line << "{\"points\":", e.points);
+    line << ",\"closed\":" << e.closed << ",\"component\":" << e.component << ",\"entity\":" << e.entity
+         << ",\"feature\":" << e.feature << ",\"wire\":" << e.wire;
+    add_rest(line, e);
   }
 
   template <class T>
-  static void add_walks(JsonObject& object, const T& face) {
-    object.add("loops", face.loops);
-    if (!face.isolated.empty()) object.add("isolated", face.isolated);
+  static void add_walks(Line& line, const T& face) {
+    append_json(line << "{\"loops\":", face.loops);
+    if (!face.isolated.empty()) append_json(line << ",\"isolated\":", face.isolated);
   }
 
-  void face(std::string& out, const FlatComplex::Face& f) const {
-    JsonObject object(out);
-    add_walks(object, f);
-    object.add("component", f.component).add("entity", f.entity);
-    append_json(object.key("regions"), f.regions, [&](Index region) {
-      if (region == FlatComplex::kNone) out += "null";
-      else append_json(out, region);
+  void face(Line& line, const FlatComplex::Face& f) const {
+    add_walks(line, f);
+    line << ",\"component\":" << f.component << ",\"entity\":" << f.entity << ",\"regions\":";
+    append_json(line, f.regions, [&](Index region) {
+      if (region == FlatComplex::kNone) line << "null";
+      else line << region;
     });
-    object.add("patch", patch_[static_cast<std::size_t>(&f - flat_.faces.data())]);
+    line << ",\"patch\":" << patch_[static_cast<std::size_t>(&f - flat_.faces.data())];
     if (!f.facets.empty()) {
-      append_json(object.key("facets"), f.facets, [&](const FlatComplex::Facet& facet) {
-        JsonObject item(out);
-        add_walks(item, facet);
+      append_json(line << ",\"facets\":", f.facets, [&](const FlatComplex::Facet& facet) {
+        add_walks(line, facet);
+        line << '}';
       });
     }
-    object.add("triangles", f.triangles);
+    append_json(line << ",\"triangles\":", f.triangles);
     if (!f.cells.empty()) {
-      append_json(object.key("cells"), f.cells, [&](const auto& facet) {
-        append_json(out, facet, [&](const auto& cell) { append_json(out, cell_number_.at(cell)); });
+      append_json(line << ",\"cells\":", f.cells, [&](const auto& facet) {
+        append_json(line, facet, [&](const auto& cell) { line << cell_number_.at(cell); });
       });
     }
-    add_said(object, f.origin);
-    if (f.component != 0) add_origin(object, f.origin);
+    add_said(line, f.origin);
+    if (f.component != 0) add_origin(line, f.origin);
+    line << '}';
   }
 
   /// The part of a group that has this region alone: whoever showed rows has measured it.
@@ -374,23 +324,21 @@ class JsonWriter {
     }
   }
 
-  void region(std::string& out, const FlatComplex::Region& r) const {
+  void region(Line& line, const FlatComplex::Region& r) const {
     const RegionAttributes& attributes = attributes_of(view_, r.component);
-    JsonObject object(out);
-    object.add("component", r.component);
-    object.add("name", attributes.name.text())
-        .add("material", attributes.material.name())
-        .add("bounded", r.bounded);
-    object.key("volume");
-    if (!r.bounded) out += "null";
-    else if (const Part* part = part_of(r)) append_quoted(out, part->volume(*view_.complex).bounded);
-    else append_quoted(out, volume(*view_.complex, r.cells).value());
-    append_json(object.key("shells"), r.shells, [&](const std::vector<Index>& shell) {
-      append_json(out, shell, [&](Index side) {
-        Line(out) << "{\"face\":" << (side >> 1) << ",\"side\":" << (side & 1 ? "\"back\"}" : "\"front\"}");
+    line << "{\"component\":" << r.component << ",\"name\":" << json_quoted(attributes.name.text())
+         << ",\"material\":" << json_quoted(attributes.material.name()) << ",\"bounded\":" << r.bounded
+         << ",\"volume\":";
+    if (!r.bounded) line << "null";
+    else if (const Part* part = part_of(r)) append_quoted(line, part->volume(*view_.complex).bounded);
+    else append_quoted(line, volume(*view_.complex, r.cells).value());
+    append_json(line << ",\"shells\":", r.shells, [&](const std::vector<Index>& shell) {
+      append_json(line, shell, [&](Index side) {
+        line << "{\"face\":" << (side >> 1) << ",\"side\":" << (side & 1 ? "\"back\"}" : "\"front\"}");
       });
     });
-    if (r.component != 0) add_origin(object, r.origin);
+    if (r.component != 0) add_origin(line, r.origin);
+    line << '}';
   }
 };
 

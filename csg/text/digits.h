@@ -50,6 +50,7 @@ class Line {
     end_ = std::to_chars(begin, begin + kLongest, number).ptr;
     return *this;
   }
+  Line& operator+=(const auto& piece) { return *this << piece; }
   Line& operator<<(const std::array<double, 3>& xyz) { return *this << xyz[0] << ' ' << xyz[1] << ' ' << xyz[2]; }
 
  private:
@@ -64,7 +65,7 @@ class Line {
   }
   void flush() {
     char* const end = std::exchange(end_, buffer_);  // nothing is left where memory runs out
-    text_.append(buffer_, end);
+    text_.append(buffer_, static_cast<std::size_t>(end - buffer_));
   }
 };
 
@@ -93,25 +94,19 @@ class PointTexts {
   std::vector<Point> of_;
 };
 
-/// `append(text, i)` for each i below `count`: the text in blocks, one after the other.
-template <class Append>
-std::vector<std::string> blocks_of_lines(std::size_t count, const Append& append) {
-  constexpr std::size_t kBlock = 4096;
-  std::vector<std::string> blocks((count + kBlock - 1) / kBlock);
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    for (std::size_t i = b * kBlock; i < std::min(count, (b + 1) * kBlock); ++i) append(blocks[b], i);
-  });
-  return blocks;
-}
-
-/// The same at the end of a text.
+/// `append(text, i)` for each i below `count` at the end of a text, in blocks, whose memory is used again.
 template <class Append>
 void append_lines(std::string& text, std::size_t count, const Append& append) {
-  std::vector<std::string> blocks = blocks_of_lines(count, append);
-  std::size_t size = text.size();
-  for (const std::string& block : blocks) size += block.size();
-  text.reserve(size);
-  for (std::string& block : blocks) text += std::exchange(block, {});
+  constexpr std::size_t kBlock = 1024;
+  std::array<std::string, 32> blocks;
+  for (std::size_t done = 0; done < count; done += blocks.size() * kBlock) {
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+      const std::size_t begin = done + b * kBlock;
+      blocks[b].clear();
+      for (std::size_t i = begin; i < std::min(count, begin + kBlock); ++i) append(blocks[b], i);
+    });
+    for (const std::string& block : blocks) text += block;
+  }
 }
 
 }  // namespace cnrg

@@ -23,8 +23,8 @@ inline void append_json(std::string& text, const std::string& value) {
 }
 
 /// A list, each item by `write(item)`.
-template <class List, class Write>
-void append_json(std::string& text, const List& list, Write write) {
+template <class Text, class List, class Write>
+void append_json(Text& text, const List& list, Write write) {
   char before = '[';
   for (const auto& item : list) {
     text += before;
@@ -36,16 +36,21 @@ void append_json(std::string& text, const List& list, Write write) {
 
 /// A list of numbers or of lists of them.
 template <class List>
+void append_json(Line& line, const List& list) {
+  char before = '[';
+  for (const auto& item : list) {
+    line << std::exchange(before, ',');
+    if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(item)>>) line << item;
+    else append_json(line, item);
+  }
+  if (before == '[') line << before;
+  line << ']';
+}
+template <class List>
 requires requires(const List& list) { list.begin(); }
 void append_json(std::string& text, const List& list) {
-  if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(*list.begin())>>) {
-    Line line(text);
-    char before = '[';
-    for (const auto item : list) line << std::exchange(before, ',') << item;
-    line << (before == '[' ? "[]" : "]");
-  } else {
-    append_json(text, list, [&](const auto& item) { append_json(text, item); });
-  }
+  Line line(text);
+  append_json(line, list);
 }
 
 /// An object at the end of a text, closed when this goes.
@@ -82,7 +87,8 @@ class JsonObject {
 
  private:
   void put(Line& line, std::string_view name) const {
-    line << (text_.back() == '{' ? "\"" : ",\"") << name << "\":";
+    if (text_.back() != '{') line << ',';
+    line << '"' << name << "\":";
   }
   std::string& text_;
 };

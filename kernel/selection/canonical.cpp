@@ -261,13 +261,17 @@ class Ordering {
     maps[0] = order_by(vertex_keys(), s_.vertices);
     maps[1] = order_by(edge_keys(), s_.edges);
     maps[2] = order_by(face_keys(), s_.faces);
-    for (SimplifiedComplex::Region& region : s_.regions) {
+    std::vector<std::vector<Index>*> shell_of(2 * s_.faces.size(), nullptr);  // by side
+    for (auto& region : s_.regions) {
       for (auto& shell : region.shells) {
-        for (Index& side : shell) side = maps[2][side / 2] * 2 + side % 2;
-        tbb::parallel_sort(shell.begin(), shell.end());
+        for (const Index side : shell) shell_of[maps[2][side / 2] * 2 + side % 2] = &shell;
+        shell.clear();
       }
-      std::sort(region.shells.begin(), region.shells.end());
     }
+    for (Index side = 0; side < shell_of.size(); ++side) {
+      if (shell_of[side] != nullptr) shell_of[side]->push_back(side);
+    }
+    for (auto& region : s_.regions) std::sort(region.shells.begin(), region.shells.end());
     maps[3] = order_by(region_keys(), s_.regions);
     for (SimplifiedComplex::Face& face : s_.faces) {
       for (Index& region : face.regions) {
@@ -280,7 +284,6 @@ class Ordering {
           place.index = maps[static_cast<std::size_t>(place.dimension)][place.index];
       });
     }
-    s_.in_order = true;
     return std::move(points_);
   }
 
@@ -341,7 +344,8 @@ class Ordering {
       for (const auto& shell : region.shells) {
         for (const Index side : shell) faces.push_back(side / 2);
       }
-      sort_unique(faces);
+      if (region.shells.size() > 1) std::sort(faces.begin(), faces.end());
+      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
       unbounded = !region.bounded;
       component = region.component;
     }
@@ -408,11 +412,22 @@ CanonicalPoints::CanonicalPoints(const Complex& complex, const SimplifiedComplex
   }
   if (axes != nullptr) sort_along(*axes, complex.points, points_);
   else sort_by_coordinates(complex.points, points_);
+  number();
+}
+
+CanonicalPoints::CanonicalPoints(const Complex& complex, std::vector<VertexId> points)
+    : points_(std::move(points)), number_(complex.points.size(), kNone) {
+  number();
+}
+
+void CanonicalPoints::number() {
   for (Index i = 0; i < points_.size(); ++i) number_[points_[i]] = i;
 }
 
 CanonicalPoints put_in_order(const Complex& complex, SimplifiedComplex& simplified, const LeafAxes* axes) {
-  return Ordering(complex, simplified, axes).run();
+  CanonicalPoints points = Ordering(complex, simplified, axes).run();
+  simplified.points = axes == nullptr ? points.points() : std::vector<VertexId>();
+  return points;
 }
 
 }  // namespace cnrg

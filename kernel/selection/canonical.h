@@ -16,12 +16,15 @@ class CanonicalPoints {
  public:
   /// `axes`: in whose order; nullptr: x, y, z.
   CanonicalPoints(const Complex& complex, const SimplifiedComplex& simplified, const LeafAxes* axes = nullptr);
+  /// Those of SimplifiedComplex::points.
+  CanonicalPoints(const Complex& complex, std::vector<VertexId> points);
   const std::vector<VertexId>& points() const { return points_; }
   /// The place among `points()`; kNone for one that is left out or not used.
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t number(VertexId v) const { return number_[v]; }
 
  private:
+  void number();
   std::vector<VertexId> points_;
   IdVector<VertexId, std::uint32_t> number_;
 };

@@ -59,7 +59,8 @@ struct SimplifiedComplex {
   /// Edges within faces between two facets of the leaves that lie in one plane, ascending; of flat faces, too.
   std::vector<EdgeId> facet_edges;
 
-  bool in_order = false;  ///< put_in_order (canonical.h) has given the cells their numbers
+  /// Of files, in their order: put_in_order (canonical.h) has given the cells their numbers. Empty before that.
+  std::vector<VertexId> points;
 };
 
 enum class SimplifyMode {
