@@ -177,14 +177,16 @@ class ParametricLeaf {
     if (!any) throw InputError(shape() + ": " + curve.name + " is one point: give it as `points`");
   }
 
-  /// Corners of sheets: where two sides meet that no other patch has. Of the two, one may be a single point. They
-  /// are corners of what was given: where pieces are cut further, no corner comes about.
+  /// Corners of sheets: where two sides meet that no other patch has; and sides that are one point. They are
+  /// corners of what was given: where pieces are cut further, no corner comes about.
   void add_corners() {
     for (const NetForm::Patch& patch : form_.patches) {
       for (const NetPiece& piece : patch.pieces) {
         for (std::size_t k = 0; k < 4; ++k) {
           const BezierCurve side = piece.patch.side(k);
-          if (std::max(boundary_.uses(side), boundary_.uses(piece.patch.side((k + 3) % 4))) != 1) continue;
+          if (!side.is_point() &&
+              std::max(boundary_.uses(side), boundary_.uses(piece.patch.side((k + 3) % 4))) != 1)
+            continue;
           const RationalPoint corner = side.at(0);
           const auto at = ids_.find(common_ == nullptr ? corner : common_->transform.apply(corner));
           // Without facets there it is no corner of the sheet.

@@ -77,10 +77,11 @@ struct RevolvedForm final : CurvedForm {
   std::vector<std::pair<std::uint32_t, std::string>> names;  ///< of patches
 
   bool around() const { return degrees == 360; }
-  /// A whole sphere, the only form with more than one axis.
+  /// A ball about `center`, the only form with more than one axis.
   bool is_sphere() const {
-    return lines.size() == 1 && lines[0].size() == 1 && lines[0][0].kind == MeridianPiece::Kind::arc &&
-           lines[0][0].middle.r == 0 && around();
+    return solid && around() && lines.size() == 1 && lines[0].size() == 1 &&
+           lines[0][0].kind == MeridianPiece::Kind::arc && lines[0][0].middle == MeridianPoint{0, 0} &&
+           abs(lines[0][0].sweep) == 180;
   }
 };
 
