@@ -162,7 +162,11 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const ConeShape& shape, LeafParameter
     return add_ring(builder, circle(frame, center, radius, shape.segments));
   };
   const Ring bottom = ring(shape.from, shape.radius);
-  add_capped(builder, bottom, ring(shape.to, shape.top), kConeNames);
+  const Ring top = ring(shape.to, shape.top);
+  add_capped(builder, bottom, top, kConeNames);
+  for (const Ring& one : {bottom, top}) {  // lines end in an apex
+    if (one[0] == one[1]) builder.soup().add_curve_end(builder.leaf(), one[0]);
+  }
   auto leaf = builder.finish();
   leaf->set_form(capped_form(shape.from, along, shape.radius, shape.top, shape.segments, kConeNames));
   return leaf;

@@ -182,6 +182,7 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const RevolveShape& shape, LeafParame
     form->names.emplace_back(0, "revolve start");
     form->names.emplace_back(1, "revolve end");
   }
+  add_apexes(builder, *form, [&](const MeridianPoint& p) { return shape.center + p.t * up; });
   auto leaf = builder.finish();
   leaf->set_form(form);
   return leaf;

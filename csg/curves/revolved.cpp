@@ -35,6 +35,7 @@ class Sweep {
       if (form_.closed_lines) add_ends(first, last);
       else if (!form_.solid) add_corners(first[0], last[0]);
     }
+    add_apexes(builder_, form_, [&](const MeridianPoint& p) { return point_(p, 0); });
     return builder_.finish();
   }
 
@@ -184,6 +185,25 @@ Rational parameter_of(const MeridianPiece& arc, const Rational& degrees) {
   const ControlRow row = reduced(arc.net.net);
   const double ratio = std::sqrt(to_double(row[2][3] / row[0][3]));
   return in_span(arc.parameters, from_double(even / (even + ratio * (1 - even))));
+}
+
+void add_apexes(LeafBuilder& builder, const RevolvedForm& form,
+                const std::function<RationalPoint(const MeridianPoint&)>& at) {
+  for (const auto& line : form.lines) {
+    for (const MeridianPiece& piece : line) {
+      const ControlRow& net = piece.net.net;
+      const bool smooth = piece.flat() || (piece.from.r == 0 && piece.to.r == 0 && net.empty()) ||
+                          (piece.kind == MeridianPiece::Kind::arc && piece.middle.r == 0);
+      if (smooth) continue;
+      const auto across = [&](std::size_t end, std::size_t beside) {
+        return piece.kind == MeridianPiece::Kind::net && project(net[end])[2] == project(net[beside])[2];
+      };
+      if (piece.from.r == 0 && !across(0, 1))
+        builder.soup().add_curve_end(builder.leaf(), builder.point(at(piece.from)));
+      if (piece.to.r == 0 && !across(net.size() - 1, net.size() - 2))
+        builder.soup().add_curve_end(builder.leaf(), builder.point(at(piece.to)));
+    }
+  }
 }
 
 std::unique_ptr<PreparedLeaf> tessellate(

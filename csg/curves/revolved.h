@@ -19,6 +19,8 @@
 
 namespace cnrg {
 
+class LeafBuilder;
+
 class LeafParameters;
 
 /// A point of the half-plane through the axis; r >= 0.
@@ -105,6 +107,11 @@ struct RevolvedGrid {
   bool mirrored = false;                            ///< columns run against the turn of the leaf
   friend bool operator==(const RevolvedGrid&, const RevolvedGrid&) = default;
 };
+
+/// Where a meridian comes to the axis, but not at a right angle, lines end (Soup::add_curve_end). `at`: of the
+/// axis.
+void add_apexes(LeafBuilder& builder, const RevolvedForm& form,
+                const std::function<RationalPoint(const MeridianPoint&)>& at);
 
 /// The leaf on these lines. `point(r t, column)` says where a point is: always the same for equal arguments.
 std::unique_ptr<PreparedLeaf> tessellate(
