@@ -90,15 +90,14 @@ bool keeps_front(const Surface& surface, const Vector3<Interval>& normal, const 
   return keeps_front(surface, normal, low, halved - 1) && keeps_front(surface, normal, high, halved - 1);
 }
 
-/// Of a flat patch facets are all that there is to know, but of folds and of curves that are the rim of a sheet.
+/// Of a flat patch facets are all that there is to know, but in a sheet of folds and of curves that are its rim.
 void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<BezierPatch>& pieces,
              const std::vector<std::array<Span, 2>>& spans, const PatchNet& net, bool sheet) {
   std::vector<RationalPoint> points;
   bool curved = false;
   for (const BezierPatch& piece : pieces) {
     std::ranges::copy(points_of(piece.net), std::back_inserter(points));
-    for (std::size_t k = 0; k < 4; ++k)
-      curved = curved || (sheet && !runs_straight(points_of({piece.side(k).net})));
+    for (std::size_t k = 0; k < 4; ++k) curved = curved || !runs_straight(points_of({piece.side(k).net}));
   }
   const auto surface = std::make_shared<const SplinePatch>(pieces, spans);
   const auto normal = plane_normal(points);
@@ -109,7 +108,7 @@ void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<Bez
     };
     return keeps_front(*surface, as<Interval>(constants(*normal)), {whole(span[0]), whole(span[1])}, 8);
   };
-  if (normal && !curved && std::ranges::all_of(spans, unfolded)) return;
+  if (normal && (!sheet || (!curved && std::ranges::all_of(spans, unfolded)))) return;
   surfaces.add_patch(number, surface);
   if (!normal) surfaces.add_form(number, net_form(net));
 }

@@ -1,4 +1,5 @@
-// Every shape with counts of segments, or with a tessellation, is curved; no other shape has either.
+// Every shape with counts of segments, or with a tessellation, is curved but for `disk`, a polygon; no other shape
+// has either.
 #include <algorithm>
 #include <cstdint>
 
@@ -20,7 +21,8 @@ class Finer {
       }
       multiply(shape.rings, "rings", Fineness::kMostSegments);
     }
-    if constexpr (requires { shape.segments; }) multiply(shape.segments, "segments", Fineness::kMostSegments);
+    if constexpr (requires { shape.segments; } && !std::is_same_v<S, DiskShape>)
+      multiply(shape.segments, "segments", Fineness::kMostSegments);
     if constexpr (requires { shape.tessellation; }) {
       Tessellation& t = shape.tessellation;
       if (t.chord) {
