@@ -182,7 +182,14 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const RevolveShape& shape, LeafParame
     form->names.emplace_back(0, "revolve start");
     form->names.emplace_back(1, "revolve end");
   }
-  add_apexes(builder, *form, [&](const MeridianPoint& p) { return shape.center + p.t * up; });
+  for (const auto& line : form->lines) {
+    for (const MeridianPiece& piece : line) {
+      for (const MeridianPoint& end : {piece.from, piece.to}) {
+        if (is_apex(piece, end))
+          builder.soup().add_curve_end(builder.leaf(), builder.point(shape.center + end.t * up));
+      }
+    }
+  }
   auto leaf = builder.finish();
   leaf->set_form(form);
   return leaf;

@@ -35,7 +35,6 @@ class Sweep {
       if (form_.closed_lines) add_ends(first, last);
       else if (!form_.solid) add_corners(first[0], last[0]);
     }
-    add_apexes(builder_, form_, [&](const MeridianPoint& p) { return point_(p, 0); });
     return builder_.finish();
   }
 
@@ -63,6 +62,7 @@ class Sweep {
     note(begin);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       const auto& rows = grid_.rows[l][p];
+      if (is_apex(pieces[p], pieces[p].from)) builder_.soup().add_curve_end(builder_.leaf(), lower[0]);
       for (std::size_t j = 1; j < rows.size(); ++j) {
         const bool closes = form_.closed_lines && p + 1 == pieces.size() && j + 1 == rows.size();
         const Ring upper = closes ? begin : ring(rows[j].at);
@@ -70,6 +70,7 @@ class Sweep {
         if (!closes) note(upper);
         lower = upper;
       }
+      if (is_apex(pieces[p], pieces[p].to)) builder_.soup().add_curve_end(builder_.leaf(), lower[0]);
     }
     if (!form_.discs) return;
     if (begin[0] != begin[1]) builder_.face(Ring(begin.rbegin(), begin.rend()), 0);
@@ -187,23 +188,13 @@ Rational parameter_of(const MeridianPiece& arc, const Rational& degrees) {
   return in_span(arc.parameters, from_double(even / (even + ratio * (1 - even))));
 }
 
-void add_apexes(LeafBuilder& builder, const RevolvedForm& form,
-                const std::function<RationalPoint(const MeridianPoint&)>& at) {
-  for (const auto& line : form.lines) {
-    for (const MeridianPiece& piece : line) {
-      const ControlRow& net = piece.net.net;
-      const bool smooth = piece.flat() || (piece.from.r == 0 && piece.to.r == 0 && net.empty()) ||
-                          (piece.kind == MeridianPiece::Kind::arc && piece.middle.r == 0);
-      if (smooth) continue;
-      const auto across = [&](std::size_t end, std::size_t beside) {
-        return piece.kind == MeridianPiece::Kind::net && project(net[end])[2] == project(net[beside])[2];
-      };
-      if (piece.from.r == 0 && !across(0, 1))
-        builder.soup().add_curve_end(builder.leaf(), builder.point(at(piece.from)));
-      if (piece.to.r == 0 && !across(net.size() - 1, net.size() - 2))
-        builder.soup().add_curve_end(builder.leaf(), builder.point(at(piece.to)));
-    }
-  }
+bool is_apex(const MeridianPiece& piece, const MeridianPoint& end) {
+  if (end.r != 0 || piece.flat()) return false;
+  if (piece.kind == MeridianPiece::Kind::arc) return piece.middle.r != 0;
+  if (piece.kind == MeridianPiece::Kind::line) return piece.from.r != piece.to.r;
+  const ControlRow& net = piece.net.net;
+  const bool first = end == piece.from;
+  return project(first ? net[0] : net.back())[2] != project(first ? net[1] : net[net.size() - 2])[2];
 }
 
 std::unique_ptr<PreparedLeaf> tessellate(

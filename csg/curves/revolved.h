@@ -19,8 +19,6 @@
 
 namespace cnrg {
 
-class LeafBuilder;
-
 class LeafParameters;
 
 /// A point of the half-plane through the axis; r >= 0.
@@ -108,10 +106,9 @@ struct RevolvedGrid {
   friend bool operator==(const RevolvedGrid&, const RevolvedGrid&) = default;
 };
 
-/// Where a meridian comes to the axis, but not at a right angle, lines end (Soup::add_curve_end). `at`: of the
-/// axis.
-void add_apexes(LeafBuilder& builder, const RevolvedForm& form,
-                const std::function<RationalPoint(const MeridianPoint&)>& at);
+/// True if the piece comes to the axis there, and not at a right angle: lines end in that point
+/// (Soup::add_curve_end).
+bool is_apex(const MeridianPiece& piece, const MeridianPoint& end);
 
 /// The leaf on these lines. `point(r t, column)` says where a point is: always the same for equal arguments.
 std::unique_ptr<PreparedLeaf> tessellate(
