@@ -205,11 +205,7 @@ PiecePart curve_part(const std::vector<Piece>& all, const Piece& piece, const st
 /// it is not known.
 std::optional<Interval3> normals_of(const std::vector<Piece>& all, const Piece& piece,
                                     const std::array<Interval, 2>& range, const SurfaceJet<Interval>& jet) {
-  if (piece.pole) {
-    const Interval& away = range[piece.pole->away];
-    const bool touches = away.inf() == piece.pole->at || away.sup() == piece.pole->at;
-    if (touches && piece.pole->is_near(range)) return piece.pole->normals;
-  }
+  if (PiecePart{&piece, range}.touches_pole() && piece.pole->is_near(range)) return piece.pole->normals;
   const Interval3 u_of_facet = normalized(piece.along_u), v_of_facet = normalized(piece.along_v);
   Interval3 u = hull(u_of_facet, normalized(jet.way_u)), v = hull(v_of_facet, normalized(jet.way_v));
   if (piece.grid) {  // at a pole along the side that is none

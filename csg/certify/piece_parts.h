@@ -31,6 +31,10 @@ struct PiecePart {
   /// How much of its piece it is by u and by v, added; 0 of what is flat; and the parameter by which it is more.
   Upward share() const;
   std::size_t longer() const;
+  bool touches_pole() const {
+    return piece->pole && (range[piece->pole->away].inf() == piece->pole->at ||
+                           range[piece->pole->away].sup() == piece->pole->at);
+  }
   /// S in the middle of the range, once it is asked for.
   const Interval3& middle() const;
   mutable std::optional<Interval3> known_middle{};

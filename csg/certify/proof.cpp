@@ -466,6 +466,10 @@ class Prover {
     Upward most = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].piece->kind == Piece::Kind::flat || !worth_halving(parts[i], between)) continue;
+      if (parts[i].touches_pole() && holds_zero(parts[i].cone) && size_of(parts[i].box) > size_of(common)) {
+        chosen = i, way = parts[i].piece->pole->away;
+        break;
+      }
       const auto d = direction(middle_of(parts[i == 0 ? 1 : 0].cone));
       const std::array<Upward, 2> gain = gains(parts[i], d ? *d : Guess3{1, 0, 0});
       for (std::size_t k = 0; k < 2; ++k) {
