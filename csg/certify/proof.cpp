@@ -181,11 +181,8 @@ class Prover {
       if (all_[a].curve) ask_beside(a, b);
       return;
     }
-    if (a != b && !pieces_.adjacent(a, b)) {
-      if (!differ(all_, of_patch(all_[a]), a, b)) return ask_apart(a, b);
-      ++proof_.asked, ++proof_.apart;
-      return;
-    }
+    if (a != b && !pieces_.adjacent(a, b))
+      return differ(all_, of_patch(all_[a]), a, b) ? void(++proof_.asked, ++proof_.apart) : ask_apart(a, b);
     if (a != b && meet_at_pole(all_[a], all_[b])) return;
     ask_own(a, b, [&](std::size_t& steps) { return one_to_one(pieces_, of_patch(all_[a]), a, b, steps); });
   }
