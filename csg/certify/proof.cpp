@@ -162,10 +162,10 @@ class Prover {
     if (share_corner(pieces_, a, b)) return ask_beside(a, b);
     ask_apart(a, b);
   }
-  void ask_apart(Index a, Index b) {
+  void ask_apart(Index a, Index b, bool known = false) {
     bool some = false;
     ++proof_.asked;
-    if (ask({a, b}, Question::apart, some)) ++proof_.apart;
+    if (known || ask({a, b}, Question::apart, some)) ++proof_.apart;
   }
   /// Pieces of one leaf: not of those about a corner.
   bool asked_of_leaf(const std::vector<Index>& tuple) const {
@@ -181,8 +181,7 @@ class Prover {
       if (all_[a].curve) ask_beside(a, b);
       return;
     }
-    if (a != b && !pieces_.adjacent(a, b))
-      return differ(all_, of_patch(all_[a]), a, b) ? void(++proof_.asked, ++proof_.apart) : ask_apart(a, b);
+    if (a != b && !pieces_.adjacent(a, b)) return ask_apart(a, b, differ(all_, of_patch(all_[a]), a, b));
     if (a != b && meet_at_pole(all_[a], all_[b])) return;
     ask_own(a, b, [&](std::size_t& steps) { return one_to_one(pieces_, of_patch(all_[a]), a, b, steps); });
   }
