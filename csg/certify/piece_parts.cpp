@@ -201,11 +201,16 @@ PiecePart curve_part(const std::vector<Piece>& all, const Piece& piece, const st
   return part;
 }
 
+bool has_pole(const Piece& piece, const std::array<Interval, 2>& range) {
+  const auto& pole = piece.pole;
+  return pole && (range[pole->away].inf() == pole->at || range[pole->away].sup() == pole->at);
+}
+
 /// What is at right angles to all H over a part of a cell, also where it goes on in cells of its patch; nothing if
 /// it is not known.
 std::optional<Interval3> normals_of(const std::vector<Piece>& all, const Piece& piece,
                                     const std::array<Interval, 2>& range, const SurfaceJet<Interval>& jet) {
-  if (PiecePart{&piece, range}.touches_pole() && piece.pole->is_near(range)) return piece.pole->normals;
+  if (has_pole(piece, range) && piece.pole->is_near(range)) return piece.pole->normals;
   const Interval3 u_of_facet = normalized(piece.along_u), v_of_facet = normalized(piece.along_v);
   Interval3 u = hull(u_of_facet, normalized(jet.way_u)), v = hull(v_of_facet, normalized(jet.way_v));
   if (piece.grid) {  // at a pole along the side that is none
@@ -301,6 +306,11 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
     part.cone = hull(normalized(part.cone), normalized(cone));
   }
   return part;
+}
+
+std::optional<std::size_t> way_from_pole(const PiecePart& part) {
+  if (!has_pole(*part.piece, part.range) || !holds_zero(part.cone)) return std::nullopt;
+  return part.piece->pole->away;
 }
 
 std::array<Upward, 2> gains(const PiecePart& part, const Guess3& d) {

@@ -31,10 +31,6 @@ struct PiecePart {
   /// How much of its piece it is by u and by v, added; 0 of what is flat; and the parameter by which it is more.
   Upward share() const;
   std::size_t longer() const;
-  bool touches_pole() const {
-    return piece->pole && (range[piece->pole->away].inf() == piece->pole->at ||
-                           range[piece->pole->away].sup() == piece->pole->at);
-  }
   /// S in the middle of the range, once it is asked for.
   const Interval3& middle() const;
   mutable std::optional<Interval3> known_middle{};
@@ -45,6 +41,8 @@ PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::
 /// How much a half of a part would tell, by u and by v, lengths: how far the surface goes in a direction d, and
 /// how far it bends away from a plane.
 std::array<Upward, 2> gains(const PiecePart& part, const Guess3& d);
+/// The parameter that leads away from a pole of the part, if no cone holds its normals: they go all around.
+std::optional<std::size_t> way_from_pole(const PiecePart& part);
 /// Two halves by u (0) or v (1).
 std::array<PiecePart, 2> halves(const std::vector<Piece>& all, const PiecePart& part, std::size_t k,
                                 Between between);

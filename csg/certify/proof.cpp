@@ -162,10 +162,10 @@ class Prover {
     if (share_corner(pieces_, a, b)) return ask_beside(a, b);
     ask_apart(a, b);
   }
-  void ask_apart(Index a, Index b, bool known = false) {
+  void ask_apart(Index a, Index b) {
     bool some = false;
     ++proof_.asked;
-    if (known || ask({a, b}, Question::apart, some)) ++proof_.apart;
+    if (ask({a, b}, Question::apart, some)) ++proof_.apart;
   }
   /// Pieces of one leaf: not of those about a corner.
   bool asked_of_leaf(const std::vector<Index>& tuple) const {
@@ -177,11 +177,8 @@ class Prover {
   /// Two cells of one surface, or one, or a wire.
   void ask_of_itself(Index a, Index b) {
     if (!asked_of_itself(a) || all_[a].exact() || pieces_.has_equation(all_[a].sheet)) return;
-    if (!is_cell(a)) {
-      if (all_[a].curve) ask_beside(a, b);
-      return;
-    }
-    if (a != b && !pieces_.adjacent(a, b)) return ask_apart(a, b, differ(all_, of_patch(all_[a]), a, b));
+    if (!is_cell(a)) return all_[a].curve ? ask_beside(a, b) : void();
+    if (a != b && !pieces_.adjacent(a, b)) return ask_apart(a, b);
     if (a != b && meet_at_pole(all_[a], all_[b])) return;
     ask_own(a, b, [&](std::size_t& steps) { return one_to_one(pieces_, of_patch(all_[a]), a, b, steps); });
   }
@@ -397,9 +394,11 @@ class Prover {
     proof_.answers.try_emplace(key_of(tuple), before);
     return true;
   }
-  /// Nothing, unless one sheet is on one side of the other, and so are the facets. Then whether they have points
-  /// of the contact in common: facets and surfaces both.
+  /// Of cells of one patch what derivatives tell. Of others nothing, unless one sheet is on one side of the other,
+  /// and so are the facets: whether facets and surfaces both have points of the contact in common.
   std::optional<AnswerKind> touch(Index a, Index b) {
+    if (all_[a].leaf == all_[b].leaf && all_[a].patch == all_[b].patch)
+      return differ(all_, of_patch(all_[a]), a, b) ? std::optional(AnswerKind::apart) : std::nullopt;
     const std::optional<Contact>& contact = pieces_.contact_of(all_[a].sheet, all_[b].sheet);
     if (!contact) return std::nullopt;
     const Pieces::Meeting meeting = pieces_.facets_meet(a, b, *contact);
@@ -462,8 +461,8 @@ class Prover {
     Upward most = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].piece->kind == Piece::Kind::flat || !worth_halving(parts[i], between)) continue;
-      if (parts[i].touches_pole() && holds_zero(parts[i].cone) && size_of(parts[i].box) > size_of(common)) {
-        chosen = i, way = parts[i].piece->pole->away;
+      if (const auto k = way_from_pole(parts[i]); k && size_of(parts[i].box) > size_of(common)) {
+        chosen = i, way = *k;
         break;
       }
       const auto d = direction(middle_of(parts[i == 0 ? 1 : 0].cone));

@@ -99,8 +99,9 @@ void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<Bez
     std::ranges::copy(points_of(piece.net), std::back_inserter(points));
     for (std::size_t k = 0; k < 4; ++k) curved = curved || !runs_straight(points_of({piece.side(k).net}));
   }
-  const auto surface = std::make_shared<const SplinePatch>(pieces, spans);
   const auto normal = plane_normal(points);
+  if (normal && !sheet) return;
+  const auto surface = std::make_shared<const SplinePatch>(pieces, spans);
   const enclosure::RoundOutward outward;
   const auto unfolded = [&](const std::array<Span, 2>& span) {
     const auto whole = [](const Span& s) {
@@ -108,7 +109,7 @@ void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<Bez
     };
     return keeps_front(*surface, as<Interval>(constants(*normal)), {whole(span[0]), whole(span[1])}, 8);
   };
-  if (normal && (!sheet || (!curved && std::ranges::all_of(spans, unfolded)))) return;
+  if (normal && !curved && std::ranges::all_of(spans, unfolded)) return;
   surfaces.add_patch(number, surface);
   if (!normal) surfaces.add_form(number, net_form(net));
 }

@@ -1,9 +1,11 @@
-// What lies along an edge is listed as surfaces and wire curves; edges of one curve have equal lists. Whether a
-// surface is curved at the vertex shows in its facets around both edges: they lie in more than one sheet.
+// What lies along an edge is listed as surfaces and wire curves; edges of one curve have equal lists, but for what
+// comes along from leaves that do not count. Whether a surface is curved at the vertex shows in its facets around
+// both edges: they lie in more than one sheet.
 #include "kernel/selection/curve.h"
 
 #include <algorithm>
-#include <tuple>
+#include <iterator>
+#include <utility>
 
 #include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
@@ -11,9 +13,9 @@
 namespace cnrg {
 namespace {
 
-// What lies at an edge, in this order.
-enum class Kind : std::uint8_t { plane, curved, wire };
-using Surface = std::tuple<Kind, LeafId, std::uint32_t>;  // the number of the sheet, the surface, the leaf's curve
+enum class Kind : std::uint8_t { plane, curved };
+using Surface = std::pair<Kind, std::uint32_t>;       // the number of the sheet, or of the surface
+using PartOfLeaf = std::pair<LeafId, std::uint32_t>;  // a patch, or the curve of a wire
 
 VertexId other_end(const Complex& complex, EdgeId e, VertexId v) {
   const auto& ends = complex.edge_ends[e];
@@ -25,68 +27,107 @@ bool counts(LeavesThere leaves, LeafId leaf) {
 }
 
 Surface surface_of(const Soup::Face& source, SheetId sheet) {
-  if (source.surface != 0) return {Kind::curved, LeafId::none(), source.surface};
-  return {Kind::plane, LeafId::none(), sheet.value()};
+  if (source.surface != 0) return {Kind::curved, source.surface};
+  return {Kind::plane, sheet.value()};
 }
 Surface surface_of(const Complex& complex, FaceId f, const Cover& cover) {
   return surface_of(complex.sources[cover.source], complex.face_sheet[f]);
 }
 
-// What lies along an edge.
+// What lies along an edge; lists are ascending.
 struct Surroundings {
-  std::vector<LeafId> leaves;                            // in any order
-  std::vector<Surface> surfaces;                         // ascending
-  std::vector<std::pair<Surface, SheetId>> facets;       // in any order
-  std::vector<std::pair<LeafId, std::uint32_t>> sheets;  // patches with curved sides, once for each facet
-  std::size_t faces = 0;                                 // with a facet of a leaf that counts
-
-  // The patches that end there.
-  std::vector<std::pair<LeafId, std::uint32_t>> sides() const {
-    std::vector<std::pair<LeafId, std::uint32_t>> out;
-    for (const auto& patch : sheets) {
-      if (std::count(sheets.begin(), sheets.end(), patch) == 1) out.push_back(patch);
-    }
-    sort_unique(out);
-    return out;
-  }
-  // The leaves that count go on over the edge, on one surface or beside none: another one has cut there.
-  bool is_cut() const {
-    return surfaces.empty() ||
-           (surfaces.size() == 1 && std::get<0>(surfaces[0]) != Kind::wire && faces > 1 && sides().empty());
-  }
+  std::vector<LeafId> leaves;
+  std::vector<Surface> surfaces;
+  std::vector<PartOfLeaf> wires;
+  std::vector<PartOfLeaf> sides;                    // patches with curved sides that end there
+  std::vector<std::pair<Surface, SheetId>> facets;  // in any order
+  bool is_cut = false;  // what counts goes on over the edge, on one surface or beside none: another leaf cut there
 };
 
 Surroundings collect(const Complex& complex, const PieceOfCurve& at) {
-  Surroundings out;
-  const auto see = [&](const Soup::Face& source, SheetId sheet) {
-    out.leaves.push_back(source.leaf);
-    out.surfaces.push_back(surface_of(source, sheet));
-    out.facets.emplace_back(out.surfaces.back(), sheet);
-    if (source.curved_sides) out.sheets.emplace_back(source.leaf, source.patch);
+  struct Facet {
+    const Soup::Face& source;
+    SheetId sheet;
+    std::size_t place;  // around the edge
+    PartOfLeaf patch() const { return {source.leaf, source.patch}; }
+    Surface surface() const { return surface_of(source, sheet); }
   };
+  std::vector<Facet> all;
+  Surroundings out;
+  const auto see = [&](const Facet& facet, bool counted) {
+    all.push_back(facet);
+    if (!counted) return;
+    out.leaves.push_back(facet.source.leaf);
+    out.surfaces.push_back(facet.surface());
+    out.facets.emplace_back(facet.surface(), facet.sheet);
+    if (facet.source.curved_sides) out.sides.push_back(facet.patch());
+  };
+  std::size_t place = 0;
   for (const FaceUse& use : complex.edge_uses[at.edge]) {
     const bool bare = std::find(at.bare.begin(), at.bare.end(), use.face) != at.bare.end();
-    const std::size_t before = out.surfaces.size();
     for (const Cover& c : complex.cover(use.face)) {
       const Soup::Face& source = complex.sources[c.source];
-      if (bare || counts(at.leaves, source.leaf)) see(source, complex.face_sheet[use.face]);
+      see({source, complex.face_sheet[use.face], place}, bare || counts(at.leaves, source.leaf));
     }
-    out.faces += out.surfaces.size() > before ? 1 : 0;
+    ++place;
   }
-  for (const std::uint32_t place : complex.edge_removed_facets[at.edge]) {
-    const RemovedFacet& facet = complex.removed_facets[place];
-    if (counts(at.leaves, facet.source.leaf)) see(facet.source, facet.sheet);
+  for (const std::uint32_t removed : complex.edge_removed_facets[at.edge]) {
+    const RemovedFacet& facet = complex.removed_facets[removed];
+    see({facet.source, facet.sheet, place++}, counts(at.leaves, facet.source.leaf));
   }
   for (SegmentId s : complex.edge_segments[at.edge]) {
     for (WireId w : complex.segment_wires[s]) {
       const Soup::Wire& wire = complex.wires[w];
       if (!counts(at.leaves, wire.leaf)) continue;
       out.leaves.push_back(wire.leaf);
-      out.surfaces.emplace_back(Kind::wire, wire.leaf, wire.leaf_edge);
+      out.wires.emplace_back(wire.leaf, wire.leaf_edge);
     }
   }
-  sort_unique(out.surfaces);
-  return at.leaves && out.is_cut() ? collect(complex, {at.edge}) : out;
+  sort_unique(out.leaves), sort_unique(out.surfaces), sort_unique(out.wires), sort_unique(out.sides);
+  const auto places = [&](const auto& is_of) {  // all that lie there, whoever counts
+    std::vector<std::size_t> of;
+    for (const Facet& facet : all) {
+      if (is_of(facet)) of.push_back(facet.place);
+    }
+    sort_unique(of);
+    return of.size();
+  };
+  std::erase_if(out.sides, [&](const PartOfLeaf& patch) {
+    return places([&](const Facet& facet) { return facet.patch() == patch; }) > 1;
+  });
+  out.is_cut = out.wires.empty() && out.sides.empty() &&
+               (out.surfaces.empty() || (out.surfaces.size() == 1 && places([&](const Facet& facet) {
+                                                                       return facet.surface() == out.surfaces[0];
+                                                                     }) > 1));
+  return out;
+}
+
+template <class T>
+std::vector<T> common(const std::vector<T>& a, const std::vector<T>& b) {
+  std::vector<T> out;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+
+// One of these surfaces has facets of more than one sheet there.
+bool bends(const Surroundings& a, const Surroundings& b, const std::vector<Surface>& surfaces) {
+  std::vector<std::pair<Surface, SheetId>> facets;
+  for (const auto* of : {&a.facets, &b.facets}) {
+    std::copy_if(of->begin(), of->end(), std::back_inserter(facets), [&](const auto& facet) {
+      return std::binary_search(surfaces.begin(), surfaces.end(), facet.first);
+    });
+  }
+  sort_unique(facets);
+  return std::adjacent_find(facets.begin(), facets.end(),
+                            [](const auto& x, const auto& y) { return x.first == y.first; }) != facets.end();
+}
+
+// A leaf along both says that its curves end in the vertex.
+bool ends(const Complex& complex, VertexId v, const Surroundings& a, const Surroundings& b) {
+  const std::vector<LeafId> along = common(a.leaves, b.leaves);
+  const auto of = complex.curve_ends[v];
+  return std::any_of(of.begin(), of.end(),
+                     [&](LeafId leaf) { return std::binary_search(along.begin(), along.end(), leaf); });
 }
 
 }  // namespace
@@ -97,20 +138,19 @@ bool straight(const Complex& complex, VertexId v, EdgeId a, EdgeId b) {
 
 bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const PieceOfCurve& b) {
   const Surroundings at_a = collect(complex, a), at_b = collect(complex, b);
-  const auto along = [](const Surroundings& at, LeafId leaf) {
-    return std::find(at.leaves.begin(), at.leaves.end(), leaf) != at.leaves.end();
-  };
-  for (const LeafId leaf : complex.curve_ends[v]) {
-    if (along(at_a, leaf) && along(at_b, leaf)) return false;
-  }
-  if (at_a.surfaces != at_b.surfaces || at_a.surfaces.empty()) return false;
-  if (std::get<0>(at_a.surfaces.back()) == Kind::wire) return true;
-  if (const auto sides = at_a.sides(); !sides.empty() && sides == at_b.sides()) return true;
-  std::vector<std::pair<Surface, SheetId>> facets = at_a.facets;
-  facets.insert(facets.end(), at_b.facets.begin(), at_b.facets.end());
-  sort_unique(facets);
-  return std::adjacent_find(facets.begin(), facets.end(),
-                            [](const auto& x, const auto& y) { return x.first == y.first; }) != facets.end();
+  const bool cut = a.cut && at_a.is_cut;
+  if (cut != (b.cut && at_b.is_cut) || ends(complex, v, at_a, at_b)) return false;
+  const bool alike = at_a.surfaces == at_b.surfaces && at_a.wires == at_b.wires &&
+                     (!at_a.wires.empty() || (!at_a.sides.empty() && at_a.sides == at_b.sides) ||
+                      bends(at_a, at_b, at_a.surfaces));
+  if (!cut) return alike;
+  const Surroundings all_a = collect(complex, {a.edge}), all_b = collect(complex, {b.edge});
+  if (ends(complex, v, all_a, all_b)) return false;
+  const std::vector<Surface> on = common(all_a.surfaces, all_b.surfaces);
+  if (on.size() > 1 && bends(all_a, all_b, on)) return true;
+  if (!common(all_a.sides, all_b.sides).empty()) return true;
+  if (all_a.surfaces == all_b.surfaces && !common(all_a.wires, all_b.wires).empty()) return true;
+  return alike && (on == all_a.surfaces || on == all_b.surfaces);  // no two leaves have cut at an angle
 }
 
 bool is_bare(const Complex& complex, FaceId f, LeavesThere leaves) {
@@ -121,7 +161,7 @@ bool is_bare(const Complex& complex, FaceId f, LeavesThere leaves) {
 
 bool share_surface(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f, LeavesThere at_g) {
   const bool all_at_f = is_bare(complex, f, at_f), all_at_g = is_bare(complex, g, at_g);
-  Surface before{Kind::wire, LeafId::none(), 0};  // no face lies on it
+  Surface before{Kind::curved, 0};  // no face lies on it
   for (const Cover& c : complex.cover(f)) {
     if (!all_at_f && !counts(at_f, complex.sources[c.source].leaf)) continue;
     const Surface surface = surface_of(complex, f, c);

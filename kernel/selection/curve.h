@@ -9,8 +9,8 @@
 // on.
 //
 // Only leaves that the value in question came from count: others may run along a curve for a part of its way. What
-// none of these makes, the wall of a hole or an edge in one surface or in a region, lies on what cut it: there all
-// leaves count.
+// none of these makes lies on what cut it. The wall of a hole is covered by that; an edge in one surface, or in a
+// region, goes on where all leaves that lie along both edges make a curve, whatever else comes along or ends.
 #pragma once
 
 #include <optional>
@@ -31,6 +31,7 @@ struct PieceOfCurve {
   EdgeId edge;
   LeavesThere leaves{};
   std::span<const FaceId> bare{};  ///< faces around it of which all leaves count
+  bool cut = false;                ///< others may have made it by a cut
 };
 
 /// True if a and b, two different edges at v that are not on one line, are pieces of one tessellated curve.

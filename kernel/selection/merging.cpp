@@ -375,7 +375,7 @@ bool Merging::one_curve(VertexId v, EdgeId a, EdgeId b) const {
     return result;
   };
   const Side at_a = side(a), at_b = side(b);
-  return cnrg::one_curve(complex_, v, {a, at_a.leaves, at_a.bare}, {b, at_b.leaves, at_b.bare});
+  return cnrg::one_curve(complex_, v, {a, at_a.leaves, at_a.bare, true}, {b, at_b.leaves, at_b.bare, true});
 }
 
 }  // namespace cnrg

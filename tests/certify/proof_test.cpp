@@ -92,6 +92,11 @@ std::vector<Known> near_contacts() {
        "  a: {revolve: {curve: [[1, -1], [1, 1]]}}\n  b: {box: {min: [0, -0.5, -0.5], max: [2, 0.5, 0.5]}}\n",
        "{sum: [{subtract: [a, b]}, a]}",
        {4, 6, 2, 0}},
+      {"a piece of a cylinder's side that is cut out of a box which is there again",
+       "  a: {revolve: {curve: [[1, -1], [1, 1]]}}\n  b: {box: {min: [0, -0.5, -0.5], max: [2, 0.5, 0.5]}}\n"
+       "  c: {box: {min: [-4, -4, -4], max: [4, 4, 4]}}\n",
+       "{sum: [{subtract: [c, {product: [a, b]}]}, c]}",
+       {12, 16, 7, 1}},
       {"half of a sphere, not about the origin, and a cone that is apart",
        "  a: {revolve: {curve: [[1, 1], {bezier: [[1, 2]], weights: [1, 1, 2]}, [0, 2]], segments: 8}}\n"
        "  b: {polygon: [[-3, -3, 3/2], [3, -3, 3/2], [3, 3, 3/2], [-3, 3, 3/2]]}\n"

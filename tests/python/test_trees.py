@@ -300,6 +300,19 @@ class Places(Folder):
         self.assertAlmostEqual(place.at[0], 2, delta=0.1)
         self.assertRegex(str(told[0].message), "near .*they touch, or are nearer to it than")
 
+    def test_what_runs_along_a_cut_elsewhere_in_the_tree_does_not_count(self):
+        nodes = """cnrg: 1
+nodes:
+  plane: {polygon: [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]}
+  knife: {bezier: {patch: [[[1, 1, -1], [2, 3, -1], [3, 1, -1]], [[1, 1, 1], [2, 3, 1], [3, 1, 1]]], segments: 8}}
+  filled: {sum: [{subtract: [plane, knife]}, plane]}
+  half: {bezier: {curve: [[1, 1, 0], [3/2, 2, 0], [2, 2, 0]], segments: 4}}
+  both: {sum: [filled, half]}
+result: """
+        for result in ("filled", "both"):
+            rows = cnrg.parse(nodes + result).evaluate("filled", certify=False).rows
+            self.assertEqual([row.cells for row in rows if row.name == "filled"], [(6, 5, 1, 0)])
+
     def test_what_facets_alone_tell_is_not_certified(self):
         row = "[[-8/9, 2, {0}], [28/27, -2/3, {0}], [-28/27, -2/3, {0}], [8/9, 2, {0}]]"  # crosses itself at 1/3 and 2/3
         for leaf in (
