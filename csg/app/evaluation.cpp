@@ -95,11 +95,12 @@ bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet)
   const Certificate certificate = certificate_of(evaluation);
   if (!certificate.unknown.empty()) {
     const Node& node = tree.nodes[certificate.unknown.front()];
-    throw TreeError(tree.file, node.operator_at,
-                    "--certify: of curved faces of `" + node.name +
-                        "` only the facets are known, which do not decide how they meet: it is a CAD model, "
-                        "`weld` or `within` moved it, or facets without area are missing: build it of shapes, "
-                        "make it finer, or leave --certify out");
+    throw TreeError(
+        tree.file, node.operator_at,
+        "--certify: of curved faces of `" + node.name +
+            "` only the facets are known, which do not decide how they meet: it is a CAD model, a result, "
+            "`weld` or `within` moved it, or facets without area are missing: build it of shapes, "
+            "make it finer, or leave --certify out");
   }
   if (certificate.places.empty()) {
     if (!quiet) {

@@ -95,6 +95,22 @@ Key round_key(const MeridianPiece& piece, const RationalPoint& center, const Rat
   return key;
 }
 
+/// Of a curve of degree 2 in a half-plane, the coefficients of r r, r t, t t, r, t and 1 in its equation.
+std::optional<std::array<Rational, 6>> conic_of(const ControlRow& row) {
+  if (row.size() != 3) return std::nullopt;
+  std::array<RationalPoint, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = {row[i][0], row[i][2], row[i][3]};
+  const RationalPoint a = cross(p[1], p[2]), b = cross(p[2], p[0]), c = cross(p[0], p[1]);
+  if (dot(a, p[0]) == 0) return std::nullopt;
+  const auto at = [&](std::size_t i, std::size_t j) -> Rational {  // b b = 4 a c
+    return (i == j ? 1 : 2) * (b[i] * b[j] - 2 * (a[i] * c[j] + a[j] * c[i]));
+  };
+  std::array<Rational, 6> conic{at(0, 0), at(0, 1), at(1, 1), at(0, 2), at(1, 2), at(2, 2)};
+  const Rational first = *std::ranges::find_if(conic, [](const Rational& x) { return x != 0; });
+  for (Rational& x : conic) x /= first;
+  return conic;
+}
+
 class Numbers {
  public:
   void add_equations(SurfaceEquations& out) const {
@@ -161,6 +177,15 @@ class Numbers {
           keys_[number].insert(round_key(piece, form.center, form.axis, placed));
           continue;
         }
+        // A conic with the axis turns to a quadric.
+        const auto own = conic_of(reduced(piece.net.net));
+        if (own && (*own)[0] != 0 && (*own)[1] == 0 && (*own)[3] == 0) {
+          const Rational square = dot(form.axis, form.axis);
+          keys_[number].insert(quadric(placed.metric(), placed.covector(form.axis),
+                                       ((*own)[2] / square - 1) / square, (*own)[4] / (2 * square), (*own)[5],
+                                       transform.apply(form.center)));
+          continue;
+        }
         if (!meridians) {
           const std::optional<Rational> scale = stretch(transform);
           if (!scale) {  // polynomials of such leaves are not compared
@@ -170,14 +195,17 @@ class Numbers {
           meridians = place(form, transform, *scale);
         }
         const AxisLine& axis = meridians->axis;
-        if (const auto on = meridians_[axis].place(reduced(meridians->lines[l][k].net.net))) {
-          Key key{kTurned, Rational(on->carrier)};
-          key.insert(key.end(), axis.direction.begin(), axis.direction.end());
-          key.insert(key.end(), axis.foot.begin(), axis.foot.end());
-          keys_[number].insert(std::move(key));
-        } else {
+        const ControlRow net = reduced(meridians->lines[l][k].net.net);
+        Key key{kTurned};
+        if (const auto conic = conic_of(net)) key.insert(key.end(), conic->begin(), conic->end());
+        else if (const auto on = meridians_[axis].place(net)) key.emplace_back(on->carrier);
+        if (key.size() == 1) {
           unknown_.insert(number);
+          continue;
         }
+        key.insert(key.end(), axis.direction.begin(), axis.direction.end());
+        key.insert(key.end(), axis.foot.begin(), axis.foot.end());
+        keys_[number].insert(std::move(key));
       }
     }
   }

@@ -284,6 +284,67 @@ Rational row_times(const Quadric& q, std::size_t row, const RationalPoint& p) {
 
 }  // namespace
 
+// In a plane across the axis, at a corner at the angle w from the middle of a side, H is at ((1 - t) cos h / cos w
+// + t) of the radius (piece_columns.cpp).
+bool Pieces::share_side(std::uint32_t flat, std::uint32_t a, std::uint32_t b) const {
+  if (pieces_[flat].kind != Piece::Kind::flat || pieces_[a].sheet >= pieces_[b].sheet) return false;
+  const auto& [x, y, z, w] = plane_of(pieces_[flat].sheet);
+  const RationalPoint normal{x, y, z};
+  std::array<std::set<RationalPoint>, 2> ends;
+  std::array<const Quadric*, 2> quadrics{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Piece& cell = pieces_[i == 0 ? a : b];
+    const auto it = equations_.quadrics.find(cell.sheet);
+    if (it == equations_.quadrics.end() || !cell.column) return false;
+    quadrics[i] = &it->second;
+    const RationalPoint turned{row_times(it->second, 0, normal) - it->second[0][3],
+                               row_times(it->second, 1, normal) - it->second[1][3],
+                               row_times(it->second, 2, normal) - it->second[2][3]};
+    if (!is_zero(cross(turned, normal))) return false;
+    const std::size_t along = 1 - cell.column->around;
+    std::set<double> levels;
+    std::set<RationalPoint> ring;  // also of cells beside it
+    const auto add = [&](const Piece& piece, std::set<RationalPoint>& to) {
+      for (std::size_t k = 0; k < piece.corner_count; ++k) {
+        const RationalPoint& p = points_.at(piece.leaf)[piece.points[k]];
+        if (dot(normal, p) + w == 0) to.insert(p), levels.insert(piece.at[k][along]);
+      }
+    };
+    add(cell, ends[i]);
+    for (const auto& [other, bits] : cell.neighbours) add(pieces_[other], ring);
+    if (ends[i].size() != 2 || levels.size() != 1 || ring.size() < 3) return false;
+  }
+  if (ends[0] != ends[1]) {  // they have one in common, and the others are on both sides of it
+    std::vector<RationalPoint> corner, others;
+    std::ranges::set_intersection(ends[0], ends[1], std::back_inserter(corner));
+    std::ranges::set_symmetric_difference(ends[0], ends[1], std::back_inserter(others));
+    if (corner.empty()) return false;
+    const RationalPoint way = cross(normal, gradient(a, corner[0]));
+    if (dot(others[0] - corner[0], way) * dot(others[1] - corner[0], way) >= 0) return false;
+  }
+  // Both equations on the plane, from one of its points along two ways: equal but for a factor.
+  const RationalPoint from = *ends[0].begin(), along = *ends[0].rbegin() - from, across = cross(normal, along);
+  std::array<std::vector<Rational>, 2> conics;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const auto form = [&](const RationalPoint& p, int p3, const RationalPoint& q, int q3) {
+      Rational sum = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 4; ++j)
+          sum += (i < 3 ? p[i] : Rational(p3)) * (*quadrics[n])[i][j] * (j < 3 ? q[j] : Rational(q3));
+      }
+      conics[n].push_back(sum);
+    };
+    form(along, 0, along, 0), form(along, 0, across, 0), form(across, 0, across, 0);
+    form(along, 0, from, 1), form(across, 0, from, 1), form(from, 1, from, 1);
+  }
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (conics[0][i] * conics[1][j] != conics[0][j] * conics[1][i]) return false;
+    }
+  }
+  return true;
+}
+
 RationalPoint Pieces::gradient(std::uint32_t cell, const RationalPoint& p) const {
   const auto torus = equations_.tori.find(pieces_[cell].sheet);
   if (torus == equations_.tori.end()) {

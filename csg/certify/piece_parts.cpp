@@ -490,6 +490,27 @@ bool misses(const Piece& flat, const Interval3& box) {
   return false;
 }
 
+bool misses_line(const PiecePart& part, const Contact& contact, const Interval3& box, Between between) {
+  if (contact.kind != Contact::Kind::line) return false;
+  const Interval3 point = enclose3(contact.point), way = enclose3(contact.direction);
+  Interval place(-kInfinity, kInfinity);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Interval off = box[i] - point[i];
+    if (holds_zero(way[i])) {
+      if (contact.direction[i] == 0 && !holds_zero(off)) return true;
+      continue;
+    }
+    const Interval there = off / way[i];
+    if (there.inf() > place.sup() || there.sup() < place.inf()) return true;
+    place = Interval(std::max(place.inf(), there.inf()), std::min(place.sup(), there.sup()));
+  }
+  const bool is_curve = part.piece->kind == Piece::Kind::curve;
+  const auto d = part.blind || is_curve ? std::nullopt : direction(middle_of(part.cone));
+  if (!d || !std::isfinite(place.inf()) || !std::isfinite(place.sup())) return false;
+  const Interval own = extents(part, *d, between).all(), other = dot(thin(*d), point) + place * dot(thin(*d), way);
+  return own.sup() < other.inf() || other.sup() < own.inf();
+}
+
 double thickness_of(const PiecePart& part) {
   const auto d = part.blind ? std::nullopt : direction(middle_of(part.cone));
   if (!d) return 0;

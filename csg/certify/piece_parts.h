@@ -65,6 +65,8 @@ bool parted_along_sides(const PiecePart& a, const PiecePart& b);
 bool at_angle(const Pieces& pieces, std::span<const PiecePart> parts);
 /// True if the box has no point of the flat piece.
 bool misses(const Piece& flat, const Interval3& box);
+/// True if a contact along a line has no point of the part in the box.
+bool misses_line(const PiecePart& part, const Contact& contact, const Interval3& box, Between between);
 /// About how far facets are from the surface there.
 double thickness_of(const PiecePart& part);
 

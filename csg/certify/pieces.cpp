@@ -42,6 +42,7 @@ class PieceMaker {
       const Mould& mould = moulds.of(instances[i].leaf);
       place(LeafId(i), mould, instances[i].transform);
       if (of_themselves && mould.surfaces && !mould.one_round_surface) out_.own_.insert(LeafId(i));
+      if (instances[i].leaf->volume_bound() != 0.0) out_.unknown_.insert(LeafId(i));
     }
     add_unbounded(instances, reach);
     choose_cells();

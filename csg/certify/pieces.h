@@ -196,6 +196,9 @@ class Pieces {
   bool has_equation(std::uint32_t sheet) const { return is_quadric(sheet) || equations_.tori.contains(sheet); }
   /// Whether it is asked if pieces of the leaf meet.
   bool asked_of_itself(LeafId leaf) const { return own_.contains(leaf); }
+  /// True if two cells of quadrics have a side in the plane of a flat piece that is one for all t: the same
+  /// facets, the same conic, and columns about one axis.
+  bool share_side(std::uint32_t flat, std::uint32_t a, std::uint32_t b) const;
   /// Of a flat sheet.
   const PlaneEquation& plane_of(std::uint32_t sheet) const { return planes_.at(sheet); }
   /// How the facets of two cells, or of a cell and a flat piece, meet.

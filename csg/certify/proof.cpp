@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "csg/certify/coaxial.h"
+#include "csg/certify/piece_filling.h"
 #include "csg/certify/piece_parts.h"
 #include "kernel/base/limits.h"
 #include "kernel/refine/box_pairs.h"
@@ -21,6 +22,7 @@ using Why = UncertainPlace::Why;
 using PieceParts = std::vector<PiecePart>;
 
 constexpr std::size_t kMostSteps = 250;         // of one question
+constexpr std::size_t kAskedAtFirst = 16;       // before it is asked whether they die
 constexpr std::size_t kMostInContact = 64;      // of one to more than two, of which some touch
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
 constexpr std::size_t kMostOfOwn = 20000;       // of a leaf, whether it meets itself
@@ -42,9 +44,14 @@ enum class Question : std::uint8_t {
 
 class Prover {
  public:
-  Prover(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps,
-         const EarlierProof* earlier)
-      : pieces_(pieces), all_(pieces.all()), asked_for_(asked_for), most_steps_(most_steps), earlier_(earlier) {}
+  Prover(Pieces& pieces, const std::vector<LeafInstance>& leaves, const Relevance& relevance,
+         std::size_t most_steps, const EarlierProof* earlier)
+      : pieces_(pieces),
+        all_(pieces.all()),
+        relevance_(relevance),
+        filling_(pieces, leaves),
+        most_steps_(most_steps),
+        earlier_(earlier) {}
 
   Proof run() {
     find_pairs();
@@ -76,7 +83,7 @@ class Prover {
       finder.find(part, [&](Index x, Index y) {
         const Index a = std::min(finder.item(x), finder.item(y)), b = std::max(finder.item(x), finder.item(y));
         if (a == b || (all_[a].exact() && all_[b].exact()) || !boxes[a].meets(boxes[b])) return;
-        if (all_[a].leaf != all_[b].leaf && !asked_for_(all_[a].leaf, all_[b].leaf)) return;
+        if (all_[a].leaf != all_[b].leaf && !relevance_.together(all_[a].leaf, all_[b].leaf)) return;
         pairs_.emplace_back(a, b);
       });
     }
@@ -221,7 +228,8 @@ class Prover {
   bool answered_by_fewer(Index a, Index b) const {
     const Piece &one = all_[a], &other = all_[b];
     return of_one_surface(a, b) || (!is_cell(a) && !is_cell(b) && one.sheet == other.sheet) ||
-           smooth_.contains(std::minmax(a, b)) || (one.leaf != other.leaf && !asked_for_(one.leaf, other.leaf));
+           smooth_.contains(std::minmax(a, b)) ||
+           (one.leaf != other.leaf && !relevance_.together(one.leaf, other.leaf));
   }
 
   /// Triples and quadruples whose first piece that is not exact is i.
@@ -233,20 +241,19 @@ class Prover {
     for (std::size_t x = 0; x < near.size(); ++x) {
       for (std::size_t y = x + 1; y < near.size(); ++y) {
         if (!may_meet(near[x], near[y])) continue;
-        const std::vector<Index> triple{i, near[x], near[y]};
-        const Question question = question_of(triple);
-        bool some = true;
-        if (question != Question::none && !ask(triple, question, some)) continue;
-        if (!some) continue;
+        if (!may_be_common({i, near[x], near[y]})) continue;
         for (std::size_t z = y + 1; z < near.size(); ++z) {
-          if (!may_meet(near[x], near[z]) || !may_meet(near[y], near[z])) continue;
-          const std::vector<Index> four{i, near[x], near[y], near[z]};
-          const Question last = question_of(four);
-          bool any = true;
-          if (last != Question::none) ask(four, last, any);
+          if (may_meet(near[x], near[z]) && may_meet(near[y], near[z]))
+            may_be_common({i, near[x], near[y], near[z]});
         }
       }
     }
+  }
+  /// Whether pieces that meet two at a time may all meet; false, too, where that is left open.
+  bool may_be_common(const std::vector<Index>& tuple) {
+    const Question question = question_of(tuple);
+    bool some = true;
+    return (question == Question::none || ask(tuple, question, some)) && some;
   }
   bool may_meet(Index a, Index b) const {
     if (!all_[a].exact() || !all_[b].exact()) return std::ranges::binary_search(together_[a], b);
@@ -292,6 +299,7 @@ class Prover {
     const PieceTuple key = key_of(tuple);
     if (const Proof::Answer* const before = answered_before(key)) return take(*before, tuple, patches, open, some);
     if (answered_at_once(tuple, question, some)) return answered(key, some);
+    if (share_side(tuple)) return answered(key, some = true);
     std::vector<LeafId> leaves;
     for (const auto& [leaf, patch] : patches) {
       if (leaves.empty() || leaves.back() != leaf) leaves.push_back(leaf);
@@ -305,8 +313,11 @@ class Prover {
       if (++proof_.left[leaves] == 1) proof_.open.push_back(open_place(tuple, Why::budget));
       return false;
     }
-    const std::size_t before = proof_.steps;
+    const std::size_t before = *(begun_ = proof_.steps);
+    died_ = false;
     const bool proven = ask_on(key, tuple, question, patches, contacts, hopeless, open, some);
+    begun_.reset();
+    if (died_) proof_.dead.insert(leaves), proof_.answers.erase(key);
     if (!little) spent += proof_.steps - before;
     return proven;
   }
@@ -414,6 +425,13 @@ class Prover {
     return std::nullopt;
   }
 
+  /// Sheets that cross by twos in one curve for all t, which are as leaves of a book there.
+  bool share_side(const std::vector<Index>& tuple) const {
+    const auto any = [&](const auto& test) { return std::ranges::any_of(tuple, test); };
+    return any([&](Index flat) {
+      return any([&](Index a) { return any([&](Index b) { return pieces_.share_side(flat, a, b); }); });
+    });
+  }
   const PiecePart& root(Index i) {
     if (!roots_[i]) roots_[i] = std::make_unique<const PiecePart>(part_of(all_, all_[i], all_[i].range));
     return *roots_[i];
@@ -471,15 +489,24 @@ class Prover {
         if (gain[k] > most) most = gain[k], chosen = i, way = k;
       }
     }
-    if (chosen == parts.size() || steps == 0) return false;
+    const bool last = chosen == parts.size();
+    if (begun_ && (last || proof_.steps >= *begun_ + kAskedAtFirst) && dies(parts, common, between))
+      return died_ = true;
+    if (last || steps == 0) return false;
     --steps;
     ++proof_.steps;
     PieceParts next = parts;
-    for (const PiecePart& half : halves(all_, parts[chosen], way, between)) {
+    return std::ranges::all_of(halves(all_, parts[chosen], way, between), [&](const PiecePart& half) {
       next[chosen] = half;
-      if (!answer(next, question, between, steps, some, left)) return false;
-    }
-    return true;
+      return answer(next, question, between, steps, some, left);
+    });
+  }
+
+  /// True if one of the parts is no part of what was asked for, where they may meet.
+  bool dies(const PieceParts& parts, const Interval3& common, Between between) {
+    std::vector<LeafId> leaves;
+    for (const PiecePart& part : parts) leaves.push_back(part.piece->leaf);
+    return relevance_.dies(leaves, [&](LeafId leaf) { return filling_.of(leaf, parts, common, between); });
   }
 
   Index number_of(const PiecePart& part) const { return static_cast<Index>(part.piece - all_.data()); }
@@ -502,27 +529,10 @@ class Prover {
   /// Of three parts, two of which touch along a line: what these have in common in the box is not on the third.
   bool misses_line_of_contact(const PieceParts& parts, const Interval3& box, Between between) const {
     for (std::size_t k = 0; k < 3; ++k) {
-      const PiecePart &a = parts[k], &b = parts[(k + 1) % 3], &c = parts[(k + 2) % 3];
-      if (!touch_in_contact(a, b)) continue;
-      const Contact& contact = *pieces_.contact_of(a.piece->sheet, b.piece->sheet);
-      if (contact.kind != Contact::Kind::line) continue;
-      const Interval3 point = enclose3(contact.point), way = enclose3(contact.direction);
-      Interval place(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Interval off = box[i] - point[i];
-        if (holds_zero(way[i])) {
-          if (contact.direction[i] == 0 && !holds_zero(off)) return true;
-          continue;
-        }
-        const Interval there = off / way[i];
-        if (there.inf() > place.sup() || there.sup() < place.inf()) return true;
-        place = Interval(std::max(place.inf(), there.inf()), std::min(place.sup(), there.sup()));
-      }
-      const auto d = c.blind || c.piece->kind == Piece::Kind::curve ? std::nullopt : direction(middle_of(c.cone));
-      if (!d || !std::isfinite(place.inf()) || !std::isfinite(place.sup())) continue;
-      const Interval own = extents(c, *d, between).all(),
-                     other = dot(thin(*d), point) + place * dot(thin(*d), way);
-      if (own.sup() < other.inf() || other.sup() < own.inf()) return true;
+      const PiecePart &a = parts[k], &b = parts[(k + 1) % 3];
+      if (touch_in_contact(a, b) &&
+          misses_line(parts[(k + 2) % 3], *pieces_.contact_of(a.piece->sheet, b.piece->sheet), box, between))
+        return true;
     }
     return false;
   }
@@ -562,7 +572,8 @@ class Prover {
   }
   Pieces& pieces_;
   const std::vector<Piece>& all_;
-  const std::function<bool(LeafId, LeafId)>& asked_for_;
+  const Relevance& relevance_;
+  PieceFilling filling_;
   const std::size_t most_steps_;
   const EarlierProof* const earlier_;
   std::vector<Index> before_;                            // by piece: the same one in the earlier drawing
@@ -574,25 +585,16 @@ class Prover {
   std::vector<double> thickness_;             // of pieces; below 0 where it is not known yet
   std::set<PiecePatches> hopeless_;           // that touch somewhere
   std::map<PiecePatches, std::size_t> open_;  // how many places
+  std::optional<std::size_t> begun_;          // steps before the question, where it may be that parts die
+  bool died_ = false;                         // some did
   Proof proof_;
 };
 
 }  // namespace
 
-PiecePatches patches_of(const std::vector<Piece>& all, const std::vector<std::uint32_t>& pieces) {
-  PiecePatches patches;
-  for (const std::uint32_t i : pieces) patches.emplace_back(all[i].leaf, all[i].patch);
-  std::sort(patches.begin(), patches.end());
-  return patches;
-}
-
-bool hold_any(const PiecePatches& patches, const std::set<PiecePatches>& sets) {
-  return std::ranges::any_of(sets, [&](const PiecePatches& set) { return std::ranges::includes(patches, set); });
-}
-
-Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps,
-            const EarlierProof* earlier) {
-  return Prover(pieces, asked_for, most_steps, earlier).run();
+Proof prove(Pieces& pieces, const std::vector<LeafInstance>& leaves, const Relevance& relevance,
+            std::size_t most_steps, const EarlierProof* earlier) {
+  return Prover(pieces, leaves, relevance, most_steps, earlier).run();
 }
 
 }  // namespace cnrg

@@ -14,16 +14,17 @@
 // cross as well where they touch (Pieces::cross_in_rulings). Then what they have in common is at an angle to a
 // third sheet, and to what this has in common with one of them if they touch as well; or it lies in the third, a
 // plane that crosses both. Where a curve of a leaf is where two of its sheets cross, it is no stratum of its own:
-// the sheets decide. Sheets that are one surface in truth are asked whether they are drawn alike. Cells about one
-// axis are asked in a half-plane (coaxial.h). On request leaves are asked whether they meet themselves, but for
+// the sheets decide. A plane and two sheets may cross by twos in one curve (Pieces::share_side). Sheets that are
+// one surface in truth are asked whether they are drawn alike. Cells about one axis are asked in a half-plane
+// (coaxial.h). What dies is not asked (relevance.h). On request leaves are asked whether they meet themselves, but for
 // what is side by side at a pole: patches that are no quadrics or tori, and wires (piece_self.cpp), and what is
 // beside each other (piece_beside.cpp).
 //
 // All is decided by intervals on parts of pieces, which are halved until it is, or a number of steps is reached.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -32,6 +33,7 @@
 
 #include "csg/certify/certificate.h"
 #include "csg/certify/pieces.h"
+#include "csg/certify/relevance.h"
 
 namespace cnrg {
 
@@ -47,9 +49,16 @@ struct PieceTupleHash {
 
 /// Of pieces, ascending, each as often as it has one.
 using PiecePatches = std::vector<std::pair<LeafId, std::uint32_t>>;
-PiecePatches patches_of(const std::vector<Piece>& all, const std::vector<std::uint32_t>& pieces);
+inline PiecePatches patches_of(const std::vector<Piece>& all, const std::vector<std::uint32_t>& pieces) {
+  PiecePatches patches;
+  for (const std::uint32_t i : pieces) patches.emplace_back(all[i].leaf, all[i].patch);
+  std::sort(patches.begin(), patches.end());
+  return patches;
+}
 /// True if one of the sets is a part of them.
-bool hold_any(const PiecePatches& patches, const std::set<PiecePatches>& sets);
+inline bool hold_any(const PiecePatches& patches, const std::set<PiecePatches>& sets) {
+  return std::ranges::any_of(sets, [&](const PiecePatches& set) { return std::ranges::includes(patches, set); });
+}
 
 /// Pieces of which it is not proven that they are in general position.
 struct OpenPlace {
@@ -79,6 +88,7 @@ struct Proof {
     std::uint32_t place = 0;  ///< in `open`
   };
   std::unordered_map<PieceTuple, Answer, PieceTupleHash> answers;
+  std::set<std::vector<LeafId>> dead;  ///< leaves, ascending, some of whose places were not asked: they die
 };
 
 /// A drawing and its proof: of a later one only that is asked which has other pieces.
@@ -87,10 +97,10 @@ struct EarlierProof {
   const Proof& proof;
 };
 
-/// `asked_for`: whether leaves are below one node that matters.
+/// `relevance`: of the nodes that matter. `leaves`: of which the pieces are.
 /// `most_steps`: of a set of leaves; what is asked of it after them is left.
 /// `earlier`: of the same leaves in the same places, with other lines; null for none.
-Proof prove(Pieces& pieces, const std::function<bool(LeafId, LeafId)>& asked_for, std::size_t most_steps,
-            const EarlierProof* earlier = nullptr);
+Proof prove(Pieces& pieces, const std::vector<LeafInstance>& leaves, const Relevance& relevance,
+            std::size_t most_steps, const EarlierProof* earlier = nullptr);
 
 }  // namespace cnrg

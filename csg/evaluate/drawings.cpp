@@ -99,7 +99,8 @@ Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedL
     if (lines.empty()) first_ = drawing.placed;
     return drawing.placed;
   };
-  proven_ = std::make_unique<const ProvenLines>(draw_all, asked_below(unfolding.roots), options, moulds_, motion_);
+  proven_ =
+      std::make_unique<const ProvenLines>(draw_all, relevance_for(unfolding.roots), options, moulds_, motion_);
   for (const LeafWords& notice : drawing.welded)
     diagnostics.push_back({tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
   append(diagnostics, leaves.near_notices(drawing.near));
@@ -109,19 +110,17 @@ Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedL
   find_representatives();
 }
 
-ProvenLines::Asked Drawings::asked_below(const std::vector<InstanceId>& roots) const {
+Relevance Drawings::relevance_for(const std::vector<InstanceId>& roots) const {
   // Of a result read back only facets are known; most of them are those of a surface beside it, which is no fault.
-  std::vector<std::vector<char>> below;
+  std::vector<Relevance::Root> all;
   for (const InstanceId root : roots) {
-    below.emplace_back(leaves_.instances().size());
+    all.emplace_back(root, std::vector<char>(leaves_.instances().size()));
     for (const LeafId leaf : leaves_.below(unfolding_, root)) {
       const bool read_back = leaves_.instances()[leaf.index()].leaf->stored() != nullptr;
-      below.back()[leaf.index()] = options_.proof == AskedProof::to_the_end || !read_back;
+      all.back().second[leaf.index()] = options_.proof == AskedProof::to_the_end || !read_back;
     }
   }
-  return [below = std::move(below)](LeafId a, LeafId b) {
-    return std::ranges::any_of(below, [&](const auto& in) { return in[a.index()] && in[b.index()]; });
-  };
+  return {tree_, unfolding_, leaves_.numbers().by_instance(), std::move(all)};
 }
 
 // In a space without bounds the frame depends on where leaves stand.
@@ -154,8 +153,10 @@ void Drawings::find_affected(bool any_refused) {
     const LeafInstance& after = first_.instances[i];
     affected_[group] = any_refused || before[i].leaf != after.leaf || !(*before[i].transform == *after.transform);
   }
-  for (const Leaves& undecided : proven_->undecided()) {
-    for (const LeafId leaf : undecided) affected_[group_[leaf.index()]] = 1;
+  for (const auto* sets : {&proven_->undecided(), &proven_->dead()}) {
+    for (const Leaves& set : *sets) {
+      for (const LeafId leaf : set) affected_[group_[leaf.index()]] = 1;
+    }
   }
 }
 
@@ -224,8 +225,12 @@ ExtraOfInstances Drawings::lines_alone(InstanceId id) {
     if (count == undecided.size()) any_inside = true;
     else if (count > 0) any_across = true;
   }
+  // What dies for the roots is asked of a node below them.
+  const bool any_dead =
+      std::ranges::any_of(proven_->dead(), [&](const Leaves& dead) { return std::ranges::all_of(dead, in); });
+  const bool is_root = unfolding_.roots.size() == 1 && representative_[unfolding_.roots[0]] == id;
   const Transform motion = motion_of(below);
-  if (first_alike(below) && (!any_inside || (!any_across && motion == motion_))) {
+  if (first_alike(below) && (!any_dead || is_root) && (!any_inside || (!any_across && motion == motion_))) {
     for (const auto& [leaf, lines] : proven_->lines()) {
       if (any_inside && in(LeafId(leaf))) it->second.emplace(leaf, lines);
     }
@@ -235,7 +240,7 @@ ExtraOfInstances Drawings::lines_alone(InstanceId id) {
   const auto draw_them = [&](const ExtraOfInstances& lines) -> const PlacedLeaves& {
     return placed = draw_only(below, lines);
   };
-  return it->second = ProvenLines(draw_them, asked_below({id}), options_, moulds_, motion).lines();
+  return it->second = ProvenLines(draw_them, relevance_for({id}), options_, moulds_, motion).lines();
 }
 
 const Drawings::Drawn& Drawings::drawn_alone(InstanceId representative) {

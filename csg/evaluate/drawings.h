@@ -42,8 +42,7 @@ class Drawings {
  private:
   using Drawn = std::map<LeafId, LeafInstance>;
   using Leaves = std::vector<LeafId>;
-  /// Whether both are below one of some instances, and may be asked about.
-  ProvenLines::Asked asked_below(const std::vector<InstanceId>& roots) const;
+  Relevance relevance_for(const std::vector<InstanceId>& roots) const;
   void find_affected(bool any_refused);
   void find_representatives();
   const Drawn& drawn_alone(InstanceId representative);

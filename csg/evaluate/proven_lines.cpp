@@ -75,12 +75,14 @@ Certificate certificate_of(const Evaluation& evaluation) {
   return all;
 }
 
-ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOptions& options, Moulds& moulds,
-                         Transform motion)
+ProvenLines::ProvenLines(const Draw& draw, const Relevance& relevance, const EvaluateOptions& options,
+                         Moulds& moulds, Transform motion)
     : motion_(std::move(motion)) {
   const PlacedLeaves* placed = &draw(lines_);
   if (options.proof == AskedProof::none) return;
-  const auto curved = [](const LeafInstance& one) { return static_cast<bool>(one.leaf->surfaces()); };
+  const auto curved = [](const LeafInstance& one) {
+    return one.leaf->surfaces() || one.leaf->volume_bound() != 0.0;
+  };
   if (std::ranges::none_of(placed->instances, curved)) {
     proof_.emplace();
     return;
@@ -94,7 +96,7 @@ ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOpt
     auto pieces = std::make_unique<Pieces>(still, options.reach, moulds, to_the_end);
     std::optional<EarlierProof> earlier;
     if (proof_) earlier.emplace(EarlierProof{*pieces_, *proof_});
-    proof_ = prove(*pieces, asked, most, earlier ? &*earlier : nullptr);
+    proof_ = prove(*pieces, still.instances, relevance, most, earlier ? &*earlier : nullptr);
     pieces_ = std::move(pieces);
     for (const OpenPlace& open : proof_->open) {
       std::vector<LeafId> leaves;
@@ -103,10 +105,11 @@ ProvenLines::ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOpt
       undecided_.insert(std::move(leaves));
     }
     for (const auto& [leaves, count] : proof_->left) undecided_.insert(leaves);
+    dead_.insert(proof_->dead.begin(), proof_->dead.end());
     if (round < kMostRounds && add_lines()) {
       placed = &draw(lines_);
-    } else if (to_the_end && most < kMostSteps &&
-               !proof_->open.empty()) {  // of finer facets first, with fewer steps
+    } else if (to_the_end && most < kMostSteps && !proof_->open.empty() &&
+               pieces_->unknown().empty()) {  // of finer facets first, with fewer steps
       most = kMostSteps;
       round = 0;
     } else {

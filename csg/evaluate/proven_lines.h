@@ -23,17 +23,17 @@ class ProvenLines {
  public:
   /// The leaves of a run, drawn with lines. What it gives may go with the next call.
   using Draw = std::function<const PlacedLeaves&(const ExtraOfInstances&)>;
-  /// Whether leaves are below one node that matters.
-  using Asked = std::function<bool(LeafId, LeafId)>;
 
   /// Draws at least once. The last drawing is that with `lines()`. What is drawn is asked as it is before
   /// `motion`, which stretches all lengths alike: where leaves that were moved together stand decides nothing.
-  ProvenLines(const Draw& draw, const Asked& asked, const EvaluateOptions& options, Moulds& moulds,
+  ProvenLines(const Draw& draw, const Relevance& relevance, const EvaluateOptions& options, Moulds& moulds,
               Transform motion);
 
   const ExtraOfInstances& lines() const { return lines_; }
   /// Sets of leaves, ascending, of which something was not proven of the facets of some drawing.
   const std::set<std::vector<LeafId>>& undecided() const { return undecided_; }
+  /// The same of which something dies, and was not asked.
+  const std::set<std::vector<LeafId>>& dead() const { return dead_; }
   /// Of the last drawing; nothing if nothing was asked. `evaluation` has the names.
   std::shared_ptr<const Certificate> certificate(const Evaluation& evaluation) const;
 
@@ -42,7 +42,7 @@ class ProvenLines {
 
   Transform motion_;
   ExtraOfInstances lines_;
-  std::set<std::vector<LeafId>> undecided_;
+  std::set<std::vector<LeafId>> undecided_, dead_;
   std::unique_ptr<Pieces> pieces_;
   std::optional<Proof> proof_;
 };

@@ -1,7 +1,10 @@
 // Certificates of trees whose topology is known, and of contacts and near contacts.
+#include <random>
+
 #include "csg/certify/certificate.h"
 #include "csg/evaluate/evaluate.h"
 #include "tests/catch.h"
+#include "tests/scenes/seeds.h"
 
 namespace cnrg {
 namespace {
@@ -35,6 +38,13 @@ struct Known {
   std::string leaves, result;
   Cells cells;
 };
+
+constexpr std::array<const char*, 2> kTurned{"{", "{rotate: {axis: [3, -1, 2], degrees: 23}, "};
+
+// The rod touches the ball and crosses it in one point: Viviani's curve.
+const std::string kViviani =
+    "  a: {cylinder: {from: [1, 0, -3], to: [1, 0, 3], radius: 1}}\n"
+    "  b: {sphere: {center: [0, 0, 0], radius: 2}}\n";
 
 // Of each a certificate with other counts was given once, or none with the right ones.
 std::vector<Known> near_contacts() {
@@ -111,6 +121,14 @@ std::vector<Known> near_contacts() {
        "  b: {halfspace: {point: [94481/16884, -21295/16884, 224795/67536], normal: [-4/9, -4/9, -7/9]}}\n",
        "{intersection: [a, b]}",
        {4, 4, 2, 0}},
+      {"a point of Viviani's curve that is cut off",
+       kViviani + "  c: {halfspace: {point: [3/2, 0, 0], normal: [1, 0, 0]}}\n",
+       "{intersection: [{union: [a, b]}, c]}",
+       {8, 12, 6, 1}},
+      {"the same, outside of a ball",
+       kViviani + "  c: {sphere: {center: [1/3, 0, 3], radius: 1}}\n",
+       "{intersection: [{union: [a, b]}, c]}",
+       {2, 3, 3, 1}},
       {"a line of two planes just inside of a ball",
        ball + "  b: {box: {min: [0.6, 0.79975, -3], max: [3, 3, 3]}}\n",
        "{intersection: [a, b]}",
@@ -125,15 +143,35 @@ std::vector<Known> near_contacts() {
 TEST_CASE("near contacts are certified with the counts of the true surfaces, at any fineness and turned",
           "[certify]") {
   for (const Known& known : near_contacts()) {
+    INFO(known.what);
+    Asked(known.leaves, known.result, AskedProof::within_budget).certifies(known.cells);
     for (const int finer : {1, 2}) {
-      for (const char* turned : {"", "rotate: {axis: [3, -1, 2], degrees: 23}, "}) {
-        INFO(known.what << ", finer " << finer << ", " << turned);
-        std::string result = known.result;
-        result.insert(1, turned);
-        Asked(known.leaves, result, AskedProof::to_the_end, finer).certifies(known.cells);
+      for (const char* turned : kTurned) {
+        INFO("finer " << finer << ", " << turned);
+        Asked(known.leaves, turned + known.result.substr(1), AskedProof::to_the_end, finer).certifies(known.cells);
       }
     }
   }
+}
+
+TEST_CASE("what dies elsewhere in the tree changes no counts and no certificate", "[certify]") {
+  const auto [first, last] = scenes::seeds(2);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    std::mt19937_64 random(seed);
+    for (const Known& known : near_contacts()) {
+      const auto number = [&] { return std::to_string(int(random() % 4001) - 2000) + "/1009"; };
+      const std::string ball = "{sphere: {center: [" + number() + ", " + number() + ", " + number() +
+                               "], radius: " + std::to_string(500 + random() % 1500) + "/1009}}";
+      INFO(known.what << ", seed " << seed << ", " << ball);
+      const std::string leaves = known.leaves + "  w: {box: {min: [-9, -9, -9], max: [9, 9, 9]}}\n";
+      const Cells alone = Asked(leaves, "{sum: [" + known.result + ", {subtract: [w, w]}]}").cells();
+      Asked(leaves + "  z: " + ball + "\n", "{sum: [" + known.result + ", {subtract: [z, w]}]}").certifies(alone);
+    }
+  }
+  // What touches in the plane of the cut does not die.
+  const std::string half = "  c: {halfspace: {point: [2, 0, 0], normal: [1, 0, 0]}}\n";
+  CHECK_FALSE(Asked(kViviani + half, "{intersection: [{union: [a, b]}, c]}").certified());
+  CHECK_FALSE(Asked(kViviani + half, "{union: [{intersection: [a, c]}, b]}").certified());
 }
 
 TEST_CASE("surfaces about one axis are told apart however near they are", "[certify]") {
@@ -161,12 +199,10 @@ TEST_CASE("surfaces about one axis are told apart however near they are", "[cert
          {0, 1, 2, 1}},
     };
     for (const Known& known : all) {
-      for (const char* turned : {"", "rotate: {axis: [3, -1, 2], degrees: 23}, "}) {
+      for (const char* turned : kTurned) {
         INFO(known.what << ", " << near << ", " << turned);
-        std::string result = known.result;
-        result.insert(1, turned);
-        Asked(known.leaves, result, AskedProof::to_the_end, 1, std::string("parameters: {n: ") + near + "}\n")
-            .certifies(known.cells);
+        const std::string n = std::string("parameters: {n: ") + near + "}\n";
+        Asked(known.leaves, turned + known.result.substr(1), AskedProof::to_the_end, 1, n).certifies(known.cells);
       }
     }
   }
@@ -175,14 +211,13 @@ TEST_CASE("surfaces about one axis are told apart however near they are", "[cert
 TEST_CASE("a cone in a cone is told apart whatever the segments of both", "[certify]") {
   for (const int segments : {4, 5, 7}) {
     INFO(segments << " segments");
-    const Asked asked(
+    // Of b only what is below the base of a is left: two disks and the side.
+    Asked(
         "  a: {cone: {from: [0, 0, 0], to: [33/40, 0, 11/10], radius: 1/2, segments: 24}}\n"
         "  b: {cone: {from: [-3/100, 0, -1/25], to: [819/1000, 0, 273/250], radius: 1/2, segments: " +
             std::to_string(segments) + "}}\n",
-        "{difference: [b, a]}");
-    CHECK(asked.certified());
-    // Of b only what is below the base of a is left: two disks and the side.
-    CHECK(asked.cells() == std::array<std::size_t, 4>{0, 2, 3, 1});
+        "{difference: [b, a]}")
+        .certifies({0, 2, 3, 1});
   }
 }
 
@@ -230,7 +265,6 @@ TEST_CASE("patches of one leaf are asked whether they meet beside their common s
                                 height + ", 0], [1, " + height + ", 1]], [[1, 1, 0], [1, 1, 1]]]]" + fine + "}\n",
                             "{simplify: p, " + turned)};
   };
-  using Cells = std::array<std::size_t, 4>;
   for (const int segments : {1, 2, 5}) {
     for (const char* height : {"-1/2", "-1/10", "-1/1000", "1/1000", "1/10"}) {
       INFO(segments << " segments, " << height);
@@ -291,94 +325,88 @@ TEST_CASE("pieces of one leaf are asked three at a time, and its curves", "[cert
   const std::vector<Own> all = {
       {"a wall that passes where two others meet",
        "{bezier: {patches: [" + walls +
-           ", [[[0.2, -1, 0], [-0.21, 0, 0], [0.2, 1, 0]], [[0.2, -1, 1], [-0.21, 0, "
-           "1], [0.2, 1, 1]]]], segments: SEGMENTS}}",
+           ", [[[0.2, -1, 0], [-0.21, 0, 0], [0.2, 1, 0]], [[0.2, -1, 1], [-0.21, 0, 1], [0.2, 1, 1]]]]}}",
        {10, 11, 3, 0}},
       {"an extruded line that passes its own corner",
        "{extrude: {curve: [[1, 0.3, 0], {bezier: [[0.5, 0.25, 0]]}, [0, 0, 0], {bezier: [[0.5, -0.25, 0]]}, [1, "
-       "-0.3, 0], [0.2, -1, 0], {bezier: [[-0.21, 0, 0]]}, [0.2, 1, 0]], vector: [0, 0, 1], segments: SEGMENTS}}",
+       "-0.3, 0], [0.2, -1, 0], {bezier: [[-0.21, 0, 0]]}, [0.2, 1, 0]], vector: [0, 0, 1]}}",
        {10, 13, 4, 0}},
       {"borders of two patches that pass each other",
        "{bezier: {patches: [" + sheet +
-           ", [[[0.05, 0.3, -1], [0, -0.3, 0], [-0.1, 0.3, 1]], [[0.05, 1, -1], [0.1, "
-           "1, 0], [-0.1, 1, 1]]]], segments: SEGMENTS}}",
+           ", [[[0.05, 0.3, -1], [0, -0.3, 0], [-0.1, 0.3, 1]], [[0.05, 1, -1], [0.1, 1, 0], [-0.1, 1, 1]]]]}}",
        {10, 11, 2, 0}},
       {"a wire beside a border",
-       "{bezier: {patches: [" + sheet +
-           "], curves: [[[0.1, 0.2, -1], [0, -0.2, 0.1], [-0.1, 0.2, 1]]], segments: SEGMENTS}}",
+       "{bezier: {patches: [" + sheet + "], curves: [[[0.1, 0.2, -1], [0, -0.2, 0.1], [-0.1, 0.2, 1]]]}}",
        {7, 6, 1, 0}},
       {"an arc that bulges through a wall",
        "{extrude: {curve: [[0, 0, 0], {bezier: [[1, 4/3, 0]], weights: [1, 3/5, 1]}, [2, 0, 0], [2, 0.4, 0], [0, "
-       "0.4, 0]], vector: [0, 0, 1], segments: SEGMENTS}}",
+       "0.4, 0]], vector: [0, 0, 1]}}",
        {12, 20, 7, 0},
        false},
       {"arcs of a turned line that cross",
        "{revolve: {curve: [[2, 0], {bezier: [[3, 4/3]], weights: [1, 3/5, 1]}, [4, 0], [4, 0.9], {bezier: [[3, "
-       "-13/30]], weights: [1, 3/5, 1]}, [2, 0.9]], segments: SEGMENTS}}",
+       "-13/30]], weights: [1, 3/5, 1]}, [2, 0.9]]}}",
        {0, 6, 7, 0}},
       {"two curves between the same ends",
        "{bezier: {patches: [[[[0, 0, 0], [1, 1, 0.5], [2, 0, 0]], [[0, 1, 2], [1, 2, 2], [2, 1, 2]]], [[[0, 0, "
-       "0], [1, -1, -0.5], [2, 0, 0]], [[0, -1, -2], [1, -2, -2], [2, -1, -2]]]], segments: SEGMENTS}}",
+       "0], [1, -1, -0.5], [2, 0, 0]], [[0, -1, -2], [1, -2, -2], [2, -1, -2]]]]}}",
        {6, 8, 2, 0}},
       {"a flat patch and a curved one between the same ends",
        "{bezier: {patches: [[[[0, 0, 0], [2, 0, 0]], [[0, -2, 0], [2, -2, 0]]], [[[0, 0, 0], [1, -1, 1], [2, 0, "
-       "0]], [[0, 0, 2], [1, 0, 2], [2, 0, 2]]]], segments: SEGMENTS}}",
+       "0]], [[0, 0, 2], [1, 0, 2], [2, 0, 2]]]]}}",
        {6, 8, 2, 0},
        false},
       {"two parts of one curve that cross",
        "{bezier: {patches: [[[[0, 0, 0], [1, 1/2, 0], [3/4, 3/4, 0], [1/2, 3/4, 0]], [[0, 0, 1], [1, 1/2, "
        "1], [3/4, 3/4, 1], [1/2, 3/4, 1]]], [[[119/256, 21/64, 0], [37/64, 15/64, 0], [3/4, 1/8, 0], [1, 0, "
-       "0]], [[119/256, 21/64, 1], [37/64, 15/64, 1], [3/4, 1/8, 1], [1, 0, 1]]]], segments: SEGMENTS}}",
+       "0]], [[119/256, 21/64, 1], [37/64, 15/64, 1], [3/4, 1/8, 1], [1, 0, 1]]]]}}",
        {10, 13, 4, 0},
        false},
       {"a border that passes through a patch at whose corner it begins",
        "{bezier: {patches: [[[[0, 0, 0], [2, 0, 0], [4, 0, 0.25]], [[0, -3, 0.25], [2, -3, 0], [4, -3, 0]]], "
        "[[[0, 0, 0], [1/3, -1, 2], [4/3, -1, -3], [2, -1, 3]], [[0, 0, 3], [1/3, -1, 5], [4/3, -1, 0], [2, "
-       "-1, 6]]]], segments: SEGMENTS}}",
+       "-1, 6]]]]}}",
        {9, 11, 3, 0}},
       {"a wall that goes on smoothly",
-       "{extrude: {profile: [[-1, -1, 0], [0, -1, 0], {bezier: [[1, -1, 0]], weights: [1, 1, 2]}, [1, 0, 0], [1, "
-       "1, "
-       "0], [-1, 1, 0]], vector: [0, 0, 1], segments: SEGMENTS}}",
+       "{extrude: {profile: [[-1, -1, 0], [0, -1, 0], {bezier: [[1, -1, 0]], weights: [1, 1, 2]}, [1, 0, 0], "
+       "[1, 1, 0], [-1, 1, 0]], vector: [0, 0, 1]}}",
        {10, 15, 7, 1}},
       {"a rounded rim",
-       "{revolve: {profile: [[0, 0], [2, 0], [2, 1], {bezier: [[2, 2]], weights: [1, 1, 2]}, [1, 2], [0, 2]], "
-       "segments: SEGMENTS}}",
+       "{revolve: {profile: [[0, 0], [2, 0], [2, 1], {bezier: [[2, 2]], weights: [1, 1, 2]}, [1, 2], [0, 2]]}}",
        {0, 3, 4, 1}},
       {"a bend with flat walls",
        "{sweep: {profile: [[0, 0, 0], [0, 1, 0], [0, 1, 1], [0, 0, 1]], path: [[0, 0, 0], [5, 0, 0], [5, 5, 0]], "
-       "radius: 2, segments: SEGMENTS}}",
+       "radius: 2}}",
        {16, 28, 14, 1}},
       {"a flat patch with curved sides",
        "{bspline: {patch: {points: [[[0, 0, 0], [1, -1, 0], [2, 0, 0], [3, 1, 0]], [[1, 5, 0], [2, 4, 0], [3, 5, "
-       "0], [4, 6, 0]]], degree: [2, 1]}, segments: SEGMENTS}}",
+       "0], [4, 6, 0]]], degree: [2, 1]}}}",
        {4, 4, 1, 0}},
       {"a flat ring with a wall at its inner side",
-       "{revolve: {curve: [[1, 1], [1, 0], [2, 0]], axis: [1, 2, 2], segments: SEGMENTS}}",
+       "{revolve: {curve: [[1, 1], [1, 0], [2, 0]], axis: [1, 2, 2]}}",
        {0, 3, 2, 0}},
       {"walls in one plane with curved ends",
        "{extrude: {curve: [[0, 0, 0], {bezier: [[1, 1, 0]]}, [2, 0, 0], {bezier: [[3, -1, 0]]}, [5, 0, 0]], "
-       "vector: [1/3, 2, 0], segments: SEGMENTS}}",
+       "vector: [1/3, 2, 0]}}",
        {6, 7, 2, 0}},
       {"a curve that is extruded to a point",
        "{extrude: {curve: [[0, 0, 0], {bezier: [[1, 0, 1]]}, [2, 0, 0]], vector: [0, 1, 0], scale: 0, center: [1, "
-       "0, -1], segments: SEGMENTS}}",
+       "0, -1]}}",
        {3, 3, 1, 0}},
       {"a flat patch that is folded",
-       "{bezier: {patch: [[[0, 0, 0], [5, 0, 0], [2, 0, 0]], [[0, 2, 0], [5, 2, 0], [2, 2, 0]]], segments: "
-       "SEGMENTS}}",
+       "{bezier: {patch: [[[0, 0, 0], [5, 0, 0], [2, 0, 0]], [[0, 2, 0], [5, 2, 0], [2, 2, 0]]]}}",
        {0, 0, 0, 0},
        false},
       {"a wire that returns to the patch at whose corner it begins",
        "{bezier: {patches: [[[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 2, 0], [1, 2, 1], [2, 2, 0]]]], curves: "
-       "[[[0, 0, 0], [1, 0.3, 0.975], [2, 1, 0.45]]], segments: SEGMENTS}}",
+       "[[[0, 0, 0], [1, 0.3, 0.975], [2, 1, 0.45]]]}}",
        {6, 6, 1, 0},
        false}};
   for (const Own& own : all) {
     for (const int segments : {1, 3, 4, 6, 12}) {
       INFO(own.what << ", " << segments << " segments");
       std::string leaf = own.leaf;
-      leaf.replace(leaf.find("SEGMENTS"), 8, std::to_string(segments));
+      leaf.insert(leaf.size() - 2, ", segments: " + std::to_string(segments));
       const Asked asked("  a: " + leaf + "\n", "{simplify: a}");
       if (segments == 12 && own.certified) CHECK(asked.certified());
       if (asked.certified()) CHECK(asked.cells() == own.cells);
@@ -386,16 +414,13 @@ TEST_CASE("pieces of one leaf are asked three at a time, and its curves", "[cert
   }
 }
 
-TEST_CASE("one surface that is drawn in two ways is not certified", "[certify]") {
+TEST_CASE("one surface in two drawings is not certified, nor corners that are rounded or moved", "[certify]") {
   // Equal ellipses; no common lines are known for leaves that are stretched otherwise.
-  const Asked asked(
-      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 6}, scale: [2, 1, 1]}\n"
-      "  b: {cylinder: {from: [0, 0, 1/2], to: [0, 0, 3/2], radius: 2, segments: 12}, scale: [1, 1/2, 1]}\n",
-      "{sum: [a, b]}");
-  CHECK_FALSE(asked.certified());
-}
-
-TEST_CASE("corners of facets need not be points of the surface", "[certify]") {
+  CHECK_FALSE(
+      Asked("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 6}, scale: [2, 1, 1]}\n"
+            "  b: {cylinder: {from: [0, 0, 1/2], to: [0, 0, 3/2], radius: 2, segments: 12}, scale: [1, 1/2, 1]}\n",
+            "{sum: [a, b]}")
+          .certified());
   // Rounded, the corner is inside of the ball.
   CHECK_FALSE(Asked("  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 10}}\n"
                     "  b: {polyline: [[-2647149443198255/9007199254740992, -8147088261773907/9007199254740992, "
@@ -416,11 +441,7 @@ TEST_CASE("corners of facets need not be points of the surface", "[certify]") {
 }
 
 TEST_CASE("what is left is told with its place", "[certify]") {
-  // The rod touches the ball and crosses it in one point: Viviani's curve.
-  const Asked asked(
-      "  a: {cylinder: {from: [1, 0, -3], to: [1, 0, 3], radius: 1}}\n"
-      "  b: {sphere: {center: [0, 0, 0], radius: 2}}\n",
-      "{union: [a, b]}", AskedProof::within_budget);
+  const Asked asked(kViviani, "{union: [a, b]}", AskedProof::within_budget);
   REQUIRE(!asked.certificate().places.empty());
   const UncertainPlace& place = asked.certificate().places[0];
   CHECK(place.why == UncertainPlace::Why::near);
@@ -432,31 +453,22 @@ TEST_CASE("what is left is told with its place", "[certify]") {
              Catch::StartsWith("t.yaml:3:7: notice: `a` (cylinder side) and `b` (sphere) near ["));
 }
 
-TEST_CASE("the same counts come out within the budget, and facets are finer only where they need be",
-          "[certify]") {
-  for (const Known& known : near_contacts()) {
-    INFO(known.what);
-    Asked(known.leaves, known.result, AskedProof::within_budget).certifies(known.cells);
-  }
-}
-
 TEST_CASE("surfaces that cross at a good angle are certified as they are drawn", "[certify]") {
-  for (const std::string& leaves :
-       {std::string("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 2}}\n"
-                    "  b: {cylinder: {from: [-5, 0.3, 2], to: [5, 0.3, 2], radius: 0.7}}\n"),
-        std::string("  a: {sphere: {center: [0, 0, 0], radius: 1}}\n"
-                    "  b: {sphere: {center: [1.5, 0.1, 0.05], radius: 1}}\n"),
-        std::string("  a: {cylinder: {from: [-4, 0, 0.3], to: [4, 0, 0.3], radius: 1, segments: 31}}\n"
-                    "  b: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n"),
-        std::string("  a: {bezier: {patch: [[[0, 0, 0], [1, 0, 1]], [[0, 1, 1], [1, 1, 0]]]}}\n"
-                    "  b: {polyline: [[0.1, 0.2, 0], [0.9, 0.9, 1]]}\n"),
+  for (const char* leaves :
+       {"  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 2}}\n"
+        "  b: {cylinder: {from: [-5, 0.3, 2], to: [5, 0.3, 2], radius: 0.7}}\n",
+        "  a: {sphere: {center: [0, 0, 0], radius: 1}}\n"
+        "  b: {sphere: {center: [1.5, 0.1, 0.05], radius: 1}}\n",
+        "  a: {cylinder: {from: [-4, 0, 0.3], to: [4, 0, 0.3], radius: 1, segments: 31}}\n"
+        "  b: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n",
+        "  a: {bezier: {patch: [[[0, 0, 0], [1, 0, 1]], [[0, 1, 1], [1, 1, 0]]]}}\n"
+        "  b: {polyline: [[0.1, 0.2, 0], [0.9, 0.9, 1]]}\n",
         // One surface, drawn alike; a bore with a plug.
-        std::string("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 2}}\n"
-                    "  b: {cylinder: {from: [0, 0, 1], to: [0, 0, 5], radius: 2, segments: 20}}\n"),
+        "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 2}}\n"
+        "  b: {cylinder: {from: [0, 0, 1], to: [0, 0, 5], radius: 2, segments: 20}}\n",
         // Nothing is curved, or nothing meets.
-        std::string(
-            "  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  b: {box: {min: [0, 0, 0], max: [2, 2, 1]}}\n"),
-        std::string("  a: {sphere: {center: [0, 0, 0], radius: 1}}\n  b: {points: [[5, 5, 5]]}\n")}) {
+        "  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  b: {box: {min: [0, 0, 0], max: [2, 2, 1]}}\n",
+        "  a: {sphere: {center: [0, 0, 0], radius: 1}}\n  b: {points: [[5, 5, 5]]}\n"}) {
     INFO(leaves);
     CHECK(Asked(leaves, "{union: [a, b]}", AskedProof::within_budget).certified());
   }
@@ -489,9 +501,8 @@ void check_contact(const std::string& leaves, const char* result, AskedProof pro
   for (const int finer : {1, 2}) {
     INFO(leaves << finer);
     const Asked asked(leaves, result, proof, finer);
-    CHECK(asked.certified());
     CHECK(asked.certificate().contacts > 0);
-    CHECK(asked.cells() == cells);
+    asked.certifies(cells);
   }
 }
 

@@ -313,6 +313,30 @@ result: """
             rows = cnrg.parse(nodes + result).evaluate("filled", certify=False).rows
             self.assertEqual([row.cells for row in rows if row.name == "filled"], [(6, 5, 1, 0)])
 
+    def test_arcs_of_one_circle_turn_to_one_surface_about_any_axis(self):
+        weights = "weights: [1, 1, 2]"
+        ball = f"[[0, -1], {{bezier: [[1, -1]], {weights}}}, [1, 0], {{bezier: [[1, 1]], {weights}}}, [0, 1]]"
+        ring = (f"[[3, 0], {{bezier: [[3, 1]], {weights}}}, [2, 1], {{bezier: [[1, 1]], {weights}}}, [1, 0], "
+                f"{{bezier: [[1, -1]], {weights}}}, [2, -1], {{bezier: [[3, -1]], {weights}}}]")
+        for axis in ("[0, 0, 1]", "[1, 2, 2]", "[1, 1, 0]", "[1, 1, 1]", "[1, 2, 3]"):
+            for profile in (ball, ring):
+                with self.subTest(axis=axis, profile=profile):
+                    tree = (f"cnrg: 1\nnodes:\n  a: {{revolve: {{profile: {profile}, axis: {axis}}}}}\n"
+                            "  b: {simplify: {of: a, mode: points}}\nresult: b\n")
+                    result = cnrg.parse(tree).evaluate(certify=True)
+                    self.assertTrue(result.certificate.certified)
+                    self.assertEqual(result.rows[-1].cells, (0, 0, 1, 1))
+
+    def test_a_result_of_curved_leaves_is_not_certified_again(self):
+        for leaf, certified in (("cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 8}", False),
+                                ("box: {min: [0, 0, 0], max: [1, 1, 1]}", True)):
+            with self.subTest(leaf=leaf), tempfile.TemporaryDirectory() as folder:
+                cnrg.parse(f"cnrg: 1\nnodes:\n  a: {{{leaf}}}\nresult: a\n").evaluate().result.write(f"{folder}/a.json")
+                tree = (f"cnrg: 1\nnodes:\n  a: {{cnrg: {folder}/a.json}}\n"
+                        "  b: {box: {min: [0.9, 0.37, 1/2], max: [0.91, 0.38, 1]}}\n"
+                        "  c: {difference: [b, a]}\nresult: c\n")
+                self.assertEqual(cnrg.parse(tree).evaluate(certify=True).certificate.certified, certified)
+
     def test_what_facets_alone_tell_is_not_certified(self):
         row = "[[-8/9, 2, {0}], [28/27, -2/3, {0}], [-28/27, -2/3, {0}], [8/9, 2, {0}]]"  # crosses itself at 1/3 and 2/3
         for leaf in (

@@ -2,7 +2,7 @@
 from fractions import Fraction as F
 from math import comb
 
-from bodies import TURNS, Case, ball, discs, fraction, half, near, net, pair, ring, rod, table
+from bodies import TURNS, Case, ball, cone, discs, fraction, half, near, net, pair, ring, rod, table
 
 NOTHING = (0, 0, 0, 0)
 WHOLE = (0, 0, 1, 1)
@@ -182,6 +182,24 @@ def bend(rng, gap):
     return Case("bend", leaves, ("union", half_ring, ("intersection", "next", "cut")), truth, f"next bend, {where}")
 
 
+def rim(rng, gap):
+    """A cylinder and, from its end on, a cone or a part of a ball: of the same rim, or by `gap` wider."""
+    rod_radius = fraction(rng, F(1, 2), F(2), 8)
+    wide = rod_radius if gap == 0 else near(rng, gap, rod_radius, rod_radius / 2, rod_radius * F(5, 4))
+    if wide <= 0:
+        return None
+    leaves = {"rod": rod([0, 0, -2], [0, 0, 0], rod_radius)}
+    # One circle where they go on, else two, and a flat ring between them.
+    truth, where = ((0, 2, 3, 1), "touch") if wide == rod_radius else ((0, 3, 4, 1), "step")
+    if rng.random() < 0.5:
+        leaves["cone"] = cone([0, 0, 0], [0, 0, 3], wide)
+        return Case("rim", leaves, ("union", "rod", "cone"), truth, f"cone, {where}")
+    p, q = rng.choice(TURNS)
+    leaves["ball"] = ball([0, 0, rng.choice([1, -1]) * wide * p / q], wide / q)
+    leaves["cut"] = half([0, 0, 0], [0, 0, 1])
+    return Case("rim", leaves, ("union", "rod", ("difference", "ball", "cut")), truth, f"ball, {where}")
+
+
 def around_axis(low, high, inner, outer, holds):
     """Counts of torus - cylinder and of both; `holds`: the cylinder holds the axis. Seen from above, the circle runs
     from `low` to `high`, and from each of its points that lies in the ring a curve goes up and one goes down; they
@@ -276,4 +294,4 @@ def patch_plane(rng, gap):
                 f"{shape} {'below' if below else 'above'}, {words[at]}")
 
 
-KINDS = [torus_plane, torus_ball, torus_rod, torus_beside, bend, patch_plane]
+KINDS = [torus_plane, torus_ball, torus_rod, torus_beside, bend, rim, patch_plane]
