@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "csg/mesh/second_order.h"
 #include "kernel/base/sorted.h"
 
 namespace cnrg {
@@ -11,17 +10,6 @@ namespace {
 
 using Index = Mesh::Index;
 using Corners = std::array<Index, 3>;
-
-template <class Simplices, class Ends>
-void collect(const Mesh& mesh, std::size_t dimension, const Simplices& simplices, const Ends& ends,
-             std::vector<std::vector<std::size_t>>& nodes) {
-  for (const auto& s : simplices) {
-    const std::vector<Index> at = mesh.nodes(s, ends);
-    for (const Index group : mesh.entities[dimension][s.entity].groups) {
-      for (const Index p : at) nodes[group - 1].push_back(p + 1);
-    }
-  }
-}
 
 /// Something is said of the wall that is not said of the region.
 bool says_more(const Attributes& wall, const Attributes& region) {
@@ -93,15 +81,13 @@ std::vector<std::vector<ElementPlan::Side>> ElementPlan::sides() const {
 
 std::vector<std::vector<std::size_t>> group_nodes(const Mesh& mesh, std::size_t dimension) {
   std::vector<std::vector<std::size_t>> nodes(mesh.groups[dimension].size());
-  if (dimension == 0) collect(mesh, 0, mesh.vertices, kSecondOrderPoint, nodes);
-  if (dimension == 1) collect(mesh, 1, mesh.segments, kSecondOrderLine, nodes);
-  if (dimension == 2) collect(mesh, 2, mesh.triangles, kSecondOrderTriangle, nodes);
-  if (dimension == 2) collect(mesh, 2, mesh.quads, kSecondOrderPoint, nodes);
-  if (dimension == 3) collect(mesh, 3, mesh.tetrahedra, kSecondOrderEdges, nodes);
-  if (dimension == 3) collect(mesh, 3, mesh.wedges, kSecondOrderPoint, nodes);
-  for (auto& of : nodes) {
-    sort_unique(of);
-  }
+  mesh.for_each_kind([&](std::size_t, std::size_t of, const auto& simplices, const auto& edges) {
+    for (std::size_t i = 0; of == dimension && i < simplices.size(); ++i) {
+      for (const Index group : mesh.entities[dimension][simplices[i].entity].groups)
+        mesh.for_each_node(simplices[i], edges, [&](Index p) { nodes[group - 1].push_back(p + 1); });
+    }
+  });
+  for (auto& of : nodes) sort_unique(of);
   return nodes;
 }
 

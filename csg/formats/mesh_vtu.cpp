@@ -3,24 +3,20 @@
 #include "csg/formats/formats.h"
 #include "csg/formats/vtu_grid.h"
 #include "csg/mesh/mesh.h"
-#include "csg/mesh/second_order.h"
 
 namespace cnrg {
 
 std::string vtu_text(const ResultView& view, const Mesh& mesh) {
   VtuGrid grid;
-  const auto add = [&](VtuCell kind, std::size_t dimension, const auto& simplices, const auto& edges) {
-    for (const auto& s : simplices) {
-      grid.add(kind, mesh.nodes(s, edges), mesh.entities[dimension][s.entity].tags);
-    }
-  };
-  const bool straight = mesh.middles.empty();
-  add(VtuCell::vertex, 0, mesh.vertices, kSecondOrderPoint);
-  add(straight ? VtuCell::line : VtuCell::quadratic_edge, 1, mesh.segments, kSecondOrderLine);
-  add(straight ? VtuCell::triangle : VtuCell::quadratic_triangle, 2, mesh.triangles, kSecondOrderTriangle);
-  add(VtuCell::quad, 2, mesh.quads, kSecondOrderPoint);
-  add(straight ? VtuCell::tetrahedron : VtuCell::quadratic_tetrahedron, 3, mesh.tetrahedra, kSecondOrderEdges);
-  add(VtuCell::wedge, 3, mesh.wedges, kSecondOrderPoint);
+  using enum VtuCell;
+  static constexpr std::array kFirstOrder{vertex, line, triangle, quad, tetrahedron, wedge};
+  static constexpr std::array kSecondOrder{vertex, quadratic_edge,        quadratic_triangle,
+                                           quad,   quadratic_tetrahedron, wedge};
+  const auto& cells = mesh.middles.empty() ? kFirstOrder : kSecondOrder;
+  mesh.for_each_kind([&](std::size_t kind, std::size_t dimension, const auto& simplices, const auto& edges) {
+    for (const auto& s : simplices)
+      grid.add(cells[kind], mesh.nodes(s, edges), mesh.entities[dimension][s.entity].tags);
+  });
   return grid.text(view, mesh.points, nullptr, mesh.twins);
 }
 

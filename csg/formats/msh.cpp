@@ -16,7 +16,6 @@
 #include <span>
 
 #include "csg/formats/formats.h"
-#include "csg/formats/gmsh_order.h"
 #include "csg/formats/group_names.h"
 #include "csg/mesh/mesh.h"
 #include "csg/text/digits.h"
@@ -142,18 +141,15 @@ class MshWriter {
       if (hi == kNone || mesh_.points[high[k]][k] > mesh_.points[hi][k]) hi = high[k];
     }
   }
-  template <class Simplices, class Edges>
-  void extend(std::size_t dimension, const Simplices& simplices, const Edges& edges) {
-    for (const auto& s : simplices)
-      mesh_.for_each_node(s, edges, [&](Index p) { extend(boxes_[dimension][s.entity], {p, p, p}, {p, p, p}); });
-  }
   /// The box of each entity; that of a region is the box of what bounds it.
   void find_boxes() {
     for (std::size_t d = 0; d < 4; ++d) boxes_[d].assign(mesh_.entities[d].size(), kNowhere);
-    extend(0, mesh_.vertices, kEdges0);
-    extend(1, mesh_.segments, kEdges1);
-    extend(2, mesh_.triangles, kEdges2);
-    extend(2, mesh_.quads, kEdges0);
+    mesh_.for_each_kind([&](std::size_t, std::size_t d, const auto& simplices, const auto& edges) {
+      for (std::size_t i = 0; d < 3 && i < simplices.size(); ++i) {
+        Extent& box = boxes_[d][simplices[i].entity];
+        mesh_.for_each_node(simplices[i], edges, [&](Index p) { extend(box, {p, p, p}, {p, p, p}); });
+      }
+    });
     for (std::size_t i = 0; i < boxes_[3].size(); ++i) {
       for (const std::int32_t b : mesh_.entities[3][i].boundary) {
         const auto& [low, high] = boxes_[2][std::size_t(std::abs(b)) - 1];
@@ -204,18 +200,13 @@ class MshWriter {
     };
     std::vector<Place> places(mesh_.points.size());
     for (Index p = 0; p < places.size(); ++p) places[p].point = p;
-    const auto claim = [&](std::uint32_t d, const auto& simplices, const auto& edges) {
+    mesh_.for_each_kind([&](std::size_t, std::size_t d, const auto& simplices, const auto& edges) {
       for (const auto& s : simplices) {
         mesh_.for_each_node(s, edges, [&](Index p) {
-          if (places[p].dimension != d) places[p] = {d, s.entity, p};
+          if (places[p].dimension == 4) places[p] = {std::uint32_t(d), s.entity, p};
         });
       }
-    };
-    claim(3, mesh_.tetrahedra, kEdges3);
-    claim(2, mesh_.triangles, kEdges2);
-    claim(2, mesh_.quads, kEdges0);
-    claim(1, mesh_.segments, kEdges1);
-    claim(0, mesh_.vertices, kEdges0);
+    });
     std::sort(places.begin(), places.end());
     std::size_t blocks = 0;
     const auto same = [&](std::size_t i, std::size_t j) {
@@ -265,28 +256,19 @@ class MshWriter {
     });
     number += simplices.size();
   }
-  /// All elements in their order: dimension, type of Gmsh, simplices, edges with middles.
-  template <class See>
-  void for_each_kind(const See& see) const {
-    const bool straight = mesh_.middles.empty();
-    see(0, 15, mesh_.vertices, kEdges0);
-    see(1, straight ? 1 : 8, mesh_.segments, kEdges1);
-    see(2, straight ? 2 : 9, mesh_.triangles, kEdges2);
-    see(2, 3, mesh_.quads, kEdges0);
-    see(3, straight ? 4 : 11, mesh_.tetrahedra, kEdges3);
-    see(3, 6, mesh_.wedges, kEdges0);
-  }
   void add_elements() {
     std::size_t blocks = 0, number = 0;
-    for_each_kind([&](std::size_t, int, const auto& simplices, const auto&) {
+    mesh_.for_each_kind([&](std::size_t, std::size_t, const auto& simplices, const auto&) {
       blocks += blocks_of(simplices), elements_ += simplices.size();
     });
     text_ += "$Elements\n";
     if (version_ == Version::two) Line(text_) << elements_ << '\n';
     else Line(text_) << blocks << ' ' << elements_ << (elements_ == 0 ? " 0 " : " 1 ") << elements_ << '\n';
-    for_each_kind([&](std::size_t dimension, int type, const auto& simplices, const auto& edges) {
-      add_blocks(dimension, type, simplices, edges, number);
-    });
+    static constexpr std::array<int, 6> kFirstOrder{15, 1, 2, 3, 4, 6}, kSecondOrder{15, 8, 9, 3, 11, 6};
+    const auto& types = mesh_.middles.empty() ? kFirstOrder : kSecondOrder;
+    mesh_.for_each_kind([&](std::size_t kind, std::size_t dimension, const auto& simplices,
+                            const auto& edges) { add_blocks(dimension, types[kind], simplices, edges, number); },
+                        kGmshEdges);
     text_ += "$EndElements\n";
   }
 
@@ -310,7 +292,7 @@ class MshWriter {
         std::vector<double> values(field.values.begin() + static_cast<std::ptrdiff_t>(4 * t),
                                    field.values.begin() + static_cast<std::ptrdiff_t>(4 * t + 4));
         if (!mesh_.middles.empty()) {
-          for (const auto& [i, j] : kEdges3) values.push_back((values[i] + values[j]) / 2);
+          for (const auto& [i, j] : kGmshEdges) values.push_back((values[i] + values[j]) / 2);
         }
         Line line(text_);
         line << before + t + 1 << ' ' << values.size();
@@ -327,7 +309,7 @@ class MshWriter {
       text_ += "$ElementData\n1\n\"" + unused(gmsh_name(shown_in_quotes(property.key))) + "\"\n1\n0\n3\n0\n1\n" +
                std::to_string(elements_) + "\n";
       std::size_t number = 0;
-      for_each_kind([&](std::size_t dimension, int, const auto& simplices, const auto&) {
+      mesh_.for_each_kind([&](std::size_t, std::size_t dimension, const auto& simplices, const auto&) {
         for (const auto& s : simplices) {
           const double value = property.values[dimension][s.entity];
           Line line(text_);

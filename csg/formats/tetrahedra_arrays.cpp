@@ -1,6 +1,5 @@
 #include "csg/formats/tetrahedra_arrays.h"
 
-#include "csg/formats/gmsh_order.h"
 #include "csg/formats/mesh_file.h"
 #include "csg/result/file_numbers.h"
 #include "csg/result/result_data.h"
@@ -11,31 +10,31 @@ namespace {
 
 using Number = std::int32_t;
 
-template <class List, class Edges>
-void add(const Mesh& mesh, const List& simplices, std::size_t dimension, const Edges& edges, SaidTableMaker& said,
-         MeshArrays::Simplices& out) {
-  for (const auto& simplex : simplices) {
-    for (const Mesh::Index p : mesh.nodes(simplex, edges)) out.points.push_back(static_cast<Number>(p));
-    const CellTags& tags = mesh.entities[dimension][simplex.entity].tags;
-    out.cell.push_back(tags.cell);
-    out.component.push_back(tags.component);
-    out.front.push_back(tags.front);
-    out.back.push_back(tags.back);
-    out.region.push_back(tags.region);
-    out.material.push_back(tags.material);
-    out.said.push_back(said.place(tags));
-    out.leaf.push_back(tags.leaf);
-    out.face.push_back(tags.face);
-  }
+void add(const CellTags& tags, SaidTableMaker& said, MeshArrays::Simplices& out) {
+  out.cell.push_back(tags.cell);
+  out.component.push_back(tags.component);
+  out.front.push_back(tags.front);
+  out.back.push_back(tags.back);
+  out.region.push_back(tags.region);
+  out.material.push_back(tags.material);
+  out.said.push_back(said.place(tags));
+  out.leaf.push_back(tags.leaf);
+  out.face.push_back(tags.face);
 }
 
 /// All but what is said, which goes to `said`.
 void fill(const Result& result, const Mesh& mesh, SaidTableMaker& said, MeshArrays& out) {
   for (const auto& p : mesh.points) out.points.insert(out.points.end(), p.begin(), p.end());
-  add(mesh, mesh.vertices, 0, kEdges0, said, out.of[0]);
-  add(mesh, mesh.segments, 1, kEdges1, said, out.of[1]);
-  add(mesh, mesh.triangles, 2, kEdges2, said, out.of[2]);
-  add(mesh, mesh.tetrahedra, 3, kEdges3, said, out.of[3]);
+  std::array<MeshArrays::Simplices*, 6> kinds{&out.of[0], &out.of[1], &out.of[2], &out.quads, &out.of[3], nullptr};
+  mesh.for_each_kind(
+      [&](std::size_t kind, std::size_t dimension, const auto& simplices, const auto& edges) {
+        for (std::size_t i = 0; kinds[kind] != nullptr && i < simplices.size(); ++i) {
+          mesh.for_each_node(simplices[i], edges,
+                             [&](Mesh::Index p) { kinds[kind]->points.push_back(static_cast<Number>(p)); });
+          add(mesh.entities[dimension][simplices[i].entity].tags, said, *kinds[kind]);
+        }
+      },
+      kGmshEdges);
   for (std::size_t d = 0; d < 4; ++d) {
     for (const std::string& name : mesh.groups[d]) out.groups[d].push_back({name, {}});
     for (const Mesh::Entity& entity : mesh.entities[d]) {
@@ -90,7 +89,6 @@ SurfaceArrays SurfaceMeshResult::arrays() const {
   SurfaceArrays out;
   SaidTableMaker said;
   fill(data_->result, made.mesh, said, out);
-  add(made.mesh, made.mesh.quads, 2, kEdges0, said, out.quads);
   out.said = said.table(data_->result.data().view());
   out.faces = made.groups;
   out.rounding = made.rounding;

@@ -35,6 +35,8 @@ struct MeshArrays {
   };
   std::vector<double> points;   ///< x, y, z of each
   std::array<Simplices, 4> of;  ///< by dimension; triangles counter-clockwise as seen from the front
+  /// Four points of each, counter-clockwise as seen from the front; `cell` is a face.
+  Simplices quads;
   std::array<std::vector<CellGroup>, 4> groups;  ///< by dimension
   std::vector<std::string> leaves;               ///< names of leaves, by `Simplices::leaf`
   std::vector<std::string> materials;            ///< names
@@ -71,8 +73,6 @@ class TetrahedralResult {
 };
 
 struct SurfaceArrays : MeshArrays {
-  /// Four points of each, counter-clockwise as seen from the front; `cell` is a face.
-  Simplices quads;
   std::vector<FaceTriangles> faces;  ///< by first group
 };
 

@@ -9,6 +9,7 @@
 #include "csg/curves/surface_placed.h"
 #include "csg/mesh/exact_volume.h"
 #include "csg/mesh/second_order.h"
+#include "csg/mesh/straight_order.h"
 #include "csg/result/flat.h"
 #include "kernel/base/counts.h"
 #include "kernel/base/error.h"
@@ -119,17 +120,10 @@ class Bender {
       if (!mesh_.entities[1][s.entity].wire) continue;
       for (const Index p : s.points) wired_[p] = 1;
     }
-    for (const auto& t : mesh_.tetrahedra) {
-      watch_.check();
-      for (const auto& [i, j] : kSecondOrderEdges) edges_.insert(key(t.points[i], t.points[j]));
-    }
-    for (const auto& t : mesh_.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) edges_.insert(key(t.points[k], t.points[(k + 1) % 3]));
-    }
-    for (const auto& s : mesh_.segments) {
-      edges_.insert(key(s.points[0], s.points[1]));
-      on_edges_.insert(key(s.points[0], s.points[1]));
-    }
+    for (const auto& s : mesh_.segments) on_edges_.insert(key(s.points[0], s.points[1]));
+    watch_.check();
+    for (const Edge& edge : edges_of(mesh_)) edges_.insert(edges_.end(), edge);
+    watch_.check();
   }
 
   CurvedReport run() {

@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/mesh/second_order.h"
 #include "csg/result/cell_tags.h"
 #include "csg/result/rounding.h"
 #include "kernel/base/short_list.h"
@@ -84,6 +85,18 @@ struct Mesh {
     for (const Index p : simplex.points) see(p);
     if (middles.empty()) return;
     for (const auto& [i, j] : edges) see(middle(simplex.points[i], simplex.points[j]));
+  }
+
+  /// Calls see(kind, dimension, simplices, edges) for all: kinds count from 0, `edges` is for `for_each_node`.
+  /// `tetrahedron`: the order of such edges.
+  template <class See>
+  void for_each_kind(const See& see, const TetrahedronEdges& tetrahedron = kSecondOrderEdges) const {
+    see(0, 0, vertices, kSecondOrderPoint);
+    see(1, 1, segments, kSecondOrderLine);
+    see(2, 2, triangles, kSecondOrderTriangle);
+    see(3, 2, quads, kSecondOrderPoint);
+    see(4, 3, tetrahedra, tetrahedron);
+    see(5, 3, wedges, kSecondOrderPoint);
   }
 
   /// Properties that are numbers: of each entity by dimension, not a number where nothing is said.

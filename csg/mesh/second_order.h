@@ -18,8 +18,10 @@ namespace cnrg {
 using SecondOrderNodes = std::array<std::array<double, 3>, 10>;
 
 /// The ends of the edges whose middles are nodes 4 to 9.
-inline constexpr std::array<std::array<std::size_t, 2>, 6> kSecondOrderEdges{
-    {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
+using TetrahedronEdges = std::array<std::array<std::size_t, 2>, 6>;
+inline constexpr TetrahedronEdges kSecondOrderEdges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
+/// The same as Gmsh has them.
+inline constexpr TetrahedronEdges kGmshEdges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
 /// The same of triangles, lines and points.
 inline constexpr std::array<std::array<std::size_t, 2>, 3> kSecondOrderTriangle{{{0, 1}, {1, 2}, {0, 2}}};
 inline constexpr std::array<std::array<std::size_t, 2>, 1> kSecondOrderLine{{{0, 1}}};

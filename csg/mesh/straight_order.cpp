@@ -16,23 +16,15 @@ namespace {
 using Index = Mesh::Index;
 using Edge = std::array<Index, 2>;
 
-template <class Simplices, class Ends>
-void add_edges(std::vector<Edge>& edges, const Simplices& simplices, const Ends& ends) {
-  for (const auto& s : simplices) {
-    for (const auto& [i, j] : ends) {
-      const Index a = s.points[i], b = s.points[j];
-      edges.push_back({std::min(a, b), std::max(a, b)});
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<std::array<Mesh::Index, 2>> edges_of(const Mesh& mesh) {
   std::vector<Edge> edges;
-  add_edges(edges, mesh.tetrahedra, kSecondOrderEdges);
-  add_edges(edges, mesh.triangles, kSecondOrderTriangle);
-  add_edges(edges, mesh.segments, kSecondOrderLine);
+  mesh.for_each_kind([&](std::size_t, std::size_t, const auto& simplices, const auto& ends) {
+    for (const auto& s : simplices) {
+      for (const auto& [i, j] : ends) edges.push_back(sorted(Edge{s.points[i], s.points[j]}));
+    }
+  });
   sort_unique(edges);
   return edges;
 }
