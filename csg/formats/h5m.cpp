@@ -26,8 +26,10 @@ namespace {
 
 using Index = Mesh::Index;
 using EntityHandle = std::uint64_t;
+using Kind = Hdf5File::Kind;
 
 constexpr std::size_t kNameSize = 32;
+constexpr Hdf5File::Type kPair{Hdf5File::Kind::u64, 2};
 
 std::string without_words_of_dagmc(std::string_view name) {
   std::string result = shown(name);
@@ -158,7 +160,7 @@ class H5mWriter {
     }
     const std::string path = "tstt/elements/" + kind;
     file_->add(path + "/connectivity", points, {simplices.size(), points.size() / simplices.size()});
-    file_->set(path + "/connectivity", "start_id", Hdf5File::Kind::i64, static_cast<std::int64_t>(first));
+    file_->set(path + "/connectivity", "start_id", Kind::i64, static_cast<std::int64_t>(first));
     file_->set_of_type(path, "element_type", "tstt/elemtypes", type);
   }
 
@@ -170,7 +172,7 @@ class H5mWriter {
     std::vector<double> coordinates;
     for (const auto& p : mesh_.points) coordinates.insert(coordinates.end(), p.begin(), p.end());
     file_->add("tstt/nodes/coordinates", coordinates, {mesh_.points.size(), 3});
-    file_->set("tstt/nodes/coordinates", "start_id", Hdf5File::Kind::i64, 1);
+    file_->set("tstt/nodes/coordinates", "start_id", Kind::i64, 1);
     add_simplices("Edge2", 1, first_edge_, mesh_.segments);
     add_simplices("Tri3", 2, first_triangle_, mesh_.triangles);
     add_simplices("Tet4", 5, first_tetrahedron_, mesh_.tetrahedra);
@@ -218,7 +220,7 @@ class H5mWriter {
     const std::size_t count = rows_.size() / 4;
     if (count == 0) return;
     file_->add("tstt/sets/list", rows_, {count, 4});
-    file_->set("tstt/sets/list", "start_id", Hdf5File::Kind::i64, static_cast<std::int64_t>(first_set_));
+    file_->set("tstt/sets/list", "start_id", Kind::i64, static_cast<std::int64_t>(first_set_));
     file_->add("tstt/sets/contents", contents_);
     if (!children_.empty()) {
       file_->add("tstt/sets/children", children_);
@@ -228,7 +230,7 @@ class H5mWriter {
   }
 
   /// A tag of some sets is stored with their numbers (class 1, sparse), one of all with these (2, dense).
-  void begin_tag(const std::string& path, int kind) { file_->set(path, "class", Hdf5File::Kind::i32, kind); }
+  void begin_tag(const std::string& path, int kind) { file_->set(path, "class", Kind::i32, kind); }
 
   void add_tags(std::size_t count) {
     std::vector<EntityHandle> ids;
@@ -245,37 +247,37 @@ class H5mWriter {
       }
     }
     file_->add("tstt/tags/CATEGORY/id_list", ids);
-    file_->add("tstt/tags/CATEGORY/values", categories, kNameSize, true);
-    file_->add_opaque_type("tstt/tags/CATEGORY/type", kNameSize);
+    file_->add("tstt/tags/CATEGORY/values", categories, {Kind::opaque, kNameSize});
+    file_->add_type("tstt/tags/CATEGORY/type", {Kind::opaque, kNameSize});
     begin_tag("tstt/tags/CATEGORY", 1);
     file_->add("tstt/tags/GEOM_DIMENSION/id_list", ids);
     file_->add("tstt/tags/GEOM_DIMENSION/values", dimensions);
-    file_->add_type("tstt/tags/GEOM_DIMENSION/type", Hdf5File::Kind::i32);
+    file_->add_type("tstt/tags/GEOM_DIMENSION/type", {Kind::i32});
     begin_tag("tstt/tags/GEOM_DIMENSION", 1);
-    file_->set("tstt/tags/GEOM_DIMENSION", "default", Hdf5File::Kind::i32, -1);
-    file_->set("tstt/tags/GEOM_DIMENSION", "global", Hdf5File::Kind::i32, -1);
-    file_->add_type("tstt/tags/GLOBAL_ID/type", Hdf5File::Kind::i32);
+    file_->set("tstt/tags/GEOM_DIMENSION", "default", Kind::i32, -1);
+    file_->set("tstt/tags/GEOM_DIMENSION", "global", Kind::i32, -1);
+    file_->add_type("tstt/tags/GLOBAL_ID/type", {Kind::i32});
     begin_tag("tstt/tags/GLOBAL_ID", 2);
-    file_->set("tstt/tags/GLOBAL_ID", "default", Hdf5File::Kind::i32, 0);
-    file_->set("tstt/tags/GLOBAL_ID", "global", Hdf5File::Kind::i32, 0);
+    file_->set("tstt/tags/GLOBAL_ID", "default", Kind::i32, 0);
+    file_->set("tstt/tags/GLOBAL_ID", "global", Kind::i32, 0);
     file_->add("tstt/sets/tags/GLOBAL_ID", numbers);
     if (!surfaces_.empty()) {
       std::vector<EntityHandle> senses;
       for (const Surface& s : surfaces_) senses.insert(senses.end(), s.senses.begin(), s.senses.end());
       const auto end = ids.begin() + static_cast<std::ptrdiff_t>(surfaces_.size());
       file_->add("tstt/tags/GEOM_SENSE_2/id_list", std::vector<EntityHandle>(ids.begin(), end));
-      file_->add("tstt/tags/GEOM_SENSE_2/values", senses, {}, 2);
-      file_->add_type("tstt/tags/GEOM_SENSE_2/type", Hdf5File::Kind::u64, 2);
+      file_->add("tstt/tags/GEOM_SENSE_2/values", kPair, {surfaces_.size()}, senses.data());
+      file_->add_type("tstt/tags/GEOM_SENSE_2/type", kPair);
       begin_tag("tstt/tags/GEOM_SENSE_2", 1);
-      file_->set("tstt/tags/GEOM_SENSE_2", "is_handle", Hdf5File::Kind::i32, 1);
-      file_->set_pair("tstt/tags/GEOM_SENSE_2", "default", {0, 0});
+      file_->set("tstt/tags/GEOM_SENSE_2", "is_handle", Kind::i32, 1);
+      file_->set("tstt/tags/GEOM_SENSE_2", "default", kPair, std::array<EntityHandle, 2>{}.data());
     }
     if (!groups_.empty()) {
       for (const auto& [name, members] : groups_) names.push_back(name);
       const auto begin = ids.begin() + static_cast<std::ptrdiff_t>(count - groups_.size());
       file_->add("tstt/tags/NAME/id_list", std::vector<EntityHandle>(begin, ids.end()));
-      file_->add("tstt/tags/NAME/values", names, kNameSize, true);
-      file_->add_opaque_type("tstt/tags/NAME/type", kNameSize);
+      file_->add("tstt/tags/NAME/values", names, {Kind::opaque, kNameSize});
+      file_->add_type("tstt/tags/NAME/type", {Kind::opaque, kNameSize});
       begin_tag("tstt/tags/NAME", 1);
     }
   }

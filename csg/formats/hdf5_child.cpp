@@ -28,6 +28,15 @@ std::unique_ptr<Hdf5File> new_hdf5_file() {
   return std::unique_ptr<Hdf5File>(CNRG_PLUGIN_FUNCTION(kHdf5Plugin, cnrg_hdf5_file)());
 }
 
+void Hdf5File::add(const std::string& path, const std::vector<std::string>& texts, const Type& type) {
+  std::string bytes;
+  for (std::string text : texts) {
+    text.resize(type.each, '\0');
+    bytes += text;
+  }
+  add(path, type, {texts.size()}, bytes.data());
+}
+
 std::string hdf5_bytes(const std::string& format, const std::function<std::string()>& make) {
   plugin_symbol(kHdf5Plugin, "cnrg_hdf5_file");  // before the fork
   const MemoryFile made("HDF5");

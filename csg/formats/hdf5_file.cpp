@@ -3,7 +3,6 @@
 
 #include <hdf5.h>
 
-#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -43,14 +42,15 @@ hid_t stored(Hdf5File::Kind kind) {
     case Hdf5File::Kind::i32: return H5T_STD_I32LE;
     case Hdf5File::Kind::i64: return H5T_STD_I64LE;
     case Hdf5File::Kind::u64: return H5T_STD_U64LE;
-    case Hdf5File::Kind::f64: break;
+    default: break;
   }
   return H5T_IEEE_F64LE;
 }
 
-Handle array_of(hid_t type, std::uint64_t each) {
-  const hsize_t size = each;
-  return {H5Tarray_create2(type, 1, &size), H5Tclose};
+Handle type_of(const Hdf5File::Type& type) {
+  if (type.kind == Hdf5File::Kind::opaque) return {H5Tcreate(H5T_OPAQUE, type.each), H5Tclose};
+  const hsize_t size = type.each;
+  return {size == 0 ? H5Tcopy(stored(type.kind)) : H5Tarray_create2(stored(type.kind), 1, &size), H5Tclose};
 }
 
 /// Groups on the way are made.
@@ -79,106 +79,47 @@ class MemoryHdf5File : public Hdf5File {
     const Handle group(H5Gcreate2(file_, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   }
 
-  void write(const std::string& path, std::int64_t type, const Sizes& sizes, const void* data) {
+  void add(const std::string& path, const Type& of, const Sizes& sizes, const void* items) override {
     const std::vector<hsize_t> size(sizes.begin(), sizes.end());
-    const Handle links = with_groups();
+    const Handle links = with_groups(), type = type_of(of);
     const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     require_ok(H5Pset_obj_track_times(creation, false));
     const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
     const Handle set(H5Dcreate2(file_, path.c_str(), type, space, links, creation, H5P_DEFAULT), H5Dclose);
     std::uint64_t count = 1;
     for (const std::uint64_t n : sizes) count *= n;
-    if (count > 0) require_ok(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
+    if (count > 0) require_ok(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, items));
   }
 
-  void add(const std::string& path, std::span<const std::int32_t> numbers) override {
-    write(path, stored(Kind::i32), {numbers.size()}, numbers.data());
-  }
-  void add(const std::string& path, std::span<const std::int64_t> numbers, const Sizes& sizes) override {
-    write(path, stored(Kind::i64), sizes.empty() ? Sizes{numbers.size()} : sizes, numbers.data());
-  }
-  void add(const std::string& path, std::span<const double> numbers, const Sizes& sizes) override {
-    write(path, stored(Kind::f64), sizes.empty() ? Sizes{numbers.size()} : sizes, numbers.data());
-  }
-  void add(const std::string& path, std::span<const std::uint64_t> numbers, const Sizes& sizes,
-           std::uint64_t each) override {
-    if (each == 0) {
-      write(path, stored(Kind::u64), sizes.empty() ? Sizes{numbers.size()} : sizes, numbers.data());
-    } else {
-      const Handle type = array_of(stored(Kind::u64), each);
-      write(path, type, {numbers.size() / each}, numbers.data());
-    }
-  }
-  void add(const std::string& path, const std::vector<std::string>& texts, std::size_t width,
-           bool opaque) override {
-    std::string bytes;
-    for (const std::string& text : texts) {
-      bytes += text.substr(0, width);
-      bytes.resize(bytes.size() + width - std::min(width, text.size()), '\0');
-    }
-    if (opaque) {
-      const Handle type(H5Tcreate(H5T_OPAQUE, width), H5Tclose);
-      write(path, type, {texts.size()}, bytes.data());
-    } else {
-      const Handle type = array_of(stored(Kind::i8), width);
-      write(path, type, {texts.size()}, bytes.data());
-    }
-  }
-
-  void add_type(const std::string& path, Kind kind, std::uint64_t each) override {
-    const Handle links = with_groups();
-    const Handle type = each == 0 ? Handle(H5Tcopy(stored(kind)), H5Tclose) : array_of(stored(kind), each);
-    require_ok(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
-  }
-  void add_opaque_type(const std::string& path, std::size_t width) override {
-    const Handle links = with_groups();
-    const Handle type(H5Tcreate(H5T_OPAQUE, width), H5Tclose);
-    require_ok(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
-  }
+  void add_type(const std::string& path, const Type& type) override { commit(path, type_of(type)); }
   void add_enumeration(const std::string& path, const std::vector<std::string>& names) override {
-    const Handle links = with_groups();
     const Handle type(H5Tenum_create(stored(Kind::u8)), H5Tclose);
     std::uint8_t number = 0;
     for (const std::string& name : names) {
       ++number;
       require_ok(H5Tenum_insert(type, name.c_str(), &number));
     }
-    require_ok(H5Tcommit2(file_, path.c_str(), type, links, H5P_DEFAULT, H5P_DEFAULT));
+    commit(path, type);
   }
 
-  void set(const std::string& path, const std::string& attribute, std::int64_t type, const void* data) {
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle made(H5Acreate_by_name(file_, path.c_str(), attribute.c_str(), type, space, H5P_DEFAULT,
-                                        H5P_DEFAULT, H5P_DEFAULT),
-                      H5Aclose);
-    require_ok(H5Awrite(made, type, data));
-  }
   void set(const std::string& path, const std::string& attribute, Kind kind, std::int64_t value) override {
     // Converted by the library from eight bytes to those of the kind.
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle made(H5Acreate_by_name(file_, path.c_str(), attribute.c_str(), stored(kind), space, H5P_DEFAULT,
-                                        H5P_DEFAULT, H5P_DEFAULT),
-                      H5Aclose);
-    require_ok(H5Awrite(made, H5T_NATIVE_INT64, &value));
+    set(path, attribute, stored(kind), H5T_NATIVE_INT64, &value);
   }
-  void set(const std::string& path, const std::string& attribute, double value) override {
-    set(path, attribute, stored(Kind::f64), &value);
+  void set(const std::string& path, const std::string& attribute, const Type& of, const void* value) override {
+    const Handle type = type_of(of);
+    set(path, attribute, type, type, value);
   }
   void set(const std::string& path, const std::string& attribute, const std::string& value) override {
     const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
     require_ok(H5Tset_size(type, value.size() + 1));
-    set(path, attribute, type, value.c_str());
-  }
-  void set_pair(const std::string& path, const std::string& attribute,
-                std::array<std::uint64_t, 2> values) override {
-    const Handle type = array_of(stored(Kind::u64), 2);
-    set(path, attribute, type, values.data());
+    set(path, attribute, type, type, value.c_str());
   }
   void set_of_type(const std::string& path, const std::string& attribute, const std::string& type,
                    int value) override {
     const Handle named(H5Topen2(file_, type.c_str(), H5P_DEFAULT), H5Tclose);
     const auto byte = static_cast<std::uint8_t>(value);
-    set(path, attribute, named, &byte);
+    set(path, attribute, named, named, &byte);
   }
 
   std::string bytes() override {
@@ -192,6 +133,18 @@ class MemoryHdf5File : public Hdf5File {
 
  private:
   hid_t file_ = -1;
+
+  void commit(const std::string& path, const Handle& type) const {
+    require_ok(H5Tcommit2(file_, path.c_str(), type, with_groups(), H5P_DEFAULT, H5P_DEFAULT));
+  }
+  void set(const std::string& path, const std::string& attribute, hid_t type, hid_t given,
+           const void* value) const {
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle made(H5Acreate_by_name(file_, path.c_str(), attribute.c_str(), type, space, H5P_DEFAULT,
+                                        H5P_DEFAULT, H5P_DEFAULT),
+                      H5Aclose);
+    require_ok(H5Awrite(made, given, value));
+  }
 };
 
 }  // namespace

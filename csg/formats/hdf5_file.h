@@ -5,12 +5,11 @@
 // that. So a file is made in a process of its own (csg/text/child.h), and only whole bytes come back.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace cnrg {
@@ -19,32 +18,38 @@ namespace cnrg {
 class Hdf5File {
  public:
   using Sizes = std::vector<std::uint64_t>;
-  enum class Kind : std::uint8_t { i8, u8, i32, i64, u64, f64 };
+  enum class Kind : std::uint8_t { i8, u8, i32, i64, u64, f64, opaque };
+  /// Numbers of a kind, or arrays of so many (a type of HDF5); or so many opaque bytes.
+  struct Type {
+    Kind kind;
+    std::uint64_t each = 0;
+  };
 
   virtual ~Hdf5File() = default;
 
   virtual void add_group(const std::string& path) = 0;
-  /// Numbers of the kind, as many as the product of `sizes`. `each`: they are arrays of so many (a type of HDF5);
-  /// 0: numbers.
-  virtual void add(const std::string& path, std::span<const std::int32_t> numbers) = 0;
-  virtual void add(const std::string& path, std::span<const std::int64_t> numbers, const Sizes& sizes = {}) = 0;
-  virtual void add(const std::string& path, std::span<const std::uint64_t> numbers, const Sizes& sizes = {},
-                   std::uint64_t each = 0) = 0;
-  virtual void add(const std::string& path, std::span<const double> numbers, const Sizes& sizes = {}) = 0;
-  /// Texts of `width` bytes each, filled up with zeros: `opaque`, or else arrays of so many numbers of eight bits.
-  virtual void add(const std::string& path, const std::vector<std::string>& texts, std::size_t width,
-                   bool opaque) = 0;
-  /// A type by name: numbers of a kind, `each` as above, or opaque bytes, or texts by number from 1.
-  virtual void add_type(const std::string& path, Kind kind, std::uint64_t each = 0) = 0;
-  virtual void add_opaque_type(const std::string& path, std::size_t width) = 0;
+  /// Items of the type, as many as the product of `sizes`.
+  virtual void add(const std::string& path, const Type& type, const Sizes& sizes, const void* items) = 0;
+  /// Numbers; a list where there are no sizes.
+  template <class Number>
+  void add(const std::string& path, const std::vector<Number>& numbers, const Sizes& sizes = {}) {
+    constexpr Kind kKind = std::is_same_v<Number, std::int32_t>    ? Kind::i32
+                           : std::is_same_v<Number, std::int64_t>  ? Kind::i64
+                           : std::is_same_v<Number, std::uint64_t> ? Kind::u64
+                                                                   : Kind::f64;
+    static_assert(kKind != Kind::f64 || std::is_same_v<Number, double>);
+    add(path, {kKind}, sizes.empty() ? Sizes{numbers.size()} : sizes, numbers.data());
+  }
+  /// Texts as items of the type, which are bytes, filled up with zeros.
+  void add(const std::string& path, const std::vector<std::string>& texts, const Type& type);
+  /// A type by name: as above, or texts by number from 1.
+  virtual void add_type(const std::string& path, const Type& type) = 0;
   virtual void add_enumeration(const std::string& path, const std::vector<std::string>& names) = 0;
 
   virtual void set(const std::string& path, const std::string& attribute, Kind kind, std::int64_t value) = 0;
-  virtual void set(const std::string& path, const std::string& attribute, double value) = 0;
+  virtual void set(const std::string& path, const std::string& attribute, const Type& type, const void* value) = 0;
   virtual void set(const std::string& path, const std::string& attribute, const std::string& value) = 0;
-  /// A list of two numbers, and a number of a type that was added.
-  virtual void set_pair(const std::string& path, const std::string& attribute,
-                        std::array<std::uint64_t, 2> values) = 0;
+  /// A number of a type that was added.
   virtual void set_of_type(const std::string& path, const std::string& attribute, const std::string& type,
                            int value) = 0;
 

@@ -80,39 +80,29 @@ class MedWriter {
 
   void add_head() {
     file_->add_group("INFOS_GENERALES");
-    file_->set("INFOS_GENERALES", "MAJ", Kind::i32, 3);
-    file_->set("INFOS_GENERALES", "MIN", Kind::i32, 0);
-    file_->set("INFOS_GENERALES", "REL", Kind::i32, 0);
+    set_all("INFOS_GENERALES", {{"MAJ", 3}, {"MIN", 0}, {"REL", 0}});
     file_->add_group(kStep);
     const std::string mesh = "ENS_MAA/" + kMesh;
-    file_->set(mesh, "DIM", Kind::i32, 3);
-    file_->set(mesh, "ESP", Kind::i32, 3);
-    file_->set(mesh, "REP", Kind::i32, 0);  // Cartesian
-    file_->set(mesh, "SRT", Kind::i32, 1);
-    file_->set(mesh, "TYP", Kind::i32, 0);  // unstructured
+    // Of three dimensions, Cartesian, unstructured.
+    set_all(mesh, {{"DIM", 3}, {"ESP", 3}, {"REP", 0}, {"SRT", 1}, {"TYP", 0}});
     file_->set(mesh, "UNT", std::string(16, ' '));
     file_->set(mesh, "UNI", std::string(48, ' '));
     file_->set(mesh, "NOM", "x" + std::string(15, ' ') + "y" + std::string(15, ' ') + "z" + std::string(15, ' '));
     file_->set(mesh, "DES", "node " + cut(shown(mesh_.node), 150) + ", written by cnrg");
-    file_->set(mesh, "NXT", Kind::i32, -1);
-    file_->set(mesh, "NXI", Kind::i32, -1);
-    file_->set(kStep, "CGT", Kind::i32, 1);
-    file_->set(kStep, "NDT", Kind::i32, -1);
-    file_->set(kStep, "NOR", Kind::i32, -1);
-    file_->set(kStep, "NXT", Kind::i32, -1);
-    file_->set(kStep, "NXI", Kind::i32, -1);
-    file_->set(kStep, "PVT", Kind::i32, -1);
-    file_->set(kStep, "PVI", Kind::i32, -1);
-    file_->set(kStep, "PDT", -1.0);
+    set_all(mesh, {{"NXT", -1}, {"NXI", -1}});
+    set_all(kStep, {{"CGT", 1}, {"NDT", -1}, {"NOR", -1}, {"NXT", -1}, {"NXI", -1}, {"PVT", -1}, {"PVI", -1}});
+    const double no_time = -1;
+    file_->set(kStep, "PDT", {Kind::f64}, &no_time);
   }
 
+  void set_all(const std::string& path, std::initializer_list<std::pair<const char*, std::int64_t>> numbers) {
+    for (const auto& [attribute, number] : numbers) file_->set(path, attribute, Kind::i32, number);
+  }
   void set_counts(const std::string& path, std::size_t count) {
-    file_->set(path, "CGT", Kind::i32, 1);
-    file_->set(path, "NBR", Kind::i32, static_cast<std::int64_t>(count));
+    set_all(path, {{"CGT", 1}, {"NBR", static_cast<std::int64_t>(count)}});
   }
   void set_support(const std::string& path) {
-    file_->set(path, "CGT", Kind::i32, 1);
-    file_->set(path, "CGS", Kind::i32, 1);
+    set_all(path, {{"CGT", 1}, {"CGS", 1}});
     file_->set(path, "PFL", kAll);
   }
 
@@ -161,7 +151,7 @@ class MedWriter {
       const std::string family = path + (dimension == 0 ? "/NOEUD/" : "/ELEME/") + "FAM_" + std::to_string(number);
       std::vector<std::string> names;
       for (const Index group : groups) names.push_back(names_[dimension][group - 1]);
-      file_->add(family + "/GRO/NOM", names, kGroupSize, false);
+      file_->add(family + "/GRO/NOM", names, {Kind::i8, kGroupSize});
       file_->set(family + "/GRO", "NBR", Kind::i32, static_cast<std::int64_t>(groups.size()));
       file_->set(family, "NUM", Kind::i32, number);
     }
