@@ -28,8 +28,7 @@ HeightGrid read_height_grid(const std::string& path, const std::string& inside) 
   std::map<std::string, Entry> header;
   for (;;) {
     TextCursor ahead = cursor;
-    std::string key(ahead.token("a height"));
-    for (char& c : key) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string key = lower(ahead.token("a height"));
     if (std::isalpha(static_cast<unsigned char>(key[0])) == 0 || key == "nan" || key == "inf") break;
     cursor = ahead;
     Entry entry;

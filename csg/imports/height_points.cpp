@@ -4,20 +4,16 @@
 #include "csg/imports/height_points.h"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <numeric>
 
 #include "csg/imports/leaf_file.h"
 #include "csg/imports/text_cursor.h"
+#include "csg/text/file.h"
+#include "csg/text/table.h"
 
 namespace cnrg {
 
-bool holds_height_points(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".xyz";
-}
+bool holds_height_points(const std::string& path) { return extension_of(path) == ".xyz"; }
 
 HeightPoints read_height_points(const std::string& path, const std::string& inside) {
   const std::string text = read_leaf_file(path, inside, "give a line `x y z` for each point");
@@ -30,7 +26,7 @@ HeightPoints read_height_points(const std::string& path, const std::string& insi
     std::size_t count = 0;
     for (double& x : point) {
       if (!cursor.more_in_line()) {
-        cursor.fail_at(line, "a line of " + std::to_string(count) + (count == 1 ? " entry" : " entries") +
+        cursor.fail_at(line, "a line of " + counted(count, "entry", "entries") +
                                  ": give x, y and z of a point with blanks between them");
       }
       x = cursor.number("x, y or z of a point");

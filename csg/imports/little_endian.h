@@ -1,4 +1,4 @@
-// Whole numbers of binary files, the least byte first.
+// Whole numbers of binary files.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,15 @@
 namespace cnrg {
 
 /// The `size` bytes from `at` on, which are there; at most 8.
-inline std::uint64_t little_endian(std::string_view bytes, std::size_t at, std::size_t size) {
+inline std::uint64_t number_of_bytes(std::string_view bytes, std::size_t at, std::size_t size, bool big_endian) {
   std::uint64_t value = 0;
-  for (std::size_t k = size; k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+  for (std::size_t k = 0; k < size; ++k)
+    value = value << 8 | static_cast<unsigned char>(bytes[at + (big_endian ? k : size - 1 - k)]);
   return value;
+}
+/// The least byte first.
+inline std::uint64_t little_endian(std::string_view bytes, std::size_t at, std::size_t size) {
+  return number_of_bytes(bytes, at, size, false);
 }
 /// Of four bytes.
 inline std::uint32_t little_endian(std::string_view bytes, std::size_t at) {

@@ -2,20 +2,19 @@
 // values as text or binary. Read are vertices (x, y, z), faces (vertex_index or vertex_indices, and a label if
 // there is one, mesh_labels.h) and edges (vertex1, vertex2); everything else is skipped by its declared size.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <string_view>
 
-#include "csg/imports/mesh_labels.h"
 #include "csg/imports/text_cursor.h"
+#include "csg/imports/vtk_cells.h"
 #include "csg/leaves/leaf.h"
 
 namespace cnrg {
 namespace {
 
-enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+using Type = VtkType;  // but for whole numbers of 64 bits
 
 struct PlyProperty {
   std::string name;
@@ -30,11 +29,6 @@ struct PlyElement {
 };
 
 enum class Encoding { text, little, big };
-
-std::size_t bytes_of_type(Type type) {
-  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-  return kSizes[static_cast<std::size_t>(type)];
-}
 
 class PlyReader {
  public:
@@ -130,25 +124,12 @@ class PlyReader {
   /// One number of the body.
   double value(Type type) {
     if (encoding_ == Encoding::text) return cursor_.number("a value");
-    const std::size_t size = bytes_of_type(type);
+    const std::size_t size = size_of(type), at = at_;
     if (text_.size() - at_ < size) fail("the file ends within its data: it is truncated, or a count is wrong");
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      const std::size_t k = encoding_ == Encoding::big ? i : size - 1 - i;
-      bits = bits << 8 | static_cast<unsigned char>(text_[at_ + k]);
-    }
     at_ += size;
-    switch (type) {
-      case Type::int8: return static_cast<std::int8_t>(bits);
-      case Type::uint8: return static_cast<std::uint8_t>(bits);
-      case Type::int16: return static_cast<std::int16_t>(bits);
-      case Type::uint16: return static_cast<std::uint16_t>(bits);
-      case Type::int32: return static_cast<std::int32_t>(bits);
-      case Type::uint32: return static_cast<std::uint32_t>(bits);
-      case Type::float32: return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-      case Type::float64: return std::bit_cast<double>(bits);
-    }
-    return 0;
+    const bool big = encoding_ == Encoding::big;
+    return is_whole(type) ? static_cast<double>(whole_number_at(text_, at, type, big))
+                          : real_number_at(text_, at, type, big);
   }
 
   std::uint64_t list_length(const PlyProperty& property) {
@@ -163,15 +144,15 @@ class PlyReader {
   }
 
   void skip(const PlyProperty& property) {
+    std::uint64_t n = property.count ? list_length(property) : 1;
     if (encoding_ == Encoding::text) {
-      for (std::uint64_t n = property.count ? list_length(property) : 1; n > 0; --n) cursor_.token("a value");
+      for (; n > 0; --n) cursor_.token("a value");
       return;
     }
-    const std::uint64_t n = property.count ? list_length(property) : 1;
-    if ((text_.size() - at_) / bytes_of_type(property.type) < n) {
+    if ((text_.size() - at_) / size_of(property.type) < n) {
       fail("the file ends within its data: it is truncated, or a count is wrong");
     }
-    at_ += n * bytes_of_type(property.type);
+    at_ += n * size_of(property.type);
   }
 
   void skip(const PlyElement& element) {

@@ -1,7 +1,6 @@
 // STL, text and binary. Both may start with "solid"; a file is binary if its size is what a binary file with its
 // count of triangles has, and text if it starts with "solid" otherwise.
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <string_view>
 
@@ -55,20 +54,12 @@ MeshData read_binary(const std::string& path, const std::string& data) {
   return mesh;
 }
 
-bool same_word(std::string_view token, std::string_view word) {
-  if (token.size() != word.size()) return false;
-  for (std::size_t i = 0; i < word.size(); ++i) {
-    if (std::tolower(static_cast<unsigned char>(token[i])) != word[i]) return false;
-  }
-  return true;
-}
-
 MeshData read_text(const std::string& path, const std::string& text, bool decimal) {
   TextCursor cursor(path, text, 0);
   MeshData mesh;
   const auto expect = [&](const char* word) {
     const std::string_view token = cursor.token(word);
-    if (!same_word(token, word))
+    if (lower(token) != word)
       cursor.fail(in_quotes(token) + " is found where '" + std::string(word) + "' is expected: correct the file");
   };
   std::uint32_t solid = 0;
@@ -77,8 +68,8 @@ MeshData read_text(const std::string& path, const std::string& text, bool decima
     cursor.next_line();
     for (;;) {
       const std::string_view token = cursor.token("'facet' or 'endsolid'");
-      if (same_word(token, "endsolid")) break;
-      if (!same_word(token, "facet"))
+      if (lower(token) == "endsolid") break;
+      if (lower(token) != "facet")
         cursor.fail(in_quotes(token) + " is found where 'facet' or 'endsolid' is expected: correct the file");
       cursor.next_line();  // with the normal, which the corners say better
       expect("outer");
@@ -106,7 +97,7 @@ MeshData read_stl(const std::string& path, const std::string& text, bool decimal
     return read_binary(path, text);
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  const bool solid = first != std::string::npos && same_word(std::string_view(text).substr(first, 5), "solid");
+  const bool solid = first != std::string::npos && lower(std::string_view(text).substr(first, 5)) == "solid";
   const bool printable = std::string_view(text).substr(0, 512).find('\0') == std::string_view::npos;
   return solid && printable ? read_text(path, text, decimal) : read_binary(path, text);
 }

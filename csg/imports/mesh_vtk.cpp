@@ -6,7 +6,6 @@
 // cells as two arrays, offsets and connectivity, where earlier ones have a list of counts and points. Names of
 // arrays are encoded as in addresses (`%20`), words and keys are of any case.
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -17,12 +16,6 @@
 
 namespace cnrg {
 namespace {
-
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// What is in an array; `bits` are packed, `text` is a string each.
 struct ArrayType {
@@ -50,13 +43,15 @@ class VtkReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& text) const {
-    if (binary_) throw LeafFileError(path_, 0, 0, "byte " + std::to_string(cursor_.offset()) + ": " + text);
-    cursor_.fail(text);
-  }
-  [[noreturn]] void fail_at(int line, std::size_t byte, const std::string& text) const {
-    if (binary_) throw LeafFileError(path_, 0, 0, "byte " + std::to_string(byte) + ": " + text);
-    cursor_.fail_at(line, text);
+  [[noreturn]] void fail(const std::string& text) const { fail_at(here(), text); }
+  struct Place {
+    int line = 0;
+    std::size_t byte = 0;
+  };
+  Place here() const { return {cursor_.line(), cursor_.offset()}; }
+  [[noreturn]] void fail_at(const Place& at, const std::string& text) const {
+    if (binary_) throw LeafFileError(path_, 0, 0, "byte " + std::to_string(at.byte) + ": " + text);
+    cursor_.fail_at(at.line, text);
   }
 
   void read_header() {
@@ -181,25 +176,23 @@ class VtkReader {
       for (std::size_t i = 0; i < n; ++i) cursor_.coordinates(mesh, decimal_);
       return;
     }
-    const std::size_t begin = cursor_.offset();
+    const Place begin = here();
     const VtkNumbers found = numbers(3 * n, of.number);
     for (std::size_t i = 0; i < 3 * n; ++i) {
       mesh.xyz.push_back(found.whole ? static_cast<double>(found.integers[i]) : found.reals[i]);
       if (std::isfinite(mesh.xyz.back())) continue;
-      fail_at(0, begin,
-              "point " + std::to_string(i / 3) + " has a coordinate that is no finite number: correct it");
+      fail_at(begin, "point " + std::to_string(i / 3) + " has a coordinate that is no finite number: correct it");
     }
   }
 
   /// Where a list of cells stands, for what is wrong with them.
   struct Cells {
     VtkCells list;
-    int line = 0;
-    std::size_t byte = 0;
+    Place place;
   };
 
   Cells read_cells() {
-    Cells cells{{}, cursor_.line(), cursor_.offset()};
+    Cells cells{{}, here()};
     const std::size_t n = count("the number of cells"), size = count("the size of a list of cells");
     if (arrays_of_cells_) read_arrays(n, size, cells);
     else read_list(n, size, cells);
@@ -221,9 +214,8 @@ class VtkReader {
     const auto& offsets = cells.list.offsets;
     if (offsets.front() != 0 || offsets.back() != static_cast<std::int64_t>(size) ||
         !std::is_sorted(offsets.begin(), offsets.end())) {
-      fail_at(cells.line, cells.byte,
-              "the offsets of cells must rise from 0 to " + std::to_string(size) +
-                  ", the length of their connectivity: correct them");
+      fail_at(cells.place, "the offsets of cells must rise from 0 to " + std::to_string(size) +
+                               ", the length of their connectivity: correct them");
     }
   }
 
@@ -233,10 +225,9 @@ class VtkReader {
     std::size_t at = 0;
     for (std::size_t i = 0; i < n; ++i) {
       if (at == all.size() || all[at] < 0 || static_cast<std::uint64_t>(all[at]) > all.size() - at - 1) {
-        fail_at(cells.line, cells.byte,
-                "cell " + std::to_string(i) +
-                    " of a list is longer than the rest of it: correct "
-                    "its number of points, or the size of the list");
+        fail_at(cells.place, "cell " + std::to_string(i) +
+                                 " of a list is longer than the rest of it: correct "
+                                 "its number of points, or the size of the list");
       }
       const std::size_t end = at + 1 + std::size_t(all[at]);
       cells.list.connectivity.insert(cells.list.connectivity.end(), all.begin() + std::ptrdiff_t(at + 1),
@@ -245,9 +236,9 @@ class VtkReader {
       at = end;
     }
     if (at != all.size()) {
-      fail_at(cells.line, cells.byte,
-              "a list of " + std::to_string(n) + " cells has " + std::to_string(at) +
-                  " numbers, and its size is given as " + std::to_string(size) + ": correct the size");
+      fail_at(cells.place, "a list of " + std::to_string(n) + " cells has " + std::to_string(at) +
+                               " numbers, and its size is given as " + std::to_string(size) +
+                               ": correct the size");
     }
   }
 
@@ -265,8 +256,7 @@ class VtkReader {
     if (key == "cells") {
       cells_[0] = read_cells();
     } else if (key == "cell_types") {
-      types_line_ = cursor_.line();
-      types_byte_ = cursor_.offset();
+      types_place_ = here();
       types_ = numbers(count("the number of cells"), VtkType::int32).integers;
     } else {
       return false;
@@ -369,7 +359,7 @@ class VtkReader {
 
   MeshData collect() {
     const auto fail_in = [&](const Cells& cells) {
-      return [&](const std::string& text) { fail_at(cells.line, cells.byte, text); };
+      return [&](const std::string& text) { fail_at(cells.place, text); };
     };
     collector_.take_labels(std::move(labels_));
     if (!grid_) {
@@ -378,7 +368,7 @@ class VtkReader {
       return collector_.finish();
     }
     const VtkCells& cells = cells_[0].list;
-    const auto fail_types = [&](const std::string& text) { fail_at(types_line_, types_byte_, text); };
+    const auto fail_types = [&](const std::string& text) { fail_at(types_place_, text); };
     if (types_.size() != cells.size()) {
       fail_types("there are " + std::to_string(cells.size()) + " cells and " + std::to_string(types_.size()) +
                  " CELL_TYPES: correct the file");
@@ -399,8 +389,7 @@ class VtkReader {
   bool binary_ = false, grid_ = false, arrays_of_cells_ = false, has_points_ = false;
   std::array<Cells, 4> cells_;  ///< by kind; of a grid the first has all
   std::vector<std::int64_t> types_;
-  int types_line_ = 0;
-  std::size_t types_byte_ = 0;
+  Place types_place_;
   std::size_t components_ = 1;  ///< of the array that came last
   std::optional<VtkNumbers> labels_;
   VtkCollector collector_;

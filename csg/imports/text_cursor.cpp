@@ -2,6 +2,7 @@
 #include "csg/imports/text_cursor.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -140,6 +141,12 @@ void TextCursor::fail_at_end(const std::string& text) const {
 }
 
 void TextCursor::fail_at(int line, const std::string& text) const { throw LeafFileError(path_, line, 0, text); }
+
+std::string lower(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
 
 std::string in_quotes(std::string_view token) { return "'" + excerpt(token) + "'"; }
 

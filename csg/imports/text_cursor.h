@@ -57,6 +57,8 @@ class TextCursor {
   char comment_;
 };
 
+/// Its ASCII letters as small ones.
+std::string lower(std::string_view word);
 /// The token in quotes for messages, cut to a readable length.
 std::string in_quotes(std::string_view token);
 

@@ -9,6 +9,8 @@
 #include <new>
 #include <vector>
 
+#include "csg/imports/little_endian.h"
+
 namespace cnrg {
 namespace {
 
@@ -79,12 +81,7 @@ class Source {
 };
 
 std::uint64_t header_number(Source& source, const VtkCoding& coding) {
-  const std::string bytes = source.take(coding.header);
-  std::uint64_t number = 0;
-  for (std::size_t k = 0; k < bytes.size(); ++k) {
-    number = number << 8 | static_cast<unsigned char>(bytes[coding.big_endian ? k : bytes.size() - 1 - k]);
-  }
-  return number;
+  return number_of_bytes(source.take(coding.header), 0, coding.header, coding.big_endian);
 }
 
 void check_size(std::uint64_t blocks, std::uint64_t size, std::uint64_t last, std::size_t most) {

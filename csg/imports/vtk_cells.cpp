@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "csg/imports/little_endian.h"
+
 namespace cnrg {
 
 std::size_t size_of(VtkType type) {
@@ -12,31 +14,28 @@ std::size_t size_of(VtkType type) {
 
 bool is_whole(VtkType type) { return type != VtkType::float32 && type != VtkType::float64; }
 
+std::int64_t whole_number_at(std::string_view bytes, std::size_t at, VtkType type, bool big_endian) {
+  const bool with_sign = static_cast<std::size_t>(type) % 2 == 0;
+  const std::size_t unused = 64 - 8 * size_of(type);
+  const std::uint64_t bits = number_of_bytes(bytes, at, size_of(type), big_endian) << unused;
+  return with_sign ? static_cast<std::int64_t>(bits) >> unused : static_cast<std::int64_t>(bits >> unused);
+}
+
+double real_number_at(std::string_view bytes, std::size_t at, VtkType type, bool big_endian) {
+  const std::uint64_t bits = number_of_bytes(bytes, at, size_of(type), big_endian);
+  if (type == VtkType::float64) return std::bit_cast<double>(bits);
+  return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+}
+
 VtkNumbers numbers_of(std::string_view bytes, VtkType type, bool big_endian) {
   const std::size_t size = size_of(type), count = bytes.size() / size;
   VtkNumbers numbers;
   numbers.whole = is_whole(type);
   if (numbers.whole) numbers.integers.reserve(count);
   else numbers.reals.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < size; ++k) {
-      bits = bits << 8 | static_cast<unsigned char>(bytes[i * size + (big_endian ? k : size - 1 - k)]);
-    }
-    switch (type) {
-      case VtkType::int8: numbers.integers.push_back(static_cast<std::int8_t>(bits)); break;
-      case VtkType::int16: numbers.integers.push_back(static_cast<std::int16_t>(bits)); break;
-      case VtkType::int32: numbers.integers.push_back(static_cast<std::int32_t>(bits)); break;
-      case VtkType::uint8:
-      case VtkType::uint16:
-      case VtkType::uint32:
-      case VtkType::int64:
-      case VtkType::uint64: numbers.integers.push_back(static_cast<std::int64_t>(bits)); break;
-      case VtkType::float32:
-        numbers.reals.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-        break;
-      case VtkType::float64: numbers.reals.push_back(std::bit_cast<double>(bits)); break;
-    }
+  for (std::size_t at = 0; at < count * size; at += size) {
+    if (numbers.whole) numbers.integers.push_back(whole_number_at(bytes, at, type, big_endian));
+    else numbers.reals.push_back(real_number_at(bytes, at, type, big_endian));
   }
   return numbers;
 }

@@ -27,6 +27,9 @@ struct VtkNumbers {
     return whole ? VtkNumbers{true, {integers[i]}, {}} : VtkNumbers{false, {}, {reals[i]}};
   }
 };
+/// The number at a byte, of a whole or of another type; of 64 bits without sign as one with a sign.
+std::int64_t whole_number_at(std::string_view bytes, std::size_t at, VtkType type, bool big_endian);
+double real_number_at(std::string_view bytes, std::size_t at, VtkType type, bool big_endian);
 /// The numbers in as many bytes as they take.
 VtkNumbers numbers_of(std::string_view bytes, VtkType type, bool big_endian);
 
