@@ -5,23 +5,16 @@
 #include <limits>
 
 #include "kernel/base/hypotenuse.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg::welding {
 namespace {
 
 double square_distance_to_segment(const Vector& a, const Vector& b, const Vector& p) {
-  Vector along, to;
-  double length = 0, at = 0;
-  for (int k = 0; k < 3; ++k) {
-    along[k] = b[k] - a[k];
-    to[k] = p[k] - a[k];
-    length += along[k] * along[k];
-    at += along[k] * to[k];
-  }
-  const double t = length > 0 ? std::clamp(at / length, 0.0, 1.0) : 0;
-  double square = 0;
-  for (int k = 0; k < 3; ++k) square += (to[k] - t * along[k]) * (to[k] - t * along[k]);
-  return square;
+  const Vector along = minus(b, a), to = minus(p, a);
+  const double square = dot(along, along), t = square > 0 ? std::clamp(dot(along, to) / square, 0.0, 1.0) : 0;
+  const Vector off{to[0] - t * along[0], to[1] - t * along[1], to[2] - t * along[2]};
+  return dot(off, off);
 }
 
 /// The two coordinates that a projection along the largest component of the normal keeps.

@@ -21,10 +21,10 @@ double largest(const Vector& a) { return std::max({std::abs(a[0]), std::abs(a[1]
 /// Twice the area vector of a loop, seen from its first corner.
 Vector area_of(const std::vector<Vector>& near, const std::vector<Index>& loop) {
   Vector sum{0, 0, 0};
-  const auto side = [&](std::size_t i, int k) { return near[loop[i]][k] - near[loop[0]][k]; };
+  const auto side = [&](std::size_t i) { return minus(near[loop[i]], near[loop[0]]); };
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    for (int k = 0; k < 3; ++k)
-      sum[k] += side(i, (k + 1) % 3) * side(i + 1, (k + 2) % 3) - side(i, (k + 2) % 3) * side(i + 1, (k + 1) % 3);
+    const Vector part = cross(side(i), side(i + 1));
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += part[k];
   }
   return sum;
 }
@@ -140,7 +140,7 @@ class PlaneFinder {
     const Vector& from = near_[a.corners[0]];
     for (const Part* part : {&a, &b}) {
       for (const Index p : part->corners) {
-        const double at = dot(v, {near_[p][0] - from[0], near_[p][1] - from[1], near_[p][2] - from[2]}) / m;
+        const double at = dot(v, minus(near_[p], from)) / m;
         low = std::min(low, at);
         high = std::max(high, at);
       }
@@ -210,13 +210,7 @@ class PlaneFinder {
     });
   }
 
-  WeldModel::Loops loops_of(Index facet) const {
-    WeldModel::Loops loops = model_.facets[facet].loops;
-    for (auto& loop : loops) {
-      for (Index& p : loop) p = number_[p];
-    }
-    return loops;
-  }
+  WeldModel::Loops loops_of(Index facet) const { return numbered_loops(model_, facet, number_); }
 
   void join() {
     const std::vector<Part>& parts = found_.parts;
@@ -406,13 +400,10 @@ class PlaneFinder {
       return best;
     };
     const Vector& o = near_[c[0]];
-    const auto from = [&](const Vector& p) { return Vector{p[0] - o[0], p[1] - o[1], p[2] - o[2]}; };
-    const Index b = farthest([&](const Vector& p) { return dot(from(p), from(p)); });
-    const Vector along = from(near_[b]);
+    const Index b = farthest([&](const Vector& p) { return dot(minus(p, o), minus(p, o)); });
+    const Vector along = minus(near_[b], o);
     const Index e = farthest([&](const Vector& p) {
-      const Vector w = from(p);
-      const Vector x{w[1] * along[2] - w[2] * along[1], w[2] * along[0] - w[0] * along[2],
-                     w[0] * along[1] - w[1] * along[0]};
+      const Vector x = cross(minus(p, o), along);
       return dot(x, x);
     });
     RationalPoint n = cross(points_[b] - points_[c[0]], points_[e] - points_[c[0]]);
@@ -452,6 +443,14 @@ Box grown(const Box& box, double by) {
     result.hi[k] = std::nextafter(std::nextafter(box.hi[k], kInfinity) + by, kInfinity);
   }
   return result;
+}
+
+WeldModel::Loops numbered_loops(const WeldModel& model, Index facet, const std::vector<Index>& number) {
+  WeldModel::Loops loops = model.facets[facet].loops;
+  for (auto& loop : loops) {
+    for (Index& p : loop) p = number[p];
+  }
+  return loops;
 }
 
 double rounded_up(const Rational& d) { return std::nextafter(to_double(d), kInfinity); }

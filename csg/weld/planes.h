@@ -58,6 +58,8 @@ Planes find_planes(const WeldModel& model, const std::vector<Index>& number,
 
 /// A box with some length more on each side, rounded outward.
 Box grown(const Box& box, double by);
+/// The loops of a facet by numbers of different points.
+WeldModel::Loops numbered_loops(const WeldModel& model, Index facet, const std::vector<Index>& number);
 /// Not less than d.
 double rounded_up(const Rational& d);
 

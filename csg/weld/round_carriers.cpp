@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <ranges>
 #include <set>
 #include <tuple>
 
 #include "csg/geometry/circle.h"
-#include "csg/weld/planes.h"
+#include "csg/weld/near_sets.h"
 #include "kernel/base/sorted.h"
-#include "kernel/base/union_find.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/integers.h"
 #include "kernel/exact/trigonometry.h"
@@ -18,8 +19,6 @@
 
 namespace cnrg::welding {
 namespace {
-
-using Pair = std::array<Index, 2>;
 
 template <class Value>
 std::size_t digits(const Value& value) {
@@ -42,37 +41,6 @@ std::optional<RationalPoint> common_point(const AxisLine& a, const AxisLine& b) 
   return on_line(a, dot(cross(off, b.direction), normal) / dot(normal, normal));
 }
 
-/// The sets that different values, ascending, fall into, and near pairs that are in two.
-template <class Apart>
-UnionFind join(std::size_t count, const std::set<Pair>& near, const Rational& d, const Apart& apart,
-               std::vector<Pair>& left) {
-  std::vector<std::tuple<Rational, Index, Index>> links;
-  for (const auto& [a, b] : near) {
-    Rational by = apart(a, b);
-    if (by <= d) links.emplace_back(std::move(by), a, b);
-  }
-  std::sort(links.begin(), links.end());
-  UnionFind sets(count);
-  std::vector<std::vector<Index>> members(count);
-  for (Index i = 0; i < count; ++i) members[i] = {i};
-  for (const auto& [by, a, b] : links) {
-    std::vector<Index>&p = members[sets.find(a)], &q = members[sets.find(b)];
-    if (&p == &q) continue;
-    const bool fits = std::all_of(p.begin(), p.end(), [&](Index i) {
-      return std::all_of(q.begin(), q.end(), [&](Index j) { return apart(i, j) <= d; });
-    });
-    if (!fits) continue;
-    std::vector<Index> both = p;
-    both.insert(both.end(), q.begin(), q.end());
-    sets.unite(a, b);
-    members[sets.find(a)] = std::move(both);
-  }
-  for (const auto& [by, a, b] : links) {
-    if (sets.find(a) != sets.find(b)) left.push_back({a, b});
-  }
-  return sets;
-}
-
 /// Of each value the one that its set takes.
 template <class Value>
 std::vector<Value> agreed(const std::vector<Value>& values, UnionFind& sets) {
@@ -92,11 +60,6 @@ template <class Value>
 Index number_in(const std::vector<Value>& sorted, const Value& value) {
   return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
 }
-template <class Value>
-void make_set(std::vector<Value>& values) {
-  sort_unique(values);
-}
-
 class RoundWelder {
  public:
   RoundWelder(const std::vector<RoundPart>& parts, const Rational& d) : parts_(parts), d_(d) {}
@@ -164,7 +127,7 @@ class RoundWelder {
     for (const RoundPart& part : parts_) {
       if (!part.ball) axes_.push_back(part.axis);
     }
-    make_set(axes_);
+    sort_unique(axes_);
     lines_.resize(axes_.size());
     for (const RoundPart& part : parts_) {
       if (part.ball) continue;
@@ -176,20 +139,19 @@ class RoundWelder {
                         : std::array<Rational, 2>{std::min(line.ends[0], low), std::max(line.ends[1], high)};
       line.reach = std::max(line.reach, part.reach);
     }
-    std::set<Pair> near;
-    std::map<Pair, Pair> parts_of;
+    std::map<Pair, Pair> parts_of;  // that are near, by the numbers of their values
     for (const auto& [i, j] : near_) {
       if (parts_[i].ball || parts_[j].ball) continue;
       Pair pair{number_in(axes_, parts_[i].axis), number_in(axes_, parts_[j].axis)};
       if (pair[0] == pair[1]) continue;
       if (pair[0] > pair[1]) std::swap(pair[0], pair[1]);
       if (roughly_apart(lines_[pair[0]], lines_[pair[1]])) continue;
-      near.insert(pair);
       parts_of.try_emplace(pair, Pair{i, j});
     }
     std::vector<Pair> left;
     UnionFind sets = join(
-        axes_.size(), near, d_, [&](Index a, Index b) { return apart(lines_[a], lines_[b]); }, left);
+        axes_.size(), std::views::keys(parts_of), d_,
+        [&](Index a, Index b) { return apart(lines_[a], lines_[b]); }, left);
     for (const Pair& pair : left) result_.left.push_back(parts_of.at(pair));
     taken_axes_ = agreed(axes_, sets);
     for (Index i = 0; i < parts_.size(); ++i) {
@@ -200,8 +162,7 @@ class RoundWelder {
   /// Most pairs of axes are far apart, and doubles know it.
   bool roughly_apart(const Line& a, const Line& b) const {
     const auto p = to_doubles(a.line.direction), q = to_doubles(b.line.direction);
-    double pq = 0, pp = 0, qq = 0;
-    for (std::size_t k = 0; k < 3; ++k) pq += p[k] * q[k], pp += p[k] * p[k], qq += q[k] * q[k];
+    const double pq = dot(p, q), pp = dot(p, p), qq = dot(q, q);
     if (std::abs(pq) < 0.5 * std::sqrt(pp * qq)) return true;
     const auto at = to_doubles(on_line(a.line, a.ends[0])), foot = to_doubles(b.line.foot);
     double along = 0, square = 0, size = 0;
@@ -221,16 +182,14 @@ class RoundWelder {
     for (const RoundPart& part : parts_) {
       if (part.ball) values.push_back(part.center);
     }
-    make_set(values);
-    std::set<Pair> near;
-    std::map<Pair, Pair> parts_of;
+    sort_unique(values);
+    std::map<Pair, Pair> parts_of;                         // that are near, by the numbers of their values
     std::vector<std::set<AxisLine>> lines(values.size());  // near a centre
     for (const auto& [i, j] : near_) {
       if (parts_[i].ball && parts_[j].ball) {
         Pair pair{number_in(values, parts_[i].center), number_in(values, parts_[j].center)};
         if (pair[0] == pair[1]) continue;
         if (pair[0] > pair[1]) std::swap(pair[0], pair[1]);
-        near.insert(pair);
         parts_of.try_emplace(pair, Pair{i, j});
       } else if (parts_[i].ball != parts_[j].ball) {
         const RationalPoint& center = parts_[parts_[i].ball ? i : j].center;
@@ -240,7 +199,8 @@ class RoundWelder {
     }
     std::vector<Pair> left;
     UnionFind sets = join(
-        values.size(), near, d_, [&](Index a, Index b) { return distance_bound(values[a], values[b]); }, left);
+        values.size(), std::views::keys(parts_of), d_,
+        [&](Index a, Index b) { return distance_bound(values[a], values[b]); }, left);
     for (const Pair& pair : left) result_.left.push_back(parts_of.at(pair));
     std::vector<RationalPoint> taken = agreed(values, sets);
     std::map<Index, std::vector<Index>> members;
@@ -345,8 +305,8 @@ class RoundWelder {
       }
       std::vector<Rational> values;
       for (const auto& [x, its] : owners) values.push_back(x);
-      std::set<Pair> near;
-      for (Index k = 1; k < values.size(); ++k) near.insert({k - 1, k});
+      std::vector<Pair> near;
+      for (Index k = 1; k < values.size(); ++k) near.push_back({k - 1, k});
       std::vector<Pair> left;
       UnionFind sets = join(
           values.size(), near, d_, [&](Index a, Index b) { return Rational(abs(values[a] - values[b])); }, left);

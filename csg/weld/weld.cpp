@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
-#include <tuple>
 
+#include "csg/text/table.h"
 #include "csg/weld/inside.h"
+#include "csg/weld/near_sets.h"
 #include "csg/weld/order.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
-#include "kernel/base/union_find.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
 
@@ -84,10 +83,8 @@ class Welder {
   /// Different points in lexicographic order, with numbers of theirs.
   void number_points() {
     const std::size_t count = model_.points.size();
-    std::vector<Vector> near(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) near[i][k] = to_double(model_.points[i][k]);
-    }
+    std::vector<Vector> near;
+    for (const RationalPoint& p : model_.points) near.push_back(to_doubles(p));
     std::vector<Index> order(count);
     std::iota(order.begin(), order.end(), Index{0});
     // Rounding keeps the order of numbers, so doubles decide unless they are equal.
@@ -114,45 +111,25 @@ class Welder {
     std::vector<Box> boxes(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) boxes[i].extend(near_[i], near_[i]);
     const BoxTree tree(boxes);
-    std::vector<std::tuple<Rational, Index, Index>> pairs;
+    std::vector<Pair> near, left;
     for (Index a = 0; a < points_.size(); ++a) {
       const Box around = grown(boxes[a], d_up_);
       tree.query([&](const Box& box) { return box.meets(around); },
                  [&](Index b) {
-                   if (b <= a) return;
-                   Rational apart = square_distance(points_[a], points_[b]);
-                   if (apart <= square_) pairs.emplace_back(std::move(apart), a, b);
+                   if (b > a) near.push_back({a, b});
                  });
     }
-    std::sort(pairs.begin(), pairs.end());
-    UnionFind sets(points_.size());
-    std::vector<std::vector<Index>> members(points_.size());
-    for (Index i = 0; i < points_.size(); ++i) members[i] = {i};
-    for (const auto& [apart, a, b] : pairs) {
-      const Index i = sets.find(a), j = sets.find(b);
-      if (i == j) continue;
-      const bool all_near = std::all_of(members[i].begin(), members[i].end(), [&](Index p) {
-        return std::all_of(members[j].begin(), members[j].end(),
-                           [&](Index q) { return square_distance(points_[p], points_[q]) <= square_; });
-      });
-      if (!all_near) continue;
-      sets.unite(i, j);
-      std::vector<Index>& all = members[std::min(i, j)];
-      std::vector<Index>& other = members[std::max(i, j)];
-      all.insert(all.end(), other.begin(), other.end());
-      other.clear();
-    }
-    for (const auto& [apart, a, b] : pairs) {
-      if (sets.find(a) == sets.find(b)) continue;
-      if (result_.left++ == 0)
-        result_.example = "the points " + describe(points_[a]) + " and " + describe(points_[b]);
-    }
+    const auto apart = [&](Index a, Index b) { return square_distance(points_[a], points_[b]); };
+    UnionFind sets = join(points_.size(), near, square_, apart, left);
+    result_.left = left.size();
+    if (!left.empty())
+      result_.example = "the points " + describe(points_[left[0][0]]) + " and " + describe(points_[left[0][1]]);
     spot_of_.resize(points_.size());
     for (Index i = 0; i < points_.size(); ++i) {
-      if (sets.find(i) != i) continue;
-      std::sort(members[i].begin(), members[i].end());
-      for (const Index p : members[i]) spot_of_[p] = static_cast<Index>(spots_.size());
-      spots_.push_back(std::move(members[i]));
+      const Index first = sets.find(i);
+      if (first == i) spots_.emplace_back();
+      spot_of_[i] = first == i ? static_cast<Index>(spots_.size() - 1) : spot_of_[first];
+      spots_[spot_of_[i]].push_back(i);
     }
   }
 
@@ -210,25 +187,18 @@ class Welder {
     const Rational off = dot(plane.normal, points_[p]) - plane.offset;
     if (off * off > square_ * dot(plane.normal, plane.normal)) return;
     for (const Index facet : planes_.parts[part].facets) {
-      if (!is_in(loops_of(facet), near_, planes_.parts[part].area, near_[p], d_up_)) continue;
+      if (!is_in(numbered_loops(model_, facet, number_), near_, planes_.parts[part].area, near_[p], d_up_))
+        continue;
       foreign_[spot].push_back(carrier);
       return;
     }
-  }
-
-  WeldModel::Loops loops_of(Index facet) const {
-    WeldModel::Loops loops = model_.facets[facet].loops;
-    for (auto& loop : loops) {
-      for (Index& p : loop) p = number_[p];
-    }
-    return loops;
   }
 
   /// What is near to something, and all that hangs on it by incidences. All else stays.
   void find_active() {
     const std::size_t spots = spots_.size();
     UnionFind sets(spots + planes_.carriers.size());
-    const auto matters = [&](Index c) { return planes_.carriers[c].parts.size() > 1 || points_on(c) > 3; };
+    const auto matters = [&](Index c) { return planes_.carriers[c].parts.size() > 1 || points_on_[c] > 3; };
     points_on_.assign(planes_.carriers.size(), 0);
     for (const auto& on : on_) {
       for (const Index c : on) ++points_on_[c];
@@ -265,7 +235,6 @@ class Welder {
       carrier_active_.push_back(matters(c) && active[set] && on_planes[set]);
     }
   }
-  std::size_t points_on(Index carrier) const { return points_on_[carrier]; }
 
   // --- places
 
@@ -375,14 +344,9 @@ void refuse_weld(const std::string& subject, const LeafWords& what, const Ration
 Weld weld(const WeldModel& model, const Rational& d) { return welding::Welder(model, d).run(); }
 
 LeafWords Weld::notice(const Rational& d) const {
-  const auto counted = [](std::size_t n, const char* one, const char* many) {
-    return std::to_string(n) + " " + (n == 1 ? one : many);
-  };
   std::string words;
   if (changed()) {
-    char farthest_text[32];
-    std::snprintf(farthest_text, sizeof farthest_text, "%.3g", farthest);
-    words = "moved " + counted(moved, "point", "points") + ", by " + farthest_text + " at most";
+    words = "moved " + counted(moved, "point", "points") + ", by " + decimal(farthest, "%.3g") + " at most";
     const std::string planes = "; " + counted(joined_planes, "plane", "planes");
     if (!only_planes)
       words += planes + " and " + counted(joined_points, "point", "points") + " joined with others";

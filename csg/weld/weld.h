@@ -59,7 +59,6 @@ struct WeldModel {
   std::vector<Facet> facets;
   std::vector<Face> faces;
   std::vector<Solid> solids;
-  std::vector<std::array<Index, 2>> wires;
   bool only_planes = false;  ///< the key is `fit`, not `weld`
   // For messages.
   std::string subject;  ///< before all else: `mesh: 'part.off': `

@@ -151,13 +151,9 @@ class LeafWelder {
     if (const LeafAxes* const axes = from.own_axes(LeafId(0))) soup.set_own_axes(leaf, *axes);
     std::map<RationalPoint, PointId> ids;
     const auto id = [&](const RationalPoint& p) {
-      const auto it = ids.find(p);
-      if (it != ids.end()) return it->second;
-      const bool doubles = std::all_of(p.begin(), p.end(), [](const Rational& x) { return is_double(x); });
-      const PointId made =
-          doubles ? soup.add_point(to_double(p[0]), to_double(p[1]), to_double(p[2])) : soup.add_point(p);
-      ids.emplace(p, made);
-      return made;
+      const auto [it, fresh] = ids.try_emplace(p);
+      if (fresh) it->second = soup.add_point(p);
+      return it->second;
     };
     std::vector<Index> sources;
     for (SourceId f : IdRange<SourceId>(from.face_count())) {

@@ -2,12 +2,12 @@
 #include "csg/weld/weld_surfaces.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <set>
 
 #include "csg/carriers/bands.h"
 #include "csg/geometry/circle.h"
 #include "csg/leaves/prepare_shapes.h"
+#include "csg/text/table.h"
 #include "csg/weld/planes.h"
 #include "csg/weld/round_carriers.h"
 #include "kernel/exact/exact_vectors.h"
@@ -315,16 +315,14 @@ class SurfaceWelder {
     std::string words;
     LeafWords example;
     if (moved > 0) {
-      char text[32];
-      std::snprintf(text, sizeof text, "%.3g", std::min(welding::rounded_up(farthest), to_double(d_)));
-      words = "round surfaces of " + std::to_string(moved) + (moved == 1 ? " leaf" : " leaves") +
-              " joined with others, moved by " + text + " at most";
+      words = "round surfaces of " + counted(moved, "leaf", "leaves") + " joined with others, moved by " +
+              decimal(std::min(welding::rounded_up(farthest), to_double(d_)), "%.3g") + " at most";
     }
     if (!left.empty()) {
       const auto name = [&](Index k) { return LeafWords(LeafPlace{of_[k].instance}); };
       const auto& [a, b] = left[0];
-      words += (words.empty() ? "" : "; ") + std::to_string(left.size()) +
-               (left.size() == 1 ? " pair of round surfaces is" : " pairs of round surfaces are") +
+      words += (words.empty() ? "" : "; ") +
+               counted(left.size(), "pair of round surfaces is", "pairs of round surfaces are") +
                " near but not joined, since all that is joined has to lie within the length, such as ";
       example = a == b ? name(a) : name(a) + " and " + name(b);
     }
