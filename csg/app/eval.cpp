@@ -218,7 +218,7 @@ int run_eval(const EvalArguments& arguments) {
     } else {
       check_file_name(path, " .svg .png .pdf .yaml");
     }
-    if (arguments.binary) check_binary_file_name(path);
+    if (arguments.binary) check_binary(path);
     if (arguments.one_group) check_one_group_file_name(path);
   }
   PictureRequest picture = picture_request(arguments.picture);

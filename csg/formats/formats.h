@@ -34,16 +34,10 @@ FileText glb_text(const ResultView& view);
 FileText step_text(const ResultView& view);
 FileText brep_text(const ResultView& view);
 
-// What meshers read: the surface mesh of a result, or with a Mesh what it holds.
-FileText msh_text(const ResultView& view);
-FileText msh2_text(const ResultView& view);
-FileText medit_text(const ResultView& view);
 FileText smesh_text(const ResultView& view);
 FileText poly_text(const ResultView& view);
-FileText abaqus_text(const ResultView& view);
-FileText nastran_text(const ResultView& view);
-FileText h5m_bytes(const ResultView& view);
-FileText med_bytes(const ResultView& view);
+
+// What meshers read.
 std::string msh_text(const Mesh& mesh);
 std::string msh2_text(const Mesh& mesh);
 std::string medit_text(const Mesh& mesh);
@@ -55,5 +49,7 @@ std::string med_bytes(const Mesh& mesh);
 /// Throws InputError for a mesh without such simplices.
 std::string xdmf_text(const std::string& path, const Mesh& mesh);
 std::string vtu_text(const ResultView& view, const Mesh& mesh);
+/// The surface mesh of a result as `text` makes it; `format` is for messages.
+FileText surface_text(const ResultView& view, const std::string& format, std::string (*text)(const Mesh&));
 
 }  // namespace cnrg

@@ -2,6 +2,7 @@
 // A .json is read back as a tree would read it: as a leaf, alone in a complex of its own.
 #include "csg/formats/result_file.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -65,9 +66,8 @@ std::string known_mesh_formats(bool MeshFormat::*can = nullptr) {
 
 const MeshFormat& mesh_format_of(const std::string& path, const std::string& others = {}) {
   const std::string extension = extension_of(path);
-  for (const MeshFormat& format : kMeshFormats) {
-    if (format.extension == extension) return format;
-  }
+  const auto format = std::ranges::find(kMeshFormats, extension, &MeshFormat::extension);
+  if (format != kMeshFormats.end()) return *format;
   const bool surface = extension == ".smesh" || extension == ".poly";
   throw InputError(path +
                    (surface ? ": this format holds faces and no tetrahedra; `cnrg eval -o` writes it"
@@ -78,8 +78,7 @@ const MeshFormat& mesh_format_of(const std::string& path, const std::string& oth
 /// Before the work.
 void require_plugin_of(const std::string& path) {
   const std::string extension = extension_of(path);
-  if (extension == ".step" || extension == ".stp" || extension == ".brep")
-    require_plugin(kCadPlugin, path, "write .msh or .json");
+  if (is_cad_file(path)) require_plugin(kCadPlugin, path, "write .msh or .json");
   if (extension == ".h5m" || extension == ".med") require_plugin(kHdf5Plugin, path, "write .msh or .vtu");
 }
 
@@ -102,8 +101,6 @@ bool is_exact(const std::string& path) {
   const std::string extension = extension_of(path);
   return extension == ".json" || extension == ".dot";
 }
-
-void check_binary_file_name(const std::string& path) { check_binary(path); }
 
 void check_one_group_file_name(const std::string& path) {
   if (extension_of(path) == ".msh") return;

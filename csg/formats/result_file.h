@@ -19,9 +19,6 @@ bool shows_dag(const std::string& path);
 /// True for the formats that hold no doubles, so that they do not need snapping: .json and both kinds of .dot.
 bool is_exact(const std::string& path);
 
-/// Throws InputError if the format of `path` has no binary form to ask for: .stl and .ply have.
-void check_binary_file_name(const std::string& path);
-
 /// Throws InputError unless `path` is a .msh, where FileOptions::one_group changes something.
 void check_one_group_file_name(const std::string& path);
 

@@ -21,20 +21,11 @@ std::pair<Mesh, RoundingReport> rounded_mesh(const ResultView& view, const std::
   return {surface_mesh(view, flat, points), std::move(rounding)};
 }
 
-/// A surface mesh as the text of a format.
+}  // namespace
+
 FileText surface_text(const ResultView& view, const std::string& format, std::string (*text)(const Mesh&)) {
   auto [mesh, rounding] = rounded_mesh(view, format);
   return {text(mesh), std::move(rounding)};
 }
-
-}  // namespace
-
-FileText msh_text(const ResultView& view) { return surface_text(view, "MSH", msh_text); }
-FileText msh2_text(const ResultView& view) { return surface_text(view, "MSH", msh2_text); }
-FileText medit_text(const ResultView& view) { return surface_text(view, "MESH", medit_text); }
-FileText abaqus_text(const ResultView& view) { return surface_text(view, "INP", abaqus_text); }
-FileText nastran_text(const ResultView& view) { return surface_text(view, "BDF", nastran_text); }
-FileText h5m_bytes(const ResultView& view) { return surface_text(view, "H5M", h5m_bytes); }
-FileText med_bytes(const ResultView& view) { return surface_text(view, "MED", med_bytes); }
 
 }  // namespace cnrg

@@ -22,45 +22,50 @@ struct Format {
   FileText (*make_binary)(const ResultView&) = nullptr;  ///< on request
 };
 
-constexpr std::array<Format, 20> kFormats{{{".json", json_text},
-                                           {".vtu", vtu_text},
-                                           {".msh", msh_text},
-                                           {".msh2", msh2_text},
-                                           {".mesh", medit_text},
-                                           {".smesh", smesh_text},
-                                           {".poly", poly_text},
-                                           {".inp", abaqus_text},
-                                           {".bdf", nastran_text},
-                                           {".h5m", h5m_bytes},
-                                           {".med", med_bytes},
-                                           {".obj", obj_text},
-                                           {".off", off_text},
-                                           {".stl", stl_text, stl_bytes},
-                                           {".ply", ply_text, ply_bytes},
-                                           {".3mf", three_mf_text},
-                                           {".glb", glb_text},
-                                           {".step", step_text},
-                                           {".stp", step_text},
-                                           {".brep", brep_text}}};
+constexpr std::array<Format, 20> kFormats{
+    {{".json", json_text},
+     {".vtu", vtu_text},
+     {".msh", [](const ResultView& view) { return surface_text(view, "MSH", msh_text); }},
+     {".msh2", [](const ResultView& view) { return surface_text(view, "MSH", msh2_text); }},
+     {".mesh", [](const ResultView& view) { return surface_text(view, "MESH", medit_text); }},
+     {".smesh", smesh_text},
+     {".poly", poly_text},
+     {".inp", [](const ResultView& view) { return surface_text(view, "INP", abaqus_text); }},
+     {".bdf", [](const ResultView& view) { return surface_text(view, "BDF", nastran_text); }},
+     {".h5m", [](const ResultView& view) { return surface_text(view, "H5M", h5m_bytes); }},
+     {".med", [](const ResultView& view) { return surface_text(view, "MED", med_bytes); }},
+     {".obj", obj_text},
+     {".off", off_text},
+     {".stl", stl_text, stl_bytes},
+     {".ply", ply_text, ply_bytes},
+     {".3mf", three_mf_text},
+     {".glb", glb_text},
+     {".step", step_text},
+     {".stp", step_text},
+     {".brep", brep_text}}};
+
+/// Each with a space before it.
+std::string listed_extensions(bool with_binary_form) {
+  std::string known;
+  for (const Format& format : kFormats) {
+    if (!with_binary_form || format.make_binary != nullptr) known += " " + std::string(format.extension);
+  }
+  return known;
+}
 
 const Format& format_of(const std::string& path) {
   const std::string extension = extension_of(path);
-  std::string known;
-  for (const Format& format : kFormats) {
-    if (format.extension == extension) return format;
-    if (!known.empty()) known += ' ';
-    known += format.extension;
-  }
-  throw InputError(path + ": no writer for the extension `" + extension + "`; use one of " + known);
+  const auto format = std::ranges::find(kFormats, extension, &Format::extension);
+  if (format != kFormats.end()) return *format;
+  throw InputError(path + ": no writer for the extension `" + extension + "`; use one of" +
+                   listed_extensions(false));
 }
 
 }  // namespace
 
 bool is_cad_file(const std::string& path) {
-  const std::string extension = extension_of(path);
-  return std::ranges::any_of(kFormats, [&](const Format& format) {
-    return format.extension == extension && (format.make == step_text || format.make == brep_text);
-  });
+  const auto format = std::ranges::find(kFormats, extension_of(path), &Format::extension);
+  return format != kFormats.end() && (format->make == step_text || format->make == brep_text);
 }
 
 bool shows_surfaces(const std::string& path) { return is_cad_file(path) || format_of(path).make == glb_text; }
@@ -68,14 +73,10 @@ bool shows_surfaces(const std::string& path) { return is_cad_file(path) || forma
 void check_extension(const std::string& path) { format_of(path); }
 
 void check_binary(const std::string& path) {
-  const std::string extension = extension_of(path);
-  std::string known;
-  for (const Format& format : kFormats) {
-    if (format.make_binary == nullptr) continue;
-    if (format.extension == extension) return;
-    known += " " + std::string(format.extension);
-  }
-  throw InputError(path + ": this format has one form only; leave out --binary, which is for" + known);
+  const auto format = std::ranges::find(kFormats, extension_of(path), &Format::extension);
+  if (format != kFormats.end() && format->make_binary != nullptr) return;
+  throw InputError(path + ": this format has one form only; leave out --binary, which is for" +
+                   listed_extensions(true));
 }
 
 FileText json_text(const ResultView& view) { return {result_json(view), {}}; }

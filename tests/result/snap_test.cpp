@@ -129,7 +129,7 @@ TEST_CASE("snap: what rounding leaves as it is stays the exact result", "[snap]"
   const SnappedResult snapped(c.view(), false);
   CHECK(snapped.report().rounds == 0);
   CHECK(snapped.shown(c.view()).complex == c.complex.get());
-  CHECK(msh_text(snapped.shown(c.view())).text == msh_text(c.view()).text);
+  CHECK(file_text("m.msh", snapped.shown(c.view())).text == file_text("m.msh", c.view()).text);
 }
 
 TEST_CASE("snap: a gap thinner than doubles closes to a wall", "[snap]") {
@@ -294,11 +294,11 @@ TEST_CASE("snap: crossing sheets, wires and points keep what they came from", "[
   }
   CHECK(wires == 4);
   CHECK(free == 2);
-  CHECK_NOTHROW(msh_text(view));
+  CHECK_NOTHROW(file_text("m.msh", view));
   CHECK_NOTHROW(vtu_text(view));
   CHECK_NOTHROW(smesh_text(view));
   CHECK_NOTHROW(poly_text(view));
-  CHECK_NOTHROW(medit_text(view));
+  CHECK_NOTHROW(file_text("m.mesh", view));
 }
 
 TEST_CASE("a drawing is broken though it has as many cells as it should", "[snap]") {
