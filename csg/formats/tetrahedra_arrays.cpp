@@ -48,55 +48,44 @@ void fill(const Result& result, const Mesh& mesh, SaidTableMaker& said, MeshArra
 
 }  // namespace
 
-struct TetrahedralResult::Data {
-  Result result;
-  TetrahedralMesh made;
-};
-
 TetrahedralResult::TetrahedralResult(const Result& result, const TetrahedraOptions& options)
-    : data_(std::make_shared<const Data>(Data{result, tetrahedra(result, options)})) {}
+    : result_(result), made_(std::make_shared<const TetrahedralMesh>(tetrahedra(result, options))) {}
 
-const std::string& TetrahedralResult::notice() const { return data_->made.notice; }
-double TetrahedralResult::expected() const { return data_->made.expected; }
+const std::string& TetrahedralResult::notice() const { return made_->notice; }
+double TetrahedralResult::expected() const { return made_->expected; }
 
 TetrahedraArrays TetrahedralResult::arrays() const {
   TetrahedraArrays out;
   SaidTableMaker said;
-  fill(data_->result, data_->made.mesh, said, out);
-  out.said = said.table(data_->result.data().view());
-  out.regions = data_->made.regions;
-  out.rounding = data_->made.rounding;
-  for (const Mesh::Field& field : data_->made.mesh.fields) out.fields.emplace_back(field.name, field.values);
+  fill(result_, made_->mesh, said, out);
+  out.said = said.table(result_.data().view());
+  out.regions = made_->regions;
+  out.rounding = made_->rounding;
+  for (const Mesh::Field& field : made_->mesh.fields) out.fields.emplace_back(field.name, field.values);
   return out;
 }
 
 void TetrahedralResult::write(const std::string& path, const std::stop_token& stop) const {
-  cnrg::write(path, data_->result, data_->made.mesh, stop);
+  cnrg::write(path, result_, made_->mesh, stop);
 }
 
-struct SurfaceMeshResult::Data {
-  Result result;
-  SurfaceTriangles made;
-};
-
 SurfaceMeshResult::SurfaceMeshResult(const Result& result, const SurfaceOptions& options)
-    : data_(std::make_shared<const Data>(Data{result, surface_triangles(result, options)})) {}
+    : result_(result), made_(std::make_shared<const SurfaceTriangles>(surface_triangles(result, options))) {}
 
-std::size_t SurfaceMeshResult::kept() const { return data_->made.kept; }
+std::size_t SurfaceMeshResult::kept() const { return made_->kept; }
 
 SurfaceArrays SurfaceMeshResult::arrays() const {
-  const SurfaceTriangles& made = data_->made;
   SurfaceArrays out;
   SaidTableMaker said;
-  fill(data_->result, made.mesh, said, out);
-  out.said = said.table(data_->result.data().view());
-  out.faces = made.groups;
-  out.rounding = made.rounding;
+  fill(result_, made_->mesh, said, out);
+  out.said = said.table(result_.data().view());
+  out.faces = made_->groups;
+  out.rounding = made_->rounding;
   return out;
 }
 
 void SurfaceMeshResult::write(const std::string& path, const std::stop_token& stop) const {
-  cnrg::write(path, data_->result, data_->made.mesh, stop);
+  cnrg::write(path, result_, made_->mesh, stop);
 }
 
 }  // namespace cnrg

@@ -16,6 +16,9 @@
 
 namespace cnrg {
 
+struct SurfaceTriangles;
+struct TetrahedralMesh;
+
 /// Of a mesh of any kind.
 struct MeshArrays {
   using Numbers = std::vector<std::int32_t>;
@@ -68,8 +71,8 @@ class TetrahedralResult {
   void write(const std::string& path, const std::stop_token& stop = {}) const;
 
  private:
-  struct Data;
-  std::shared_ptr<const Data> data_;
+  Result result_;
+  std::shared_ptr<const TetrahedralMesh> made_;
 };
 
 struct SurfaceArrays : MeshArrays {
@@ -89,8 +92,8 @@ class SurfaceMeshResult {
   void write(const std::string& path, const std::stop_token& stop = {}) const;
 
  private:
-  struct Data;
-  std::shared_ptr<const Data> data_;
+  Result result_;
+  std::shared_ptr<const SurfaceTriangles> made_;
 };
 
 }  // namespace cnrg
