@@ -2,9 +2,9 @@
 #include "csg/imports/read_grades.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
+#include "csg/materials/sampler.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg::result {
@@ -92,29 +92,17 @@ Grade read_grade(const Cursor& one, const std::string& own, const SeeMaterial& m
 
 /// Every nested grade is named by the outer one, or by one that is; and none by itself, nor by those inside of it.
 void check_nested(const PlacedGrade& placed, const Cursor& list) {
-  std::map<std::string, std::size_t> named;  // by those that have not been reached
-  const auto each_in = [&](const Grade& grade, auto see) {
-    for (const Grade::Stop& stop : grade.stops) {
-      for (const auto& part : stop.mixture) {
-        if (placed.nested.contains(part.first)) see(part.first);
-      }
-    }
-  };
-  for (const auto& [name, grade] : placed.nested) each_in(grade, [&](const std::string& n) { ++named[n]; });
   std::set<std::string> wanted;
-  each_in(placed.grade, [&](const std::string& n) { wanted.insert(n); });
-  std::vector<std::string> free;
-  for (const auto& [name, grade] : placed.nested) {
-    if (!named.contains(name)) free.push_back(name);
+  const auto want = [&](const Grade& grade) {
+    for_each_nested(placed, grade, [&](const std::string& name) { wanted.insert(name); });
+  };
+  want(placed.grade);
+  const std::vector<const std::string*> names = nested_in_order(placed);
+  for (const std::string* name : names) {
+    if (!wanted.contains(*name)) list.refuse("no stop names `" + *name + "`");
+    want(placed.nested.at(*name));
   }
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    if (!wanted.contains(free[i])) list.refuse("no stop names `" + free[i] + "`");
-    each_in(placed.nested.at(free[i]), [&](const std::string& n) {
-      wanted.insert(n);
-      if (--named[n] == 0) free.push_back(n);
-    });
-  }
-  if (free.size() != placed.nested.size()) list.refuse("a graded material is made of itself");
+  if (names.size() != placed.nested.size()) list.refuse("a graded material is made of itself");
 }
 
 void read_nested(const Cursor& list, const SeeMaterial& material, PlacedGrade& placed) {

@@ -82,31 +82,23 @@ class StopSampler {
   std::unique_ptr<DistanceTo> distance_;
 };
 
-/// The nested grades of a placed one, each after all that name it.
-std::vector<const std::string*> in_order(const PlacedGrade& placed) {
+}  // namespace
+
+std::vector<const std::string*> nested_in_order(const PlacedGrade& placed) {
   std::map<std::string, std::size_t> named;  // how often by those that have not come yet
-  const auto count = [&](const Grade& grade, auto change) {
-    for (const Grade::Stop& stop : grade.stops) {
-      for (const auto& part : stop.mixture) {
-        if (placed.nested.contains(part.first)) change(part.first);
-      }
-    }
-  };
-  for (const auto& [name, grade] : placed.nested) count(grade, [&](const std::string& n) { ++named[n]; });
+  for (const auto& [name, grade] : placed.nested)
+    for_each_nested(placed, grade, [&](const std::string& n) { ++named[n]; });
   std::vector<const std::string*> out;
   for (const auto& [name, grade] : placed.nested) {
     if (!named.contains(name)) out.push_back(&name);
   }
   for (std::size_t i = 0; i < out.size(); ++i) {
-    count(placed.nested.at(*out[i]), [&](const std::string& n) {
+    for_each_nested(placed, placed.nested.at(*out[i]), [&](const std::string& n) {
       if (--named[n] == 0) out.push_back(&placed.nested.find(n)->first);
     });
   }
-  require(out.size() == placed.nested.size(), "a graded material is made of itself");
   return out;
 }
-
-}  // namespace
 
 class MaterialSampler::Impl {
  public:
@@ -122,7 +114,9 @@ class MaterialSampler::Impl {
       return;
     }
     grades_.emplace_back(material.name(), placed->grade);
-    for (const std::string* name : in_order(*placed)) grades_.emplace_back(*name, placed->nested.at(*name));
+    const std::vector<const std::string*> nested = nested_in_order(*placed);
+    require(nested.size() == placed->nested.size(), "a graded material is made of itself");
+    for (const std::string* name : nested) grades_.emplace_back(*name, placed->nested.at(*name));
   }
 
   Mixture at(const RationalPoint& world) const {

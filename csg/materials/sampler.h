@@ -27,6 +27,18 @@ class MaterialSampler {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Calls see(name) for each part of mixtures of a grade that is a nested grade of `placed`.
+template <class See>
+void for_each_nested(const PlacedGrade& placed, const Grade& grade, const See& see) {
+  for (const Grade::Stop& stop : grade.stops) {
+    for (const auto& part : stop.mixture) {
+      if (placed.nested.contains(part.first)) see(part.first);
+    }
+  }
+}
+/// The nested grades, each after all nested ones that name it; without those that are made of themselves.
+std::vector<const std::string*> nested_in_order(const PlacedGrade& placed);
+
 /// `steel 3/4, ceramic 1/4`, for people: largest fraction first; one material alone has no number, and long
 /// fractions are decimals.
 std::string to_text(const Mixture& mixture);
