@@ -337,20 +337,19 @@ BezierPatch coons_patch(const std::array<BezierCurve, 4>& round) {
   const std::size_t q = std::max({c1.degree() + w3.size() - 1, c3.degree() + w1.size() - 1, b.size()});
   BezierPatch patch;
   patch.net.assign(q + 1, ControlRow(p + 1, Homogeneous{0, 0, 0, 0}));
+  const auto as_row = [](const Polynomial& numbers) {
+    ControlRow row;
+    for (const Rational& x : numbers) row.push_back({x, 0, 0, 0});
+    return row;
+  };
   const auto add = [&](const ControlRow& in_u, const Polynomial& in_v) {  // a row in u times a number in v
-    const ControlRow row = elevated(in_u, p);
-    ControlRow factor;
-    for (const Rational& x : in_v) factor.push_back({x, 0, 0, 0});
-    factor = elevated(factor, q);
+    const ControlRow row = elevated(in_u, p), factor = elevated(as_row(in_v), q);
     for (std::size_t j = 0; j <= q; ++j) {
       for (std::size_t i = 0; i <= p; ++i) patch.net[j][i] = patch.net[j][i] + factor[j][0] * row[i];
     }
   };
   const auto add_in_v = [&](const Polynomial& in_u, const ControlRow& in_v) {
-    const ControlRow column = elevated(in_v, q);
-    ControlRow factor;
-    for (const Rational& x : in_u) factor.push_back({x, 0, 0, 0});
-    factor = elevated(factor, p);
+    const ControlRow column = elevated(in_v, q), factor = elevated(as_row(in_u), p);
     for (std::size_t j = 0; j <= q; ++j) {
       for (std::size_t i = 0; i <= p; ++i) patch.net[j][i] = patch.net[j][i] + factor[i][0] * column[j];
     }

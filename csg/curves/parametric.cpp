@@ -249,20 +249,18 @@ std::shared_ptr<const NetForm> net_form(const BezierShape& shape) {
   if (shape.patches.empty() && shape.curves.empty())
     throw InputError(prefix + "it has no patches or curves: give one");
   auto form = std::make_shared<NetForm>(name, shape.tessellation, shape.fill);
-  for (std::size_t i = 0; i < shape.patches.size(); ++i) {
-    NetForm::Patch& patch = form->patches.emplace_back();
-    patch.name = name_of("patch", i, shape.patches.size());
-    std::vector<BezierPatch> pieces = patch_pieces(shape.patches[i], prefix + patch.name);
-    const std::vector<std::array<Span, 2>> spans = patch_spans(shape.patches[i]);
-    for (std::size_t k = 0; k < pieces.size(); ++k) patch.pieces.push_back({std::move(pieces[k]), spans[k]});
-  }
-  for (std::size_t i = 0; i < shape.curves.size(); ++i) {
-    NetForm::Curve& curve = form->curves.emplace_back();
-    curve.name = name_of("curve", i, shape.curves.size());
-    std::vector<BezierCurve> pieces = curve_pieces(shape.curves[i], prefix + curve.name);
-    const std::vector<Span> spans = curve_spans(shape.curves[i]);
-    for (std::size_t k = 0; k < pieces.size(); ++k) curve.pieces.push_back({std::move(pieces[k]), spans[k]});
-  }
+  const auto take = [&](const char* word, const auto& nets, const auto& pieces_of, const auto& spans_of,
+                        auto& out) {
+    for (std::size_t i = 0; i < nets.size(); ++i) {
+      auto& to = out.emplace_back();
+      to.name = name_of(word, i, nets.size());
+      auto pieces = pieces_of(nets[i], prefix + to.name);
+      const auto spans = spans_of(nets[i]);
+      for (std::size_t k = 0; k < pieces.size(); ++k) to.pieces.push_back({std::move(pieces[k]), spans[k]});
+    }
+  };
+  take("patch", shape.patches, patch_pieces, patch_spans, form->patches);
+  take("curve", shape.curves, curve_pieces, curve_spans, form->curves);
   return form;
 }
 

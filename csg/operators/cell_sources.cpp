@@ -83,19 +83,6 @@ LeafSetId ValueSources::said_set(VertexId v) const {
   return end ? LeafSetId::none() : set;
 }
 
-const Attributes* ValueSources::said(FaceId f) const {
-  const LeafSetId set = said_set(f);
-  return set.valid() ? &sets_.said(set)->attributes : nullptr;
-}
-const Attributes* ValueSources::said(EdgeId e) const {
-  const LeafSetId set = said_set(e);
-  return set.valid() ? &sets_.said(set)->attributes : nullptr;
-}
-const Attributes* ValueSources::said(VertexId v) const {
-  const LeafSetId set = said_set(v);
-  return set.valid() ? &sets_.said(set)->attributes : nullptr;
-}
-
 LeafSetId GroupSources::set_of(FaceId f) const { return set_in(group_.faces, group_.origins.faces, f); }
 LeafSetId GroupSources::set_of(EdgeId e) const { return set_in(group_.edges, group_.origins.edges, e); }
 LeafSetId GroupSources::set_of(VertexId v) const { return set_in(group_.vertices, group_.origins.vertices, v); }

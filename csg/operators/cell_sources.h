@@ -24,9 +24,11 @@ class NodeValue;
 class ValueSources : public CellSources {
  public:
   /// What is said of a cell that speaks for itself; nullptr for others, and where nothing is said.
-  const Attributes* said(FaceId f) const;
-  const Attributes* said(EdgeId e) const;
-  const Attributes* said(VertexId v) const;
+  template <class IdT>
+  const Attributes* said(IdT cell) const {
+    const LeafSetId set = said_set(cell);
+    return set.valid() ? &sets_.said(set)->attributes : nullptr;
+  }
 
   /// The same of an active cell that does not speak for itself but lies in the closure of what does.
   template <class IdT>
