@@ -6,7 +6,6 @@
 #include <Standard_OutOfMemory.hxx>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <new>
 
 #include "csg/exports/cad_text.h"
@@ -29,11 +28,7 @@ double rounded_up(double x) {
   return std::ceil(x / unit) * unit;
 }
 
-std::string short_number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", rounded_up(x));
-  return text;
-}
+std::string short_number(double x) { return decimal(rounded_up(x), "%.2g"); }
 
 class Maker {
  public:

@@ -27,6 +27,7 @@
 #include "csg/result/palette.h"
 #include "csg/result/solid.h"
 #include "csg/text/escape.h"
+#include "csg/text/table.h"
 #include "kernel/base/counts.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -359,9 +360,8 @@ class GlbWriter {
       }
     }
     if (most == 0) return {};
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g", most * frame_.scale);
-    return {"coordinates of this format have 32 bits: they are off by " + std::string(text) + " at most"};
+    const std::string by = decimal(most * frame_.scale, "%.2g");
+    return {"coordinates of this format have 32 bits: they are off by " + by + " at most"};
   }
 
   Json document(std::size_t binary) {

@@ -13,6 +13,7 @@
 #include "csg/result/solid.h"
 #include "csg/text/digits.h"
 #include "csg/text/escape.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg {
 namespace {
@@ -92,15 +93,8 @@ void append_bytes(std::string& bytes, Number number) {
 /// The unit normal, or zero for a triangle that rounding has flattened.
 std::array<double, 3> normal(const RoundedSolid& solid, const std::array<std::uint32_t, 3>& t) {
   const auto &a = solid.points[t[0]], &b = solid.points[t[1]], &c = solid.points[t[2]];
-  std::array<double, 3> n{};
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    n[k] = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
-  }
-  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
-  for (double& x : n) x /= length;
-  return n;
+  const DoubleVector n = cross(minus(b, a), minus(c, a));
+  return length(n) > 0 && std::isfinite(length(n)) ? unit(n) : DoubleVector{0, 0, 0};
 }
 
 }  // namespace

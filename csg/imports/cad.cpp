@@ -286,11 +286,7 @@ class CadLeaf {
     model_.solids = std::move(names);
   }
 
-  RationalPoint value(Index p) const {
-    if (!exact_.empty()) return exact_[p];
-    const auto& x = model_.points[p];
-    return {from_double(x[0]), from_double(x[1]), from_double(x[2])};
-  }
+  RationalPoint value(Index p) const { return exact_.empty() ? from_doubles(model_.points[p]) : exact_[p]; }
 
   /// A chain of sides, `face` in each is for messages.
   class Chain {

@@ -23,9 +23,6 @@ using Kind = CadSurface::Kind;
 using Side = BandBorder::Side;
 using Point3 = std::array<double, 3>;
 
-bool is_round(Kind kind) {
-  return kind == Kind::cylinder || kind == Kind::cone || kind == Kind::sphere || kind == Kind::torus;
-}
 bool has_arcs(Kind kind) { return kind == Kind::sphere || kind == Kind::torus; }
 
 const char* name_of(Kind kind) {

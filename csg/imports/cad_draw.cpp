@@ -11,6 +11,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/triangulate.h"
 
@@ -23,11 +24,8 @@ using Point3 = std::array<double, 3>;
 
 /// The angle of a point of a circle, or the parameter of one of a line.
 double parameter_on(const CadCurve& curve, const Point3& p) {
-  double x = 0, y = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    x += (p[k] - curve.axes.origin[k]) * curve.axes.x[k];
-    y += (p[k] - curve.axes.origin[k]) * curve.axes.y[k];
-  }
+  const Point3 off = minus(p, curve.axes.origin);
+  const double x = dot(off, curve.axes.x), y = dot(off, curve.axes.y);
   return curve.kind == CadCurve::Kind::circle ? std::atan2(y, x) : x;
 }
 
@@ -101,11 +99,7 @@ class Drawer {
       place(static_cast<Index>(border.poles[i]), i == 0 ? rows_[b].front()[0] : rows_[b].back()[0]);
     }
   }
-  RationalPoint exact(Index p) const {
-    if (!welded_.empty()) return welded_[p];
-    const Point3& x = old_.points[p];
-    return {from_double(x[0]), from_double(x[1]), from_double(x[2])};
-  }
+  RationalPoint exact(Index p) const { return welded_.empty() ? from_doubles(old_.points[p]) : welded_[p]; }
   Index corner(Index p) {
     if (place_[p] == kNone) place_[p] = number(exact(p));
     return place_[p];
@@ -172,13 +166,7 @@ class Drawer {
     Point3 way = to_doubles(band.form.axis);  // of a parallel
     if (side == Side::start || side == Side::end)
       way = to_doubles(cross(side == Side::start ? band.start : band.end, band.form.axis));
-    const CadAxes& at = curve.axes;
-    double along = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-      along += way[k] * (at.x[i] * at.y[j] - at.x[j] * at.y[i]);
-    }
-    return along > 0;
+    return dot(way, cross(curve.axes.x, curve.axes.y)) > 0;
   }
 
   static std::vector<Index> along(std::vector<Index> all, Index from, Index to, bool closed, bool with) {
@@ -344,11 +332,9 @@ class Drawer {
   Projection seen_from_front(Index f) const {
     Point3 normal{0, 0, 0};
     for (const auto& t : old_.faces[f].triangles) {
-      const Point3 &a = old_.points[t[0]], &b = old_.points[t[1]], &c = old_.points[t[2]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        normal[k] += (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
-      }
+      const Point3& a = old_.points[t[0]];
+      const Point3 part = cross(minus(old_.points[t[1]], a), minus(old_.points[t[2]], a));
+      for (std::size_t k = 0; k < 3; ++k) normal[k] += part[k];
     }
     std::size_t axis = 0;
     for (std::size_t k = 1; k < 3; ++k) {

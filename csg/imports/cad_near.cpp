@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "csg/text/table.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
 
@@ -24,17 +25,9 @@ bool is_compared(const CadSurface& surface) { return surface.kind <= Kind::torus
 
 /// How far a point is from a surface.
 double distance_from(const CadSurface& surface, const Point& p) {
-  Point to;
-  double along = 0, square = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    to[k] = p[k] - surface.axes.origin[k];
-    along += to[k] * surface.axes.z[k];
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double off = to[k] - along * surface.axes.z[k];
-    square += off * off;
-  }
-  const double around = std::sqrt(square);
+  const Point to = minus(p, surface.axes.origin), &z = surface.axes.z;
+  const double along = dot(to, z);
+  const double around = length({to[0] - along * z[0], to[1] - along * z[1], to[2] - along * z[2]});
   switch (surface.kind) {
     case Kind::plane: return std::abs(along);
     case Kind::cylinder: return std::abs(around - surface.radius);
@@ -69,11 +62,8 @@ const char* plural_of(Kind kind) {
 
 bool share_a_solid(const CadModel::Face& a, const CadModel::Face& b) {
   for (const auto* solids : {&a.behind, &a.before}) {
-    for (const std::uint32_t s : *solids) {
-      if (std::find(b.behind.begin(), b.behind.end(), s) != b.behind.end() ||
-          std::find(b.before.begin(), b.before.end(), s) != b.before.end())
-        return true;
-    }
+    for (const auto* others : {&b.behind, &b.before})
+      if (std::ranges::find_first_of(*solids, *others) != solids->end()) return true;
   }
   return false;
 }
@@ -120,16 +110,13 @@ std::string notice_of_near_surfaces(const CadModel& model) {
       if (same(one.surface, other.surface)) continue;
       const double apart = std::max(farthest(one, other.surface), farthest(other, one.surface));
       if (apart > most || count++ > 0) continue;
-      char text[32];
-      std::snprintf(text, sizeof text, "%.1e", apart);
       example = "face " + std::to_string(a) + " and face " + std::to_string(b) + " on " +
-                plural_of(one.surface.kind) + " that are " + text + " apart";
+                plural_of(one.surface.kind) + " that are " + decimal(apart, "%.1e") + " apart";
     }
   }
   if (count == 0) return {};
-  return std::to_string(count) + (count == 1 ? " pair of faces" : " pairs of faces") +
-         " of different solids nearly coincide, " + (count == 1 ? "" : "such as ") + example +
-         ": they are taken as different; to join them, give `weld`";
+  return counted(count, "pair of faces", "pairs of faces") + " of different solids nearly coincide, " +
+         (count == 1 ? "" : "such as ") + example + ": they are taken as different; to join them, give `weld`";
 }
 
 }  // namespace cnrg

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "csg/text/table.h"
 #include "csg/weld/planes.h"
 #include "csg/weld/round_carriers.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -31,20 +32,18 @@ welding::RoundPart part_of(const CadModel& model, const CadModel::Face& face, co
   if (face.surface.kind == Kind::cone) part.radii.clear();
   // How far it goes, by its corners: along the axis in doubles is enough to see what is near.
   const auto direction = to_doubles(round.axis.direction), foot = to_doubles(round.axis.foot);
-  double low = 0, high = 0, square = 0, reach = 0;
-  for (const double x : direction) square += x * x;
+  const double square = dot(direction, direction);
+  double low = 0, high = 0, reach = 0;
   bool first = true;
   for (const auto& triangle : face.triangles) {
     for (const Index p : triangle) {
-      double along = 0, off = 0;
+      double along = 0;
+      DoubleVector off;
       for (std::size_t k = 0; k < 3; ++k) along += (model.points[p][k] - foot[k]) * direction[k] / square;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double x = model.points[p][k] - foot[k] - along * direction[k];
-        off += x * x;
-      }
+      for (std::size_t k = 0; k < 3; ++k) off[k] = model.points[p][k] - foot[k] - along * direction[k];
       low = first ? along : std::min(low, along);
       high = first ? along : std::max(high, along);
-      reach = std::max(reach, std::sqrt(off));
+      reach = std::max(reach, length(off));
       first = false;
     }
   }
@@ -60,9 +59,7 @@ CadRound round_faces(const CadModel& model) {
   for (const CadModel::Face& face : model.faces) {
     const CadSurface& of = face.surface;
     std::optional<RoundFace>& round = result.faces.emplace_back();
-    const bool is_round =
-        of.kind == Kind::cylinder || of.kind == Kind::cone || of.kind == Kind::sphere || of.kind == Kind::torus;
-    if (!is_round || face.triangles.empty()) continue;
+    if (!is_round(of.kind) || face.triangles.empty()) continue;
     const RationalPoint origin = from_doubles(of.axes.origin);
     round = {axis_line(origin, from_doubles(of.axes.z)), origin, from_double(of.radius),
              from_double(of.minor_radius)};
@@ -105,17 +102,14 @@ CadRound welded_round_faces(const CadModel& model, const Rational& d,
     ++joined;
   }
   if (joined > 0) {
-    char by[32];
-    std::snprintf(by, sizeof by, "%.3g", std::min(welding::rounded_up(result.moved), to_double(d)));
-    result.notice = "weld " + to_decimal(d, 6) + ": " + std::to_string(joined) +
-                    (joined == 1 ? " round face" : " round faces") + " joined with others, moved by " + by +
-                    " at most";
+    result.notice = "weld " + to_decimal(d, 6) + ": " + counted(joined, "round face", "round faces") +
+                    " joined with others, moved by " +
+                    decimal(std::min(welding::rounded_up(result.moved), to_double(d)), "%.3g") + " at most";
   }
   if (!made.left.empty()) {
     const auto& [a, b] = made.left[0];
     result.notice += (result.notice.empty() ? "weld " + to_decimal(d, 6) + ": " : "; ") +
-                     std::to_string(made.left.size()) +
-                     (made.left.size() == 1 ? " pair of round faces is" : " pairs of round faces are") +
+                     counted(made.left.size(), "pair of round faces is", "pairs of round faces are") +
                      " near but not joined, since all that is joined has to lie within the length, such as " +
                      face_name(of[a]) + (a == b ? "" : " and " + face_name(of[b]));
   }

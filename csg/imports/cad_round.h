@@ -15,6 +15,11 @@
 
 namespace cnrg {
 
+inline bool is_round(CadSurface::Kind kind) {
+  using enum CadSurface::Kind;
+  return kind == cylinder || kind == cone || kind == sphere || kind == torus;
+}
+
 /// A face on a cylinder, cone, sphere or torus.
 struct RoundFace {
   AxisLine axis;

@@ -172,17 +172,10 @@ void prove_sides(const Mesh& mesh, const FlatComplex& flat, const std::vector<Me
   };
   std::vector<Side> sides;
   for (const auto& t : mesh.tetrahedra) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      std::array<Index, 3> points{t.points[(k + 1) % 4], t.points[(k + 2) % 4], t.points[(k + 3) % 4]};
-      std::sort(points.begin(), points.end());
-      sides.push_back({points, t.entity, kNone});
-    }
+    for (const auto& [i, j, k] : kOutsides)
+      sides.push_back({sorted(std::array{t.points[i], t.points[j], t.points[k]}), t.entity, kNone});
   }
-  for (const auto& t : mesh.triangles) {
-    auto points = t.points;
-    std::sort(points.begin(), points.end());
-    sides.push_back({points, kNone, t.entity});
-  }
+  for (const auto& t : mesh.triangles) sides.push_back({sorted(t.points), kNone, t.entity});
   watch.check();
   std::sort(sides.begin(), sides.end());
   watch.check();

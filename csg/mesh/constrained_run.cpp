@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/tetrahedra/constrained.h"
 
@@ -93,19 +94,12 @@ class ConstrainedRun {
     std::vector<Side> sides;
     for (Index i = 0; i < made_.tetrahedra.size(); ++i) {
       const auto& t = made_.tetrahedra[i];
-      for (std::size_t k = 0; k < 4; ++k) {
-        FacetCorners f{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]};
-        std::sort(f.begin(), f.end());
-        sides.push_back({f, i, t[k]});
-      }
+      for (std::size_t k = 0; k < 4; ++k)
+        sides.push_back({sorted(FacetCorners{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]}), i, t[k]});
     }
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.corners < b.corners; });
     std::vector<std::pair<FacetCorners, Index>> walls;  // sorted corners, piece
-    for (Index i = 0; i < made_.triangles.size(); ++i) {
-      FacetCorners f = made_.triangles[i].corners;
-      std::sort(f.begin(), f.end());
-      walls.emplace_back(f, i);
-    }
+    for (Index i = 0; i < made_.triangles.size(); ++i) walls.emplace_back(sorted(made_.triangles[i].corners), i);
     std::sort(walls.begin(), walls.end());
     region_.assign(made_.tetrahedra.size(), kNone);
     std::vector<std::array<Index, 4>> next(made_.tetrahedra.size(), {kNone, kNone, kNone, kNone});

@@ -15,6 +15,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
+#include "kernel/base/vectors.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {
@@ -24,10 +25,6 @@ using namespace surface_math;
 using Index = Mesh::Index;
 using Point = Vector3<double>;
 
-double straight_distance(const Point& a, const Point& b) {
-  const Point d = difference(a, b);
-  return std::sqrt(dot(d, d));
-}
 Point middle_of(const Point& a, const Point& b) {
   return {a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2};
 }
@@ -223,18 +220,18 @@ class Bender {
         64);
     std::vector<double> longest(mesh_.points.size(), 0);  // of the edges at a point
     for (const auto& [a, b] : edges_) {
-      const double length = straight_distance(original_[a], original_[b]);
+      const double length = distance(original_[a], original_[b]);
       longest[a] = std::max(longest[a], length);
       longest[b] = std::max(longest[b], length);
     }
     for (Index p = 0; p < target.size(); ++p) {
       if (stays(p)) continue;
-      if (!target[p] || straight_distance(*target[p], original_[p]) > longest[p]) {
+      if (!target[p] || distance(*target[p], original_[p]) > longest[p]) {
         ++report_.left;
       } else if (*target[p] != original_[p]) {
         mesh_.points[p] = *target[p];
         moved_.insert(p);
-        report_.farthest = std::max(report_.farthest, straight_distance(*target[p], original_[p]));
+        report_.farthest = std::max(report_.farthest, distance(*target[p], original_[p]));
       }
     }
     report_.moved = moved_.size();
@@ -298,10 +295,10 @@ class Bender {
 
   void bend(const Edge& edge, const std::optional<Point>& target) {
     const Point straight = middle_of(mesh_.points[edge[0]], mesh_.points[edge[1]]);
-    const double length = straight_distance(mesh_.points[edge[0]], mesh_.points[edge[1]]);
-    if (!target || straight_distance(*target, straight) > length) {
+    const double length = distance(mesh_.points[edge[0]], mesh_.points[edge[1]]);
+    if (!target || distance(*target, straight) > length) {
       ++report_.left;
-    } else if (straight_distance(*target, straight) > 1e-14 * length) {
+    } else if (distance(*target, straight) > 1e-14 * length) {
       bent_[edge] = *target;
       was_bent_.insert(edge);
     }

@@ -11,6 +11,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {
@@ -317,7 +318,7 @@ bool FacetMesh::insert(Index t, const Vector& at) {
 }
 
 FacetMesh::Walk FacetMesh::walk(Index t, const Vector& to) const {
-  const ExactPoint exact = ExactPoint::from({from_double(to[0]), from_double(to[1]), from_double(to[2])});
+  const ExactPoint exact = ExactPoint::from(from_doubles(to));
   const PointView target = view_of(exact);
   const Projection axes = facets_[triangles_[t].facet].axes;
   Vector from{};
@@ -354,8 +355,7 @@ FacetMesh::Cavity FacetMesh::cavity(Index triangle, const Vector& at) const {
     const Index t = open.back();
     open.pop_back();
     for (Index k = 0; k < 3; ++k) {
-      const Vector from = minus(xyz_[triangles_[t].points[k]], at);
-      result.nearest = std::min(result.nearest, std::sqrt(dot(from, from)));
+      result.nearest = std::min(result.nearest, distance(xyz_[triangles_[t].points[k]], at));
       if (triangles_[t].segments[k] != kNone) {
         result.segments.push_back(triangles_[t].segments[k]);
         continue;

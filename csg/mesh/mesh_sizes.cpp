@@ -76,10 +76,7 @@ class SizeCollector {
     for (double& size : regions_) size = size == 0 ? kInfinity : size;
   }
 
-  double length(Index a, Index b) const {
-    const Vector along = minus(xyz_[b], xyz_[a]);
-    return std::sqrt(dot(along, along));
-  }
+  double length(Index a, Index b) const { return distance(xyz_[a], xyz_[b]); }
 
   void add_pieces() {
     std::vector<Index> face_of(xyz_.size(), FlatComplex::kNone);  // that a point is inside of
@@ -116,8 +113,7 @@ class SizeCollector {
     }
     for (std::size_t t = begin; t < end; ++t) {
       const auto& [a, b, c] = face.triangles[t];
-      const Vector n = cross(minus(xyz_[b], xyz_[a]), minus(xyz_[c], xyz_[a]));
-      area += std::sqrt(dot(n, n)) / 2;
+      area += cnrg::length(cross(minus(xyz_[b], xyz_[a]), minus(xyz_[c], xyz_[a]))) / 2;
     }
     const bool triangle = loops.size() == 1 && loops[0].size() == 3;
     double width = perimeter > 0 ? 4 * area / perimeter * (triangle ? std::sqrt(3.0) : 1) : 0;

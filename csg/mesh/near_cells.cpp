@@ -91,8 +91,7 @@ double NearCells::distance(const Vector& p, MeshCell cell, double most) const {
     return corners;
   };
   if (cell.dimension == 0) {
-    const Vector way = minus(mesh_.points[point_of(cell)], p);
-    const double far = std::sqrt(dot(way, way));
+    const double far = cnrg::distance(mesh_.points[point_of(cell)], p);
     return far < most ? far : HUGE_VAL;
   }
   if (tree_ == nullptr) {

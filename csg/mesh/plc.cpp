@@ -7,6 +7,7 @@
 #include <span>
 
 #include "csg/result/flat.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/triangulate.h"
 
 namespace cnrg {
@@ -137,8 +138,7 @@ class PlcBuilder {
       }
     }
     if (most == 0) return false;
-    const ExactPoint middle =
-        ExactPoint::from({from_double(inside[0]), from_double(inside[1]), from_double(inside[2])});
+    const ExactPoint middle = ExactPoint::from(from_doubles(inside));
     for (std::size_t k = 0; k < 3; ++k) {
       const VertexId from(best[k]), to(best[(k + 1) % 3]);
       if (orient2d(axes, table_.view(from), table_.view(to), view_of(middle)) <= 0) return false;

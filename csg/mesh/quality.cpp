@@ -38,10 +38,7 @@ double dihedral(const std::array<Vector, 4>& p, std::size_t edge) {
   return std::atan2(length(cross(m, n)), dot(m, n)) * 180 / std::numbers::pi;
 }
 
-std::string short_text(double x) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, 3).ptr};
-}
+std::string short_text(double x) { return decimal(x, "%.3g"); }
 
 /// Less than this part of the longest edge is short.
 constexpr double kShort = 0.15;
@@ -174,16 +171,12 @@ class Explainer {
   }
 
   bool is_line(Index a, Index b) const {
-    return std::binary_search(lines_.begin(), lines_.end(), std::array{std::min(a, b), std::max(a, b)});
+    return std::binary_search(lines_.begin(), lines_.end(), sorted(std::array{a, b}));
   }
   /// Segments, and sides of triangles of one face that are in two planes.
   void set_lines() {
     constexpr double kOnePlane = 1e-9;  // the sine between normals that rounding makes at most
-    for (const auto& s : mesh_.segments) {
-      auto ends = s.points;
-      std::sort(ends.begin(), ends.end());
-      lines_.push_back(ends);
-    }
+    for (const auto& s : mesh_.segments) lines_.push_back(sorted(s.points));
     struct Side {
       std::array<Index, 2> ends;
       std::size_t triangle;
@@ -191,8 +184,7 @@ class Explainer {
     std::vector<Side> sides;
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
       const auto& t = mesh_.triangles[i].points;
-      for (std::size_t k = 0; k < 3; ++k)
-        sides.push_back({{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}, i});
+      for (std::size_t k = 0; k < 3; ++k) sides.push_back({sorted(std::array{t[k], t[(k + 1) % 3]}), i});
     }
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.ends < b.ends; });
     const auto normal = [&](const Side& side) {
@@ -307,10 +299,8 @@ namespace {
 /// Where doubles lose the determinant: exactly, and rounded in the end, so that no tetrahedron of a mesh, all of
 /// which are turned right, is told to be flat.
 TetrahedronMeasures exact_measures_of(const std::array<Vector, 4>& p) {
-  const auto exact = [](const Vector& v) {
-    return RationalPoint{from_double(v[0]), from_double(v[1]), from_double(v[2])};
-  };
-  const RationalPoint a = exact(p[0]), u = exact(p[1]) - a, v = exact(p[2]) - a, w = exact(p[3]) - a;
+  const RationalPoint a = from_doubles(p[0]), u = from_doubles(p[1]) - a, v = from_doubles(p[2]) - a,
+                      w = from_doubles(p[3]) - a;
   const RationalPoint vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
   const RationalPoint center = dot(u, u) * vw + dot(v, v) * wu + dot(w, w) * uv;
   const double det = std::fabs(to_double(dot(u, vw)));
@@ -322,8 +312,8 @@ TetrahedronMeasures exact_measures_of(const std::array<Vector, 4>& p) {
     const auto& [k, l] = kOthers[e];
     const Vector along = minus(p[j], p[i]);
     squares += dot(along, along), shortest = std::min(shortest, dot(along, along));
-    const RationalPoint o = exact(p[i]), to = exact(p[j]) - o;
-    const double cosine = to_double(dot(cross(to, exact(p[k]) - o), cross(to, exact(p[l]) - o)));
+    const RationalPoint o = from_doubles(p[i]), to = from_doubles(p[j]) - o;
+    const double cosine = to_double(dot(cross(to, from_doubles(p[k]) - o), cross(to, from_doubles(p[l]) - o)));
     out.dihedral = std::min(out.dihedral, std::atan2(length(along) * det, cosine) * 180 / std::numbers::pi);
   }
   const double side = std::cbrt(det / 2);  // its square does not vanish as that of the determinant may
@@ -411,7 +401,7 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
 
 std::string forced_text(const MeshQuality& quality) {
   if (quality.forced == 0) return {};
-  return std::to_string(quality.forced) + (quality.forced == 1 ? " of them is" : " of them are") +
+  return counted(quality.forced, "of them is", "of them are") +
          " where faces or edges of the model meet at less than " + short_text(MeshQuality::kForced) +
          " degrees: no tetrahedron there has a shape of 0.1";
 }

@@ -48,8 +48,7 @@ class Refiner {
     double area = 0;
     for (Index t = 0; t < mesh_.triangles().size(); ++t) {
       const auto p = corners(t);
-      const Vector n = cross(minus(p[1], p[0]), minus(p[2], p[0]));
-      area += std::sqrt(dot(n, n)) / 2;
+      area += length(cross(minus(p[1], p[0]), minus(p[2], p[0]))) / 2;
     }
     const double side = std::sqrt(area / double(std::max<std::size_t>(mesh_.triangles().size(), 1)));
     wide_ = narrow_ = std::max(shortest_, kWide * side);

@@ -94,16 +94,14 @@ RegionLocator::RegionLocator(const FlatComplex& flat, const RoundedPoints& point
   std::vector<std::vector<Index>> facets;
   std::vector<Box> boxes;
   Box all;
-  const auto add_facet = [&](const std::vector<FlatComplex::Loop>& loops) {
-    std::vector<Index>& of = facets.emplace_back();
-    for (const FlatComplex::Loop& loop : loops) of.insert(of.end(), loop.begin(), loop.end());
-    sort_unique(of);
-  };
   for (Index f = 0; f < flat.faces.size(); ++f) {
     const FlatComplex::Face& face = flat.faces[f];
     const auto first = Index(facets.size());
-    for (const FlatComplex::Facet& facet : face.facets) add_facet(facet.loops);
-    if (face.facets.empty()) add_facet(face.loops);
+    for_each_facet(face, [&](const auto& loops, const auto&, Index, Index) {
+      std::vector<Index>& of = facets.emplace_back();
+      for (const FlatComplex::Loop& loop : loops) of.insert(of.end(), loop.begin(), loop.end());
+      sort_unique(of);
+    });
     for (std::size_t t = 0; t < face.triangles.size(); ++t) {
       const auto& [a, b, c] = face.triangles[t];
       const auto facet =

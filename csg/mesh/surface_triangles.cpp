@@ -102,8 +102,7 @@ Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, const Sur
 }
 
 double area_of(const Vector& a, const Vector& b, const Vector& c) {
-  const Vector n = cross(minus(b, a), minus(c, a));
-  return std::sqrt(dot(n, n)) / 2;
+  return length(cross(minus(b, a), minus(c, a))) / 2;
 }
 /// A sum of many numbers with what rounding took away (neumaier1974): plainly added, a million equal areas are off
 /// by 1e-11 of their sum and more, always to one side, which is beyond the bound below.

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "kernel/base/error.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/convex_hull.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -65,20 +66,14 @@ class Grid {
   }
 };
 
-Point3 product(const Point3& u, const Point3& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-double scalar(const Point3& u, const Point3& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-Point3 minus(const Point3& u, const Point3& v) { return {u[0] - v[0], u[1] - v[1], u[2] - v[2]}; }
-
 Point3 unit_normal(const Polyset& solid, const Face& face) {
   Point3 sum{};
   for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-    const Point3 n = product(minus(solid.points[face[i]], solid.points[face[0]]),
-                             minus(solid.points[face[i + 1]], solid.points[face[0]]));
+    const Point3 n = cross(minus(solid.points[face[i]], solid.points[face[0]]),
+                           minus(solid.points[face[i + 1]], solid.points[face[0]]));
     for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
   }
-  const double length = std::sqrt(scalar(sum, sum));
+  const double length = std::sqrt(dot(sum, sum));
   return length == 0 ? sum : Point3{sum[0] / length, sum[1] / length, sum[2] / length};
 }
 
@@ -162,7 +157,8 @@ Polyset cylinder(double height, double bottom, double top, bool center, const Fi
 }
 
 double determinant(const Matrix& m) {
-  return scalar({m[0][0], m[0][1], m[0][2]}, product({m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}));
+  return dot(Point3{m[0][0], m[0][1], m[0][2]},
+             cross(Point3{m[1][0], m[1][1], m[1][2]}, Point3{m[2][0], m[2][1], m[2][2]}));
 }
 
 Polyset transformed(const Polyset& solid, const Matrix& m) {
@@ -214,15 +210,15 @@ bool is_convex(const Polyset& solid) {
     const std::size_t g = other->second;
     neighbours[f].push_back(g);
     const Point3 along = minus(solid.points[edge[1]], solid.points[edge[0]]);
-    const double bend = scalar(product(normals[f], normals[g]), along);
-    if (bend < 0 && scalar(normals[f], normals[g]) < nearly_flat) return false;
+    const double bend = dot(cross(normals[f], normals[g]), along);
+    if (bend < 0 && dot(normals[f], normals[g]) < nearly_flat) return false;
   }
   return connected(neighbours) == solid.faces.size();
 }
 
 std::vector<RationalPoint> exact_points(const std::vector<Point3>& points) {
   std::vector<RationalPoint> out;
-  for (const Point3& p : points) out.push_back({from_double(p[0]), from_double(p[1]), from_double(p[2])});
+  for (const Point3& p : points) out.push_back(from_doubles(p));
   return out;
 }
 

@@ -114,7 +114,7 @@ class MeshScene {
     if (number_[p] == kNone) {
       number_[p] = Scene::Index(scene_.points.size());
       const auto& x = mesh_.points[p];
-      scene_.points.push_back(camera_.view({from_double(x[0]), from_double(x[1]), from_double(x[2])}));
+      scene_.points.push_back(camera_.view(from_doubles(x)));
     }
     return number_[p];
   }

@@ -6,18 +6,14 @@
 #include <cmath>
 
 #include "kernel/base/limits.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg {
 
 namespace {
 
-using Vector = std::array<double, 3>;
+using Vector = DoubleVector;
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double size(const Vector& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
 double sum_of(const Vector& a) { return a[0] + a[1] + a[2]; }
 
