@@ -192,7 +192,6 @@ void bend(const Result& result, TetrahedralMesh& made, const Watch& watch) {
   made.bent = curve(view, made, watch);
   made.mesh.fields.clear();
   sample_materials(view, made.mesh);
-  add_properties(view, made.mesh);
 }
 
 /// The straight mesh that `make` makes, curved and split as asked for; names to split are looked for before.

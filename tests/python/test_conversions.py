@@ -270,6 +270,10 @@ class Tetrahedra(WithFolder):
         a, b, middle = mesh.points[mesh.triangles.points[:, [0, 1, 3]]].transpose(1, 0, 2)
         on = numpy.abs(numpy.linalg.norm(middle, axis=1) - 1) < 1e-9
         self.assertGreater(on.mean(), 0.9)
+        hot = cnrg.sphere([0, 0, 0], 1, segments=16, attributes={"temperature": 20}).evaluate()
+        hot.tetrahedralize(curved=True).write(self.folder / "hot.msh")
+        text = (self.folder / "hot.msh").read_text()
+        self.assertEqual((text.count('"temperature"'), text.count('"temperature (2)"')), (1, 0))
 
     def test_surface_meshes(self):
         result = result_of(LAYERS)
