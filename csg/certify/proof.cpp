@@ -22,7 +22,6 @@ using Why = UncertainPlace::Why;
 using PieceParts = std::vector<PiecePart>;
 
 constexpr std::size_t kMostSteps = 250;         // of one question
-constexpr std::size_t kAskedAtFirst = 16;       // before it is asked whether they die
 constexpr std::size_t kMostInContact = 64;      // of one to more than two, of which some touch
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
 constexpr std::size_t kMostOfOwn = 20000;       // of a leaf, whether it meets itself
@@ -313,10 +312,10 @@ class Prover {
       if (++proof_.left[leaves] == 1) proof_.open.push_back(open_place(tuple, Why::budget));
       return false;
     }
-    const std::size_t before = *(begun_ = proof_.steps);
+    const std::size_t before = proof_.steps;
     died_ = false;
     const bool proven = ask_on(key, tuple, question, patches, contacts, hopeless, open, some);
-    begun_.reset();
+    may_die_ = false;
     if (died_) proof_.dead.insert(leaves), proof_.answers.erase(key);
     if (!little) spent += proof_.steps - before;
     return proven;
@@ -341,6 +340,10 @@ class Prover {
     }
     const std::size_t steps = tuple.size() > 2 && (contacts > 0 || hopeless) ? kMostInContact : kMostSteps;
     if (answer(tuple, question, Between::facets_and_surfaces, steps, some, left)) return answered(key, some);
+    may_die_ = relevance_.cuts();
+    some = false;
+    if (may_die_ && answer(tuple, question, Between::facets_and_surfaces, steps, some, left))
+      return answered(key, some);
     some = true;
     OpenPlace place{tuple, doubles(middle_of(left)), size_of(left), contacts > 1 ? Why::budget : Why::facets};
     place.coaxial = coaxial == Coaxial::open && ask_coaxial(tuple, question, Between::surfaces) != Coaxial::open;
@@ -489,10 +492,8 @@ class Prover {
         if (gain[k] > most) most = gain[k], chosen = i, way = k;
       }
     }
-    const bool last = chosen == parts.size();
-    if (begun_ && (last || proof_.steps >= *begun_ + kAskedAtFirst) && dies(parts, common, between))
-      return died_ = true;
-    if (last || steps == 0) return false;
+    if (may_die_ && dies(parts, common, between)) return died_ = true;
+    if (chosen == parts.size() || steps == 0) return false;
     --steps;
     ++proof_.steps;
     PieceParts next = parts;
@@ -585,8 +586,7 @@ class Prover {
   std::vector<double> thickness_;             // of pieces; below 0 where it is not known yet
   std::set<PiecePatches> hopeless_;           // that touch somewhere
   std::map<PiecePatches, std::size_t> open_;  // how many places
-  std::optional<std::size_t> begun_;          // steps before the question, where it may be that parts die
-  bool died_ = false;                         // some did
+  bool may_die_ = false, died_ = false;       // whether it is asked if parts die, and whether some did
   Proof proof_;
 };
 

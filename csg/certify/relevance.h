@@ -3,6 +3,7 @@
 // is below it there; so it is with intersections.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <span>
 #include <vector>
@@ -22,6 +23,10 @@ class Relevance {
             std::vector<Root> roots);
   /// True if both leaves are below one root, and asked about.
   bool together(LeafId a, LeafId b) const;
+  /// True if something may die.
+  bool cuts() const {
+    return std::ranges::any_of(steps_, [](const auto& steps) { return !steps.empty(); });
+  }
   /// True if the value of every root that has all of these leaves is the same without one of them in a place.
   /// `of`: how much of the place leaves hold.
   bool dies(std::span<const LeafId> leaves, const std::function<Filling(LeafId)>& of) const;
