@@ -177,9 +177,9 @@ class Numbers {
           keys_[number].insert(round_key(piece, form.center, form.axis, placed));
           continue;
         }
-        // A conic with the axis turns to a quadric.
+        // An ellipse about the axis turns to a quadric. So do hyperbolas, but contacts want convex ones.
         const auto own = conic_of(reduced(piece.net.net));
-        if (own && (*own)[0] != 0 && (*own)[1] == 0 && (*own)[3] == 0) {
+        if (own && (*own)[0] * (*own)[2] > 0 && (*own)[1] == 0 && (*own)[3] == 0) {
           const Rational square = dot(form.axis, form.axis);
           keys_[number].insert(quadric(placed.metric(), placed.covector(form.axis),
                                        ((*own)[2] / square - 1) / square, (*own)[4] / (2 * square), (*own)[5],

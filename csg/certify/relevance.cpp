@@ -59,17 +59,21 @@ bool Relevance::dies(std::span<const LeafId> leaves, const std::function<Filling
     if (std::ranges::any_of(leaves, [&](LeafId leaf) { return !roots_[r].second[leaf.index()]; })) continue;
     const std::vector<Step>& steps = steps_[r];
     std::vector<Filling> held, operands;
+    std::vector<unsigned> below;  // which of the leaves, as bits
     for (const Step& step : steps) {
       operands.clear();
-      for (const std::uint32_t i : step.operands) operands.push_back(held[i]);
+      unsigned bits = 0;
+      for (std::size_t i = 0; i < leaves.size(); ++i) bits |= unsigned(step.leaf == leaves[i]) << i;
+      for (const std::uint32_t i : step.operands) operands.push_back(held[i]), bits |= below[i];
       held.push_back(step.leaf.valid() ? of(step.leaf) : filled(step.op, operands));
+      below.push_back(bits);
     }
     std::vector<char> matters(steps.size(), 0);
     std::vector<LeafId> dead(leaves.begin(), leaves.end());
     if (steps.empty()) dead.clear();
     else matters.back() = 1;
     for (std::size_t i = steps.size(); i-- > 0;) {
-      if (!matters[i] || held[i] == Filling::none) continue;
+      if (!matters[i] || (held[i] == Filling::none && below[i] != below.back())) continue;
       for (const std::uint32_t operand : steps[i].operands) matters[operand] = 1;
       std::erase(dead, steps[i].leaf);
     }

@@ -1,6 +1,7 @@
 // What dies is not asked (proof.h): where no value that somebody asked for depends on a leaf. A place that holds
 // nothing of the first operand of a difference, or all of another one, holds nothing of the difference, whatever
-// is below it there; so it is with intersections.
+// is below it there; so it is with intersections. Where all that meets in the place is below the difference it is
+// asked: regions that are joined there are joined elsewhere, too.
 #pragma once
 
 #include <algorithm>

@@ -327,6 +327,45 @@ result: """
                     self.assertTrue(result.certificate.certified)
                     self.assertEqual(result.rows[-1].cells, (0, 0, 1, 1))
 
+    def test_what_is_joined_in_a_cut_is_joined_beside_it(self):
+        balls = """cnrg: 1
+nodes:
+  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 8}}
+  b: {sphere: {center: [199/150, 199/150, 199/300], radius: 1, segments: 8}}
+  k: {box: {min: [1/4, 1/4, -1/4], max: [5/4, 5/4, 3/4]}}
+  u: {union: [a, b]}
+  s: {select: {of: u, region: 1}}
+  r: {difference: [s, k]}
+result: r
+"""
+        wall = """cnrg: 1
+nodes:
+  a: {sphere: {center: [0, 0, 0], radius: 1001/1000, segments: 10}}
+  b: {box: {min: [-2, -2, -3/2], max: [2, 2, 3/2]}}
+  c: {polygon: {outer: [[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0]], holes: [[[-.7, -.7, 0], [.7, -.7, 0], [.7, .7, 0], [-.7, .7, 0]]]}}
+  d: {union: [{union: [c, {closure: {boundary: a}}], dominance: left}, b], dominance: left}
+  e: {polygon: [[1.5, -1, 0], [1.8, -1, 0], [1.8, 1, 0], [1.5, 1, 0]]}
+  k: {box: {min: [-1.2, -1.2, -1.2], max: [1.2, 1.2, 1.2]}}
+  r: {difference: [{difference: [d, e]}, k]}
+result: r
+"""
+        for tree, cells in ((balls, (12, 18, 10, 2)), (wall, (24, 40, 21, 2))):
+            result = cnrg.parse(tree).evaluate(certify=True)
+            self.assertTrue(result.certificate.certified)
+            self.assertEqual(result.rows[-1].cells, cells)
+
+    def test_a_ball_that_touches_a_hyperboloid_from_inside(self):
+        tree = """cnrg: 1
+nodes:
+  a: {revolve: {curve: [[5/3, -4/3], {bezier: [[3/5, 0]], weights: [1, 1, 9/25]}, [5/3, 4/3]], segments: 8}}
+  b: {sphere: {center: [1/2, 0, 0], radius: 1/2, segments: 8}}
+  r: {sum: [a, b]}
+result: r
+"""
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.assertFalse(cnrg.parse(tree).evaluate(certify=True).certificate.certified)
+
     def test_a_result_of_curved_leaves_is_not_certified_again(self):
         for leaf, certified in (("cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 8}", False),
                                 ("box: {min: [0, 0, 0], max: [1, 1, 1]}", True)):
