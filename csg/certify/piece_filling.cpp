@@ -37,10 +37,8 @@ const PieceFilling::Space& PieceFilling::space_of(LeafId leaf) {
   return *known;
 }
 
-namespace {
-
 /// On which side of the plane of a flat piece a part is, for all t: -1 or 1; 0 where nobody knows.
-int side_of(const Piece& flat, const PiecePart& part, Between between) {
+static int side_of(const Piece& flat, const PiecePart& part, Between between) {
   const Interval3 normal = normalized(flat.normal);
   const auto d = direction(middle_of(normal));
   if (!d) return 0;
@@ -48,8 +46,6 @@ int side_of(const Piece& flat, const PiecePart& part, Between between) {
                        dot(difference(normal, thin(*d)), difference(part.box, flat.point));
   return holds_zero(off) ? 0 : off.inf() > 0 ? 1 : -1;
 }
-
-}  // namespace
 
 Filling PieceFilling::of(LeafId leaf, std::span<const PiecePart> parts, const Interval3& common, Between between) {
   if (leaves_[leaf.index()].leaf->stored() != nullptr || pieces_.unknown().contains(leaf)) return Filling::part;

@@ -337,12 +337,11 @@ bool Pieces::share_side(std::uint32_t flat, std::uint32_t a, std::uint32_t b) co
     form(along, 0, along, 0), form(along, 0, across, 0), form(across, 0, across, 0);
     form(along, 0, from, 1), form(across, 0, from, 1), form(from, 1, from, 1);
   }
-  for (std::size_t i = 0; i < 6; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (conics[0][i] * conics[1][j] != conics[0][j] * conics[1][i]) return false;
-    }
+  for (std::vector<Rational>& conic : conics) {
+    const Rational first = *std::ranges::find_if(conic, [](const Rational& x) { return x != 0; });
+    for (Rational& x : conic) x /= first;
   }
-  return true;
+  return conics[0] == conics[1];
 }
 
 RationalPoint Pieces::gradient(std::uint32_t cell, const RationalPoint& p) const {

@@ -1,7 +1,6 @@
 // Pairs, triples and quadruples of pieces; see the header.
 #include "csg/certify/proof.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "csg/certify/coaxial.h"

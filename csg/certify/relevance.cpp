@@ -1,7 +1,6 @@
 // From leaves up to a root, and down again; see the header.
 #include "csg/certify/relevance.h"
 
-#include <algorithm>
 #include <map>
 
 namespace cnrg {
@@ -31,10 +30,8 @@ bool Relevance::together(LeafId a, LeafId b) const {
                              [&](const Root& root) { return root.second[a.index()] && root.second[b.index()]; });
 }
 
-namespace {
-
 /// Of operands, in their order.
-Filling filled(Operator op, const std::vector<Filling>& of) {
+static Filling filled(Operator op, const std::vector<Filling>& of) {
   const auto without = [](Filling filling) { return Filling(2 - int(filling)); };
   const Filling least = std::ranges::min(of), most = std::ranges::max(of);
   switch (op) {
@@ -51,8 +48,6 @@ Filling filled(Operator op, const std::vector<Filling>& of) {
     default: return std::min(most, Filling::part);  // they hold a part of that
   }
 }
-
-}  // namespace
 
 bool Relevance::dies(std::span<const LeafId> leaves, const std::function<Filling(LeafId)>& of) const {
   for (std::size_t r = 0; r < roots_.size(); ++r) {
