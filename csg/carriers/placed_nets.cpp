@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "csg/carriers/surface_numbers.h"
 #include "csg/curves/surface_placed.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -82,10 +83,7 @@ CurveNet joined(const std::vector<CutCurve>& parts) {
 
 }  // namespace
 
-Sweep::Sweep(const RationalPoint& along) : vector(along), direction(along) {
-  const Rational first = *std::find_if(along.begin(), along.end(), [](const Rational& x) { return x != 0; });
-  for (Rational& x : direction) x /= first;
-}
+Sweep::Sweep(const RationalPoint& along) : vector(along), direction(along) { divide_by_first(direction); }
 
 std::size_t Sweep::pivot() const {
   return static_cast<std::size_t>(std::find(direction.begin(), direction.end(), 1) - direction.begin());

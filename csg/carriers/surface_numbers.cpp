@@ -14,6 +14,14 @@
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
+
+void divide_by_first(std::span<Rational> equation) {
+  const auto it = std::ranges::find_if(equation, [](const Rational& x) { return x != 0; });
+  if (it == equation.end() || *it == 1) return;
+  const Rational first = *it;
+  for (Rational& x : equation) x /= first;
+}
+
 namespace {
 
 /// What kind of surface, then the numbers that it is.
@@ -63,10 +71,7 @@ Key quadric(std::array<Rational, 6> m, const RationalPoint& a, const Rational& h
   key.insert(key.end(), m.begin(), m.end());
   key.insert(key.end(), linear.begin(), linear.end());
   key.push_back(dot(center, at_center) - 2 * l * dot(a, center) + k);
-  const Rational first = *std::find_if(key.begin() + 1, key.end(), [](const Rational& x) { return x != 0; });
-  if (first != 1) {
-    for (std::size_t i = 1; i < key.size(); ++i) key[i] /= first;
-  }
+  divide_by_first(std::span(key).subspan(1));
   return key;
 }
 
@@ -106,8 +111,7 @@ std::optional<std::array<Rational, 6>> conic_of(const ControlRow& row) {
     return (i == j ? 1 : 2) * (b[i] * b[j] - 2 * (a[i] * c[j] + a[j] * c[i]));
   };
   std::array<Rational, 6> conic{at(0, 0), at(0, 1), at(1, 1), at(0, 2), at(1, 2), at(2, 2)};
-  const Rational first = *std::ranges::find_if(conic, [](const Rational& x) { return x != 0; });
-  for (Rational& x : conic) x /= first;
+  divide_by_first(conic);
   return conic;
 }
 

@@ -31,6 +31,9 @@ struct SurfaceEquations {
   std::map<std::uint32_t, Torus> tori;
 };
 
+/// Makes the first number that is not zero 1: equations that differ by a factor become equal.
+void divide_by_first(std::span<Rational> equation);
+
 /// Of each instance, by the number of the patch: that of its surface, from 1. 0, also beyond the end: the patch is
 /// flat, or what it lies on is not known. A patch of several nets lies on one surface with another one only if it
 /// lies on all of its surfaces.

@@ -3,32 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "csg/text/table.h"
 
 namespace cnrg {
-namespace {
-
-std::string decimals(double x) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", x);
-  return buffer;
-}
-
-}  // namespace
 
 std::string UncertainPlace::text() const {
   std::string text;
   for (std::size_t k = 0; k < names.size(); ++k)
     text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
   for (std::size_t k = 0; k < 3; ++k)
-    text += (k == 0 ? " near [" : ", ") + decimals(std::abs(at[k]) < 1e-9 ? 0.0 : at[k]);
+    text += (k == 0 ? " near [" : ", ") + decimal(std::abs(at[k]) < 1e-9 ? 0.0 : at[k], "%.6g");
   switch (why) {
     case Why::near:
-      if (names.size() == 1) return text + "]: it meets itself, or is nearer to that than " + decimals(size);
-      return text + "]: they touch, or " + (size > 0 ? "are nearer to it than " + decimals(size) : "nearly") +
-             ": apart there, or with " +
+      if (names.size() == 1)
+        return text + "]: it meets itself, or is nearer to that than " + decimal(size, "%.6g");
+      return text + "]: they touch, or " +
+             (size > 0 ? "are nearer to it than " + decimal(size, "%.6g") : "nearly") + ": apart there, or with " +
              (common > 0    ? "a curve"
               : common == 0 ? "two points"
                             : "a point") +

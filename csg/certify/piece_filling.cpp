@@ -10,6 +10,20 @@ namespace cnrg {
 
 using namespace surface_math;
 
+namespace {
+
+/// On which side of the plane of a flat piece a part is, for all t: -1 or 1; 0 where nobody knows.
+int side_of(const Piece& flat, const PiecePart& part, Between between) {
+  const Interval3 normal = normalized(flat.normal);
+  const auto d = direction(middle_of(normal));
+  if (!d) return 0;
+  const Interval off = extents(part, *d, between).all() - dot(thin(*d), flat.point) +
+                       dot(difference(normal, thin(*d)), difference(part.box, flat.point));
+  return holds_zero(off) ? 0 : off.inf() > 0 ? 1 : -1;
+}
+
+}  // namespace
+
 /// A leaf by itself.
 struct PieceFilling::Space {
   std::vector<std::uint32_t> pieces;
@@ -37,22 +51,11 @@ const PieceFilling::Space& PieceFilling::space_of(LeafId leaf) {
   return *known;
 }
 
-/// On which side of the plane of a flat piece a part is, for all t: -1 or 1; 0 where nobody knows.
-static int side_of(const Piece& flat, const PiecePart& part, Between between) {
-  const Interval3 normal = normalized(flat.normal);
-  const auto d = direction(middle_of(normal));
-  if (!d) return 0;
-  const Interval off = extents(part, *d, between).all() - dot(thin(*d), flat.point) +
-                       dot(difference(normal, thin(*d)), difference(part.box, flat.point));
-  return holds_zero(off) ? 0 : off.inf() > 0 ? 1 : -1;
-}
-
 Filling PieceFilling::of(LeafId leaf, std::span<const PiecePart> parts, const Interval3& common, Between between) {
   if (leaves_[leaf.index()].leaf->stored() != nullptr || pieces_.unknown().contains(leaf)) return Filling::part;
   const Space& space = space_of(leaf);
   std::vector<std::pair<const Piece*, int>> sides;
-  const Box box = box_of(common);
-  space.boxes.query([&](const Box& other) { return other.meets(box); },
+  space.boxes.query([box = box_of(common)](const Box& other) { return other.meets(box); },
                     [&](std::uint32_t i) {
                       const Piece& piece = pieces_.all()[space.pieces[i]];
                       const bool flat = piece.kind == Piece::Kind::flat;

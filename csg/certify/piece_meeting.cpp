@@ -291,16 +291,9 @@ bool Pieces::share_side(std::uint32_t flat, std::uint32_t a, std::uint32_t b) co
   const auto& [x, y, z, w] = plane_of(pieces_[flat].sheet);
   const RationalPoint normal{x, y, z};
   std::array<std::set<RationalPoint>, 2> ends;
-  std::array<const Quadric*, 2> quadrics{};
   for (std::size_t i = 0; i < 2; ++i) {
     const Piece& cell = pieces_[i == 0 ? a : b];
-    const auto it = equations_.quadrics.find(cell.sheet);
-    if (it == equations_.quadrics.end() || !cell.column) return false;
-    quadrics[i] = &it->second;
-    const RationalPoint turned{row_times(it->second, 0, normal) - it->second[0][3],
-                               row_times(it->second, 1, normal) - it->second[1][3],
-                               row_times(it->second, 2, normal) - it->second[2][3]};
-    if (!is_zero(cross(turned, normal))) return false;
+    if (!is_quadric(cell.sheet) || !cell.column) return false;
     const std::size_t along = 1 - cell.column->around;
     std::set<double> levels;
     std::set<RationalPoint> ring;  // also of cells beside it
@@ -324,22 +317,16 @@ bool Pieces::share_side(std::uint32_t flat, std::uint32_t a, std::uint32_t b) co
   }
   // Both equations on the plane, from one of its points along two ways: equal but for a factor.
   const RationalPoint from = *ends[0].begin(), along = *ends[0].rbegin() - from, across = cross(normal, along);
-  std::array<std::vector<Rational>, 2> conics;
-  for (std::size_t n = 0; n < 2; ++n) {
-    const auto form = [&](const RationalPoint& p, int p3, const RationalPoint& q, int q3) {
-      Rational sum = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t j = 0; j < 4; ++j)
-          sum += (i < 3 ? p[i] : Rational(p3)) * (*quadrics[n])[i][j] * (j < 3 ? q[j] : Rational(q3));
-      }
-      conics[n].push_back(sum);
-    };
-    form(along, 0, along, 0), form(along, 0, across, 0), form(across, 0, across, 0);
-    form(along, 0, from, 1), form(across, 0, from, 1), form(from, 1, from, 1);
-  }
-  for (std::vector<Rational>& conic : conics) {
-    const Rational first = *std::ranges::find_if(conic, [](const Rational& x) { return x != 0; });
-    for (Rational& x : conic) x /= first;
+  std::array<std::array<Rational, 6>, 2> conics;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::uint32_t cell = i == 0 ? a : b;
+    const RationalPoint g = gradient(cell, from), u = gradient(cell, from + along) - g,
+                        v = gradient(cell, from + across) - g, n = gradient(cell, from + normal) - g;
+    if (!is_zero(cross(n, normal))) return false;  // the plane is not across the axis
+    const Rational level = row_times(equations_.quadrics.at(pieces_[cell].sheet), 3, from);
+    conics[i] = {dot(along, u), dot(along, v),  dot(across, v),
+                 dot(along, g), dot(across, g), Rational(dot(from, g) + level)};
+    divide_by_first(conics[i]);
   }
   return conics[0] == conics[1];
 }

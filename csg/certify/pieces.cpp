@@ -20,15 +20,6 @@ namespace {
 
 constexpr int kHalvedAlongSide = 4;  // how often a side is halved to prove an angle
 
-/// a x + b y + c z + d = 0, the first that is not zero 1.
-using PlaneKey = std::array<Rational, 4>;
-PlaneKey plane_key(const RationalPoint& normal, const RationalPoint& on) {
-  PlaneKey key{normal[0], normal[1], normal[2], Rational(-dot(normal, on))};
-  const Rational first = key[0] != 0 ? key[0] : key[1] != 0 ? key[1] : key[2];
-  for (Rational& x : key) x /= first;
-  return key;
-}
-
 }  // namespace
 
 class PieceMaker {
@@ -97,7 +88,9 @@ class PieceMaker {
     return it->second;
   }
   void set_plane(Piece& piece, const RationalPoint& normal, const RationalPoint& on) {
-    piece.sheet = numbered(planes_, plane_key(normal, on));
+    std::array<Rational, 4> key{normal[0], normal[1], normal[2], Rational(-dot(normal, on))};
+    divide_by_first(key);
+    piece.sheet = numbered(planes_, key);
     piece.normal = enclose3(normal);
     piece.point = enclose3(on);
   }
@@ -542,7 +535,7 @@ class PieceMaker {
   Pieces& out_;
   const PlacedLeaves& leaves_;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> sheets_;
-  std::map<PlaneKey, std::uint32_t> planes_;
+  std::map<std::array<Rational, 4>, std::uint32_t> planes_;  // a x + b y + c z + d = 0
   std::map<std::array<double, 4>, std::uint32_t> curves_;
   std::map<std::pair<LeafId, std::uint32_t>, std::shared_ptr<const Curve>> wire_curves_;
   std::vector<std::shared_ptr<const LeafSurfaces>> kept_;

@@ -81,7 +81,7 @@ class Prover {
       finder.find(part, [&](Index x, Index y) {
         const Index a = std::min(finder.item(x), finder.item(y)), b = std::max(finder.item(x), finder.item(y));
         if (a == b || (all_[a].exact() && all_[b].exact()) || !boxes[a].meets(boxes[b])) return;
-        if (all_[a].leaf != all_[b].leaf && !relevance_.together(all_[a].leaf, all_[b].leaf)) return;
+        if (all_[a].leaf != all_[b].leaf && !relevance_.together(std::array{all_[a].leaf, all_[b].leaf})) return;
         pairs_.emplace_back(a, b);
       });
     }
@@ -145,7 +145,8 @@ class Prover {
     bool some = false;
     if (!ask({a, b}, question, some)) return;  // what is asked of more pieces is open with it
     if (contacts_.contains({a, b})) ++proof_.contacts;
-    else ++(some ? proof_.crossing : proof_.apart);
+    else if (some) ++proof_.crossing;
+    else count_apart();
     if (some) meet(a, b);
   }
   bool asked_of_itself(Index a) const { return pieces_.asked_of_itself(all_[a].leaf); }
@@ -170,8 +171,10 @@ class Prover {
   void ask_apart(Index a, Index b) {
     bool some = false;
     ++proof_.asked;
-    if (ask({a, b}, Question::apart, some)) ++proof_.apart;
+    if (ask({a, b}, Question::apart, some)) count_apart();
   }
+  /// Of a pair that died nothing is proven.
+  void count_apart() { died_ ? --proof_.asked : ++proof_.apart; }
   /// Pieces of one leaf: not of those about a corner.
   bool asked_of_leaf(const std::vector<Index>& tuple) const {
     return asked_of_itself(tuple[0]) && std::ranges::none_of(all_[tuple[0]].numbers(), [&](std::uint32_t p) {
@@ -227,7 +230,7 @@ class Prover {
     const Piece &one = all_[a], &other = all_[b];
     return of_one_surface(a, b) || (!is_cell(a) && !is_cell(b) && one.sheet == other.sheet) ||
            smooth_.contains(std::minmax(a, b)) ||
-           (one.leaf != other.leaf && !relevance_.together(one.leaf, other.leaf));
+           (one.leaf != other.leaf && !relevance_.together(std::array{one.leaf, other.leaf}));
   }
 
   /// Triples and quadruples whose first piece that is not exact is i.
@@ -291,6 +294,7 @@ class Prover {
 
   /// True if it is proven. `some`: whether they may have a point in common.
   bool ask(const std::vector<Index>& tuple, Question question, bool& some) {
+    died_ = false;
     const PiecePatches patches = patches_of(all_, tuple);
     std::size_t& open = open_[patches];
     if (open >= kMostOpen) return false;
@@ -298,24 +302,23 @@ class Prover {
     if (const Proof::Answer* const before = answered_before(key)) return take(*before, tuple, patches, open, some);
     if (answered_at_once(tuple, question, some)) return answered(key, some);
     if (share_side(tuple)) return answered(key, some = true);
-    std::vector<LeafId> leaves;
+    leaves_.clear();
     for (const auto& [leaf, patch] : patches) {
-      if (leaves.empty() || leaves.back() != leaf) leaves.push_back(leaf);
+      if (leaves_.empty() || leaves_.back() != leaf) leaves_.push_back(leaf);
     }
     const bool hopeless = hold_any(patches, hopeless_);
     // What touches is asked little with others, whatever is left for these: finer facets do not tell more.
     const std::size_t contacts = tuple.size() > 2 ? pairs_in_contact(tuple) : 0;
     const bool little = contacts > 0 || (hopeless && tuple.size() > 2);
-    std::size_t& spent = proof_.spent[leaves];
+    std::size_t& spent = proof_.spent[leaves_];
     if (!little && spent >= most_steps_) {
-      if (++proof_.left[leaves] == 1) proof_.open.push_back(open_place(tuple, Why::budget));
+      if (++proof_.left[leaves_] == 1) proof_.open.push_back(open_place(tuple, Why::budget));
       return false;
     }
     const std::size_t before = proof_.steps;
-    died_ = false;
     const bool proven = ask_on(key, tuple, question, patches, contacts, hopeless, open, some);
     may_die_ = false;
-    if (died_) proof_.dead.insert(leaves), proof_.answers.erase(key);
+    if (died_) proof_.dead.insert(leaves_), proof_.answers.erase(key);
     if (!little) spent += proof_.steps - before;
     return proven;
   }
@@ -339,8 +342,7 @@ class Prover {
     }
     const std::size_t steps = tuple.size() > 2 && (contacts > 0 || hopeless) ? kMostInContact : kMostSteps;
     if (answer(tuple, question, Between::facets_and_surfaces, steps, some, left)) return answered(key, some);
-    may_die_ = relevance_.cuts();
-    some = false;
+    may_die_ = relevance_.may_die(leaves_), some = false;
     if (may_die_ && answer(tuple, question, Between::facets_and_surfaces, steps, some, left))
       return answered(key, some);
     some = true;
@@ -504,9 +506,7 @@ class Prover {
 
   /// True if one of the parts is no part of what was asked for, where they may meet.
   bool dies(const PieceParts& parts, const Interval3& common, Between between) {
-    std::vector<LeafId> leaves;
-    for (const PiecePart& part : parts) leaves.push_back(part.piece->leaf);
-    return relevance_.dies(leaves, [&](LeafId leaf) { return filling_.of(leaf, parts, common, between); });
+    return relevance_.dies(leaves_, [&](LeafId leaf) { return filling_.of(leaf, parts, common, between); });
   }
 
   Index number_of(const PiecePart& part) const { return static_cast<Index>(part.piece - all_.data()); }
@@ -585,6 +585,7 @@ class Prover {
   std::vector<double> thickness_;             // of pieces; below 0 where it is not known yet
   std::set<PiecePatches> hopeless_;           // that touch somewhere
   std::map<PiecePatches, std::size_t> open_;  // how many places
+  std::vector<LeafId> leaves_;                // of the question, ascending
   bool may_die_ = false, died_ = false;       // whether it is asked if parts die, and whether some did
   Proof proof_;
 };

@@ -16,9 +16,9 @@
 // plane that crosses both. Where a curve of a leaf is where two of its sheets cross, it is no stratum of its own:
 // the sheets decide. A plane and two sheets may cross by twos in one curve (Pieces::share_side). Sheets that are
 // one surface in truth are asked whether they are drawn alike. Cells about one axis are asked in a half-plane
-// (coaxial.h). What dies is not asked (relevance.h). On request leaves are asked whether they meet themselves, but for
-// what is side by side at a pole: patches that are no quadrics or tori, and wires (piece_self.cpp), and what is
-// beside each other (piece_beside.cpp).
+// (coaxial.h). What dies is not asked (relevance.h). On request leaves are asked whether they meet themselves, but
+// for what is side by side at a pole: patches that are no quadrics or tori, and wires (piece_self.cpp), and what
+// is beside each other (piece_beside.cpp).
 //
 // All is decided by intervals on parts of pieces, which are halved until it is, or a number of steps is reached.
 #pragma once

@@ -1,37 +1,18 @@
 // From leaves up to a root, and down again; see the header.
 #include "csg/certify/relevance.h"
 
-#include <map>
+#include <algorithm>
 
 namespace cnrg {
+namespace {
 
-Relevance::Relevance(const Tree& tree, const Unfolding& unfolding, const IdVector<InstanceId, LeafId>& leaf_of,
-                     std::vector<Root> roots)
-    : roots_(std::move(roots)) {
-  for (const Root& root : roots_) {
-    std::vector<Step>& steps = steps_.emplace_back();
-    std::map<InstanceId, std::uint32_t> places;
-    bool cut = false;
-    for (const InstanceId id : instances_below(unfolding.instances, root.first)) {
-      const Instance& instance = unfolding.instances[id];
-      Step& step = steps.emplace_back(Step{tree.nodes[instance.node].op, {}, leaf_of[id]});
-      cut = cut || step.op == Operator::intersect || step.op == Operator::product ||
-            step.op == Operator::subtract || step.op == Operator::cnrg_subtract;
-      places.emplace(id, static_cast<std::uint32_t>(steps.size() - 1));
-      if (step.leaf.valid()) continue;
-      for (const InstanceId operand : instance.operands) step.operands.push_back(places.at(operand));
-    }
-    if (!cut) steps.clear();
-  }
-}
-
-bool Relevance::together(LeafId a, LeafId b) const {
-  return std::ranges::any_of(roots_,
-                             [&](const Root& root) { return root.second[a.index()] && root.second[b.index()]; });
+bool cuts(Operator op) {
+  return op == Operator::intersect || op == Operator::product || op == Operator::subtract ||
+         op == Operator::cnrg_subtract;
 }
 
 /// Of operands, in their order.
-static Filling filled(Operator op, const std::vector<Filling>& of) {
+Filling filled(Operator op, const std::vector<Filling>& of) {
   const auto without = [](Filling filling) { return Filling(2 - int(filling)); };
   const Filling least = std::ranges::min(of), most = std::ranges::max(of);
   switch (op) {
@@ -49,32 +30,67 @@ static Filling filled(Operator op, const std::vector<Filling>& of) {
   }
 }
 
-bool Relevance::dies(std::span<const LeafId> leaves, const std::function<Filling(LeafId)>& of) const {
-  for (std::size_t r = 0; r < roots_.size(); ++r) {
-    if (std::ranges::any_of(leaves, [&](LeafId leaf) { return !roots_[r].second[leaf.index()]; })) continue;
-    const std::vector<Step>& steps = steps_[r];
-    std::vector<Filling> held, operands;
-    std::vector<unsigned> below;  // which of the leaves, as bits
-    for (const Step& step : steps) {
-      operands.clear();
-      unsigned bits = 0;
-      for (std::size_t i = 0; i < leaves.size(); ++i) bits |= unsigned(step.leaf == leaves[i]) << i;
-      for (const std::uint32_t i : step.operands) operands.push_back(held[i]), bits |= below[i];
-      held.push_back(step.leaf.valid() ? of(step.leaf) : filled(step.op, operands));
-      below.push_back(bits);
-    }
-    std::vector<char> matters(steps.size(), 0);
-    std::vector<LeafId> dead(leaves.begin(), leaves.end());
-    if (steps.empty()) dead.clear();
-    else matters.back() = 1;
-    for (std::size_t i = steps.size(); i-- > 0;) {
-      if (!matters[i] || (held[i] == Filling::none && below[i] != below.back())) continue;
-      for (const std::uint32_t operand : steps[i].operands) matters[operand] = 1;
-      std::erase(dead, steps[i].leaf);
-    }
-    if (dead.empty()) return false;
+}  // namespace
+
+IdVector<InstanceId, TreeStep> tree_steps(const Tree& tree, const Unfolding& unfolding,
+                                          const IdVector<InstanceId, LeafId>& leaf_of) {
+  IdVector<InstanceId, TreeStep> steps;
+  for (const InstanceId id : IdRange<InstanceId>(unfolding.instances.size())) {
+    const Instance& instance = unfolding.instances[id];
+    steps.push_back({tree.nodes[instance.node].op, instance.operands, leaf_of[id]});
+    if (leaf_of[id].valid()) steps[id].operands.clear();
   }
-  return true;
+  return steps;
+}
+
+bool Relevance::Root::has(std::span<const LeafId> leaves) const {
+  return std::ranges::all_of(leaves, [&](LeafId leaf) { return asked[leaf.index()] != 0; });
+}
+
+bool Relevance::together(std::span<const LeafId> leaves) const {
+  return std::ranges::any_of(roots_, [&](const Root& root) { return root.has(leaves); });
+}
+
+IdVector<InstanceId, char> Relevance::parts(const Root& root, std::span<const LeafId> leaves) const {
+  IdVector<InstanceId, unsigned> below(steps_.size());  // which of the leaves, as bits
+  IdVector<InstanceId, char> result(steps_.size());
+  for (const InstanceId id : root.below) {
+    for (std::size_t i = 0; i < leaves.size(); ++i) below[id] |= unsigned(steps_[id].leaf == leaves[i]) << i;
+    for (const InstanceId operand : steps_[id].operands) below[id] |= below[operand];
+  }
+  for (const InstanceId id : root.below) result[id] = below[id] != 0 && below[id] != below[root.below.back()];
+  return result;
+}
+
+bool Relevance::may_die(std::span<const LeafId> leaves) const {
+  return std::ranges::all_of(roots_, [&](const Root& root) {
+    if (!root.has(leaves)) return true;
+    const IdVector<InstanceId, char> parted = parts(root, leaves);
+    return std::ranges::any_of(root.below, [&](InstanceId id) { return parted[id] && cuts(steps_[id].op); });
+  });
+}
+
+bool Relevance::dies(std::span<const LeafId> leaves, const std::function<Filling(LeafId)>& of) const {
+  return std::ranges::all_of(roots_, [&](const Root& root) {
+    if (!root.has(leaves)) return true;
+    const IdVector<InstanceId, char> parted = parts(root, leaves);
+    IdVector<InstanceId, Filling> held(steps_.size());
+    std::vector<Filling> operands;
+    for (const InstanceId id : root.below) {
+      operands.clear();
+      for (const InstanceId operand : steps_[id].operands) operands.push_back(held[operand]);
+      held[id] = steps_[id].leaf.valid() ? of(steps_[id].leaf) : filled(steps_[id].op, operands);
+    }
+    IdVector<InstanceId, char> matters(steps_.size());
+    matters[root.below.back()] = 1;
+    std::vector<LeafId> dead(leaves.begin(), leaves.end());
+    for (auto it = root.below.rbegin(); it != root.below.rend(); ++it) {
+      if (!matters[*it] || (held[*it] == Filling::none && parted[*it])) continue;
+      for (const InstanceId operand : steps_[*it].operands) matters[operand] = 1;
+      std::erase(dead, steps_[*it].leaf);
+    }
+    return !dead.empty();
+  });
 }
 
 }  // namespace cnrg

@@ -4,7 +4,6 @@
 // asked: regions that are joined there are joined elsewhere, too.
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <span>
 #include <vector>
@@ -13,33 +12,42 @@
 
 namespace cnrg {
 
+/// An instance of a tree: a leaf, or an operator of earlier ones.
+struct TreeStep {
+  Operator op = Operator::leaf;
+  std::vector<InstanceId> operands;
+  LeafId leaf;
+};
+/// Of all instances, in their order.
+IdVector<InstanceId, TreeStep> tree_steps(const Tree& tree, const Unfolding& unfolding,
+                                          const IdVector<InstanceId, LeafId>& leaf_of);
+
 /// How much of an open place a leaf, or the value of a node, holds; a part, too, where nobody knows.
 enum class Filling : std::uint8_t { none, part, all };
 
 class Relevance {
  public:
-  /// A node that was asked for, and by leaf: whether it is below, and asked about.
-  using Root = std::pair<InstanceId, std::vector<char>>;
-  Relevance(const Tree& tree, const Unfolding& unfolding, const IdVector<InstanceId, LeafId>& leaf_of,
-            std::vector<Root> roots);
-  /// True if both leaves are below one root, and asked about.
-  bool together(LeafId a, LeafId b) const;
-  /// True if something may die.
-  bool cuts() const {
-    return std::ranges::any_of(steps_, [](const auto& steps) { return !steps.empty(); });
-  }
+  /// A node that was asked for.
+  struct Root {
+    std::vector<InstanceId> below;  ///< ascending, itself the last
+    std::vector<char> asked;        ///< by leaf: below it, and asked about
+    bool has(std::span<const LeafId> leaves) const;
+  };
+  Relevance(IdVector<InstanceId, TreeStep> steps, std::vector<Root> roots)
+      : steps_(std::move(steps)), roots_(std::move(roots)) {}
+  /// True if all of the leaves are below one root, and asked about.
+  bool together(std::span<const LeafId> leaves) const;
+  /// False if of these leaves none dies anywhere.
+  bool may_die(std::span<const LeafId> leaves) const;
   /// True if the value of every root that has all of these leaves is the same without one of them in a place.
   /// `of`: how much of the place leaves hold.
   bool dies(std::span<const LeafId> leaves, const std::function<Filling(LeafId)>& of) const;
 
  private:
-  struct Step {
-    Operator op = Operator::leaf;
-    std::vector<std::uint32_t> operands;  // places of earlier steps
-    LeafId leaf;
-  };
+  /// Of each instance whether some of the leaves are below it, and others are not.
+  IdVector<InstanceId, char> parts(const Root& root, std::span<const LeafId> leaves) const;
+  IdVector<InstanceId, TreeStep> steps_;
   std::vector<Root> roots_;
-  std::vector<std::vector<Step>> steps_;  // by root, which is the last; none where nothing is cut
 };
 
 }  // namespace cnrg

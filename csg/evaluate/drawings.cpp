@@ -99,8 +99,8 @@ Drawings::Drawings(const Tree& tree, const Unfolding& unfolding, const PreparedL
     if (lines.empty()) first_ = drawing.placed;
     return drawing.placed;
   };
-  proven_ =
-      std::make_unique<const ProvenLines>(draw_all, relevance_for(unfolding.roots), options, moulds_, motion_);
+  proven_ = std::make_unique<const ProvenLines>(
+      draw_all, [&] { return relevance_for(unfolding.roots); }, options, moulds_, motion_);
   for (const LeafWords& notice : drawing.welded)
     diagnostics.push_back({tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
   append(diagnostics, leaves.near_notices(drawing.near));
@@ -114,13 +114,13 @@ Relevance Drawings::relevance_for(const std::vector<InstanceId>& roots) const {
   // Of a result read back only facets are known; most of them are those of a surface beside it, which is no fault.
   std::vector<Relevance::Root> all;
   for (const InstanceId root : roots) {
-    all.emplace_back(root, std::vector<char>(leaves_.instances().size()));
+    all.push_back({instances_below(unfolding_.instances, root), std::vector<char>(leaves_.instances().size())});
     for (const LeafId leaf : leaves_.below(unfolding_, root)) {
-      const bool read_back = leaves_.instances()[leaf.index()].leaf->stored() != nullptr;
-      all.back().second[leaf.index()] = options_.proof == AskedProof::to_the_end || !read_back;
+      all.back().asked[leaf.index()] =
+          options_.proof == AskedProof::to_the_end || leaves_.instances()[leaf.index()].leaf->stored() == nullptr;
     }
   }
-  return {tree_, unfolding_, leaves_.numbers().by_instance(), std::move(all)};
+  return {tree_steps(tree_, unfolding_, leaves_.numbers().by_instance()), std::move(all)};
 }
 
 // In a space without bounds the frame depends on where leaves stand.
@@ -240,7 +240,9 @@ ExtraOfInstances Drawings::lines_alone(InstanceId id) {
   const auto draw_them = [&](const ExtraOfInstances& lines) -> const PlacedLeaves& {
     return placed = draw_only(below, lines);
   };
-  return it->second = ProvenLines(draw_them, relevance_for({id}), options_, moulds_, motion).lines();
+  return it->second = ProvenLines(
+                          draw_them, [&] { return relevance_for({id}); }, options_, moulds_, motion)
+                          .lines();
 }
 
 const Drawings::Drawn& Drawings::drawn_alone(InstanceId representative) {

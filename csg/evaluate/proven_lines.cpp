@@ -75,19 +75,17 @@ Certificate certificate_of(const Evaluation& evaluation) {
   return all;
 }
 
-ProvenLines::ProvenLines(const Draw& draw, const Relevance& relevance, const EvaluateOptions& options,
-                         Moulds& moulds, Transform motion)
+ProvenLines::ProvenLines(const Draw& draw, const std::function<Relevance()>& relevance,
+                         const EvaluateOptions& options, Moulds& moulds, Transform motion)
     : motion_(std::move(motion)) {
   const PlacedLeaves* placed = &draw(lines_);
   if (options.proof == AskedProof::none) return;
-  const auto curved = [](const LeafInstance& one) {
-    return one.leaf->surfaces() || one.leaf->volume_bound() != 0.0;
-  };
-  if (std::ranges::none_of(placed->instances, curved)) {
+  if (std::ranges::none_of(placed->instances, [](const LeafInstance& one) { return one.leaf->curved(); })) {
     proof_.emplace();
     return;
   }
   options.watch.begin("crossings");
+  const Relevance asked = relevance();
   const bool to_the_end = options.proof == AskedProof::to_the_end;
   std::size_t most = kStepsByDefault;
   for (int round = 0;; ++round) {
@@ -96,7 +94,7 @@ ProvenLines::ProvenLines(const Draw& draw, const Relevance& relevance, const Eva
     auto pieces = std::make_unique<Pieces>(still, options.reach, moulds, to_the_end);
     std::optional<EarlierProof> earlier;
     if (proof_) earlier.emplace(EarlierProof{*pieces_, *proof_});
-    proof_ = prove(*pieces, still.instances, relevance, most, earlier ? &*earlier : nullptr);
+    proof_ = prove(*pieces, still.instances, asked, most, earlier ? &*earlier : nullptr);
     pieces_ = std::move(pieces);
     for (const OpenPlace& open : proof_->open) {
       std::vector<LeafId> leaves;

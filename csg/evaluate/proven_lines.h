@@ -24,10 +24,11 @@ class ProvenLines {
   /// The leaves of a run, drawn with lines. What it gives may go with the next call.
   using Draw = std::function<const PlacedLeaves&(const ExtraOfInstances&)>;
 
-  /// Draws at least once. The last drawing is that with `lines()`. What is drawn is asked as it is before
-  /// `motion`, which stretches all lengths alike: where leaves that were moved together stand decides nothing.
-  ProvenLines(const Draw& draw, const Relevance& relevance, const EvaluateOptions& options, Moulds& moulds,
-              Transform motion);
+  /// Draws at least once; `relevance` is made where something is asked. The last drawing is that with `lines()`.
+  /// What is drawn is asked as it is before `motion`, which stretches all lengths alike: where leaves that were
+  /// moved together stand decides nothing.
+  ProvenLines(const Draw& draw, const std::function<Relevance()>& relevance, const EvaluateOptions& options,
+              Moulds& moulds, Transform motion);
 
   const ExtraOfInstances& lines() const { return lines_; }
   /// Sets of leaves, ascending, of which something was not proven of the facets of some drawing.

@@ -8,17 +8,13 @@
 
 namespace cnrg {
 
-SweptLeaves::SweptLeaves(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves) {
-  for (const InstanceId id : IdRange<InstanceId>(unfolding.instances.size())) {
-    const Instance& instance = unfolding.instances[id];
-    const LeafId leaf = leaves.leaf_of(id);
-    steps_.push_back(
-        {tree.nodes[instance.node].op, leaf.valid() ? std::vector<InstanceId>() : instance.operands, leaf});
-    const auto curved = [&](const PreparedLeaf& one) { return one.surfaces() || one.volume_bound() != 0.0; };
-    curved_.push_back(leaf.valid() ? curved(*leaves.instances()[leaf.index()].leaf)
-                                   : std::ranges::any_of(steps_.back().operands, [&](InstanceId operand) {
-                                       return curved_[operand.index()] != 0;
-                                     }));
+SweptLeaves::SweptLeaves(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves)
+    : steps_(tree_steps(tree, unfolding, leaves.numbers().by_instance())) {
+  for (const TreeStep& step : steps_) {
+    curved_.push_back(step.leaf.valid() ? leaves.instances()[step.leaf.index()].leaf->curved()
+                                        : std::ranges::any_of(step.operands, [&](InstanceId operand) {
+                                            return curved_[operand.index()] != 0;
+                                          }));
   }
 }
 
@@ -49,7 +45,7 @@ std::optional<double> VolumeBounds::of(InstanceId id) const {
 
 const SweptLeaf& VolumeBounds::swept(InstanceId id) const {
   static const SweptLeaf none(LeafInstance{no_geometry(), {}});
-  const auto leaf = leaves_.find(shared_->steps_[id.index()].leaf);
+  const auto leaf = leaves_.find(shared_->steps_[id].leaf);
   return leaf == leaves_.end() ? none : shared_->of(leaf->second);
 }
 
@@ -86,7 +82,7 @@ std::optional<double> VolumeBounds::of_any(InstanceId id) const {
 const Slabs& VolumeBounds::held(InstanceId id) const {
   const auto [it, fresh] = held_.try_emplace(id, Slabs::nothing());
   if (!fresh) return it->second;
-  const auto& step = shared_->steps_[id.index()];
+  const auto& step = shared_->steps_[id];
   Slabs all = Slabs::nothing();
   if (step.leaf.valid()) {
     all = swept(id).slabs();
@@ -113,7 +109,7 @@ std::optional<double> VolumeBounds::of_few(const std::vector<InstanceId>& below)
   for (auto it = below.rbegin(); it != below.rend(); ++it) {
     const Slabs& within = asked.at(*it);
     sum += Interval(swept(*it).volume(within));
-    const Operator op = shared_->steps_[it->index()].op;
+    const Operator op = shared_->steps_[*it].op;
     for (std::size_t i = 0; i < operands(*it).size(); ++i) {
       Slabs here = within;
       if (op == Operator::subtract && i > 0) here = here.common(held(operands(*it)[0]));

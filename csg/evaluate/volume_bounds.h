@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "csg/carriers/placed_leaves.h"
+#include "csg/certify/relevance.h"
 #include "csg/certify/swept_leaf.h"
 #include "csg/evaluate/prepared_leaves.h"
 
@@ -27,13 +28,8 @@ class SweptLeaves {
   SweptLeaves(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves);
 
  private:
-  struct Step {
-    Operator op = Operator::leaf;
-    std::vector<InstanceId> operands;
-    LeafId leaf;
-  };
   const SweptLeaf& of(const LeafInstance& leaf);
-  std::vector<Step> steps_;   // by InstanceId
+  IdVector<InstanceId, TreeStep> steps_;
   std::vector<char> curved_;  // the same: a leaf below has true surfaces
   std::map<std::pair<const PreparedLeaf*, const Transform*>, std::pair<LeafInstance, SweptLeaf>> known_;
   std::mutex mutex_;
@@ -48,7 +44,7 @@ class VolumeBounds {
   std::optional<double> of(InstanceId id) const;
 
  private:
-  const std::vector<InstanceId>& operands(InstanceId id) const { return shared_->steps_[id.index()].operands; }
+  const std::vector<InstanceId>& operands(InstanceId id) const { return shared_->steps_[id].operands; }
   const SweptLeaf& swept(InstanceId id) const;
   const Slabs& held(InstanceId id) const;
   /// It and all below it, ascending: operands before users. Empty if they are too many.

@@ -120,6 +120,9 @@ class PreparedLeaf {
   const SurfaceSource& surfaces() const { return surfaces_; }
   void set_surfaces(SurfaceSource source) { surfaces_ = std::move(source); }
 
+  /// True if faces stand for curved ones: of true surfaces, or of a value that is read back.
+  bool curved() const { return surfaces_ || volume_bound() != 0.0; }
+
   /// Of a curved leaf: what its patches lie on. Null for others.
   const std::shared_ptr<const CurvedForm>& form() const { return form_; }
   void set_form(std::shared_ptr<const CurvedForm> form) { form_ = std::move(form); }
