@@ -8,21 +8,11 @@
 
 #include "csg/compare/pieces.h"
 #include "kernel/base/union_find.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg {
 namespace {
-
-template <class IdT>
-void share(const std::vector<std::pair<IdT, Component>>& a, const std::vector<std::pair<IdT, Component>>& b,
-           std::vector<IdT> CellSet::*list, Shared& out) {
-  auto it = b.begin();
-  for (const auto& [cell, component] : a) {
-    while (it != b.end() && it->first < cell) ++it;
-    if (it == b.end()) return;
-    if (it->first == cell) (out[{component, it->second}].*list).push_back(cell);
-  }
-}
 
 /// How much two components share, larger in every case than what is less. Lengths and areas are rounded: where
 /// they tie, they only decide which of two partners is told.
@@ -49,10 +39,15 @@ bool heavier(const Weight& a, const Weight& b) {
 
 Shared shared_cells(const Selection& a, const Selection& b) {
   Shared out;
-  share(a.vertices, b.vertices, &CellSet::vertices, out);
-  share(a.edges, b.edges, &CellSet::edges, out);
-  share(a.faces, b.faces, &CellSet::faces, out);
-  share(a.regions, b.regions, &CellSet::regions, out);
+  const auto share = [&](const auto& of_a, const auto& of_b) {
+    auto it = of_b.begin();
+    for (const auto& [cell, component] : of_a) {
+      while (it != of_b.end() && it->first < cell) ++it;
+      if (it == of_b.end()) return;
+      if (it->first == cell) list_for(out[{component, it->second}], cell).push_back(cell);
+    }
+  };
+  for_each_dimension(share, a, b);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "kernel/base/union_find.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/scratch.h"
 #include "kernel/selection/simplify.h"
@@ -15,30 +16,23 @@ namespace {
 /// CellPlaces of the cells of all sets in one list.
 class CellPlaces {
  public:
-  CellPlaces(const Complex& complex, const std::vector<CellSet>& sets)
-      : vertices_(complex.points.size()),
-        edges_(complex.edge_count()),
-        faces_(complex.face_count()),
-        regions_(complex.region_count) {
-    for (const CellSet& set : sets) {
-      for (const VertexId v : set.vertices) vertices_[v] = ++count_;
-      for (const EdgeId e : set.edges) edges_[e] = ++count_;
-      for (const FaceId f : set.faces) faces_[f] = ++count_;
-      for (const RegionId r : set.regions) regions_[r] = ++count_;
-    }
+  CellPlaces(const Complex& complex, const std::vector<CellSet>& sets) : places_(complex) {
+    const auto number = [&](auto& places, const auto& cells) {
+      for (const auto cell : cells) places[cell] = ++count_;
+    };
+    for (const CellSet& set : sets) for_each_dimension(number, places_, set);
   }
   static constexpr std::uint32_t kNone = 0xffffffffu;  // of a cell of no set
-  std::uint32_t of(VertexId v) const { return vertices_.get(v) - 1; }
-  std::uint32_t of(EdgeId e) const { return edges_.get(e) - 1; }
-  std::uint32_t of(FaceId f) const { return faces_.get(f) - 1; }
-  std::uint32_t of(RegionId r) const { return regions_.get(r) - 1; }
+  template <class IdT>
+  std::uint32_t of(IdT cell) const {
+    return list_for(places_, cell).get(cell) - 1;
+  }
   std::size_t count() const { return count_; }
 
  private:
-  Scratch<VertexId, std::uint32_t> vertices_;  // 1 + the place
-  Scratch<EdgeId, std::uint32_t> edges_;
-  Scratch<FaceId, std::uint32_t> faces_;
-  Scratch<RegionId, std::uint32_t> regions_;
+  template <class IdT>
+  using Places = Scratch<IdT, std::uint32_t>;  // 1 + the place
+  OfCells<Places> places_;
   std::uint32_t count_ = 0;
 };
 
@@ -278,14 +272,8 @@ class Pieces {
     const auto list = [&](const auto& cells, auto& out) {
       for (const auto cell : cells) out.emplace_back(cell, piece_of_[places_.of(cell)] + 1);
     };
-    for (const CellSet& set : sets_) {
-      list(set.vertices, selection.vertices), list(set.edges, selection.edges);
-      list(set.faces, selection.faces), list(set.regions, selection.regions);
-    }
-    std::sort(selection.vertices.begin(), selection.vertices.end());
-    std::sort(selection.edges.begin(), selection.edges.end());
-    std::sort(selection.faces.begin(), selection.faces.end());
-    std::sort(selection.regions.begin(), selection.regions.end());
+    for (const CellSet& set : sets_) for_each_dimension(list, set, selection);
+    for_each_dimension([](auto& cells) { std::sort(cells.begin(), cells.end()); }, selection);
     const SimplifiedComplex simple = simplify(complex_, selection, {});
     const auto add = [&](Component component, int dimension, bool counts) {
       if (component != 0 && counts) ++pieces_[component - 1].counts[static_cast<std::size_t>(dimension)];

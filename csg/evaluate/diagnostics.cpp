@@ -54,10 +54,7 @@ CellSet active_of(const Selection& selection, const CellSet& cells) {
       if (place_in(list, id) != list.size()) to.push_back(id);
     }
   };
-  pick(selection.vertices, cells.vertices, out.vertices);
-  pick(selection.edges, cells.edges, out.edges);
-  pick(selection.faces, cells.faces, out.faces);
-  pick(selection.regions, cells.regions, out.regions);
+  for_each_dimension(pick, selection, cells, out);
   return out;
 }
 

@@ -380,23 +380,17 @@ void for_each_step(const Complex& complex, const Node& node, std::span<const Ope
   else boolean_in_steps(complex, node, {{}, place.order}, operands, see);
 }
 
-namespace {
-
 template <class IdT>
-Verdict verdict_in(const Complex& complex, const BooleanStep& step, IdT cell) {
+Verdict verdict(const Complex& complex, const BooleanStep& step, IdT cell) {
   Dominance dominance = step.dominance;
   if (step.rule == StepRule::materials) dominance = levels_at(complex, step.left, step.right, cell).dominance();
   if (step.rule == StepRule::blend) dominance = step.left.has(cell) ? Dominance::left : Dominance::right;
   return verdict(complex, step.op, dominance, step.left, step.right, step.result, cell);
 }
 
-}  // namespace
-
-Verdict verdict(const Complex& complex, const BooleanStep& step, FaceId f) { return verdict_in(complex, step, f); }
-Verdict verdict(const Complex& complex, const BooleanStep& step, EdgeId e) { return verdict_in(complex, step, e); }
-Verdict verdict(const Complex& complex, const BooleanStep& step, VertexId v) {
-  return verdict_in(complex, step, v);
-}
+template Verdict verdict(const Complex&, const BooleanStep&, FaceId);
+template Verdict verdict(const Complex&, const BooleanStep&, EdgeId);
+template Verdict verdict(const Complex&, const BooleanStep&, VertexId);
 
 std::vector<std::span<const NodeId>> leaves_wanted(const Node& node, bool first_operand) {
   if (is_topological(node.op)) return {std::span<const NodeId>()};

@@ -81,9 +81,8 @@ struct BooleanStep {
 
 /// What became of an entity in a step. Where the materials decide, the row is that of the dominance there; a blend
 /// keeps each entity as if its own operand dominated.
-Verdict verdict(const Complex& complex, const BooleanStep& step, FaceId f);
-Verdict verdict(const Complex& complex, const BooleanStep& step, EdgeId e);
-Verdict verdict(const Complex& complex, const BooleanStep& step, VertexId v);
+template <class IdT>
+Verdict verdict(const Complex& complex, const BooleanStep& step, IdT cell);
 
 /// Evaluates a Boolean node as `operate` does and shows every step; of `below` and `above` the one step in which
 /// the solid is cut.

@@ -5,6 +5,7 @@
 #include "csg/operators/pair_refinement.h"
 #include "csg/operators/verdict.h"
 #include "kernel/base/error.h"
+#include "kernel/complex/by_dimension.h"
 
 namespace cnrg {
 namespace {
@@ -12,30 +13,17 @@ namespace {
 constexpr Component kNoTable = 1 + kRelations * 4;
 
 /// A component per cell, 0 where nothing is known yet.
-struct FateMarks {
-  IdVector<VertexId, Component> vertices;
-  IdVector<EdgeId, Component> edges;
-  IdVector<FaceId, Component> faces;
-
-  explicit FateMarks(const Complex& complex)
-      : vertices(complex.points.size(), 0), edges(complex.edge_count(), 0), faces(complex.face_count(), 0) {}
-  Component& operator[](VertexId v) { return vertices[v]; }
-  Component& operator[](EdgeId e) { return edges[e]; }
-  Component& operator[](FaceId f) { return faces[f]; }
-};
+template <class IdT>
+using Fates = IdVector<IdT, Component>;
+using FateMarks = OfEntities<Fates>;
 
 template <class IdT>
-std::vector<std::pair<IdT, Component>> marked_cells(const IdVector<IdT, Component>& marks) {
+std::vector<std::pair<IdT, Component>> marked_cells(const Fates<IdT>& marks) {
   std::vector<std::pair<IdT, Component>> out;
   for (const IdT id : IdRange<IdT>(marks.size())) {
     if (marks[id] != 0) out.emplace_back(id, marks[id]);
   }
   return out;
-}
-
-template <class F>
-void for_each_group_list(const Group& group, F f) {
-  f(group.faces), f(group.edges), f(group.vertices);
 }
 
 void note(const Verdict& verdict, Component& mark) {
@@ -47,13 +35,10 @@ void note(const Verdict& verdict, Component& mark) {
 
 void ask_tables(const Complex& complex, const Node& node, const std::vector<Operand>& operands, FateMarks& marks) {
   for_each_step(complex, node, operands, {}, [&](const BooleanStep& step) {
-    for (const Group* group : {&step.left, &step.right}) {
-      for_each_group_list(*group, [&](const auto& cells) {
-        for (const auto cell : cells) {
-          note(verdict(complex, step, cell), marks[cell]);
-        }
-      });
-    }
+    const auto ask = [&](const auto& cells, auto& known) {
+      for (const auto cell : cells) note(verdict(complex, step, cell), known[cell]);
+    };
+    for (const Group* group : {&step.left, &step.right}) for_each_entity(ask, *group, marks);
   });
 }
 
@@ -79,14 +64,16 @@ class RowCounter {
     rows_.steps.push_back({step.operand, step_roles, step.rule});
     if (step.rule == StepRule::operands) open_table(step.op, step_roles.dominant);
     pair_.refine(step.left, step.right);
-    for_each_group_list(step.left, [&](const auto& cells) {
+    const auto count_left = [&](const auto& cells) {
       for (const auto cell : cells) count(step, cell);
-    });
-    for_each_group_list(step.right, [&](const auto& cells) {
+    };
+    const auto count_right = [&](const auto& cells) {
       for (const auto cell : cells) {
         if (!step.left.has(cell)) count(step, cell);
       }
-    });
+    };
+    for_each_entity(count_left, step.left);
+    for_each_entity(count_right, step.right);
   }
 
  private:
@@ -156,9 +143,7 @@ std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, I
   };
   for (const Operand& operand : operands) {
     const Selection before = selection_of(complex, *operand.value);
-    lose(before.vertices, kept.vertices, marks.vertices);
-    lose(before.edges, kept.edges, marks.edges);
-    lose(before.faces, kept.faces, marks.faces);
+    for_each_entity(lose, before, kept, marks);
   }
   Selection out{marked_cells(marks.vertices), marked_cells(marks.edges), marked_cells(marks.faces), {}};
   if (out.vertices.empty() && out.edges.empty() && out.faces.empty()) return std::nullopt;
@@ -181,7 +166,7 @@ Selection removed_entities(const Tree& tree, const Evaluation& evaluation, const
     std::erase_if(cells, [](const auto& cell) { return !Fate::of(cell.second).removed; });
     for (auto& cell : cells) cell.second = 1;
   };
-  keep_removed(all->vertices), keep_removed(all->edges), keep_removed(all->faces);
+  for_each_entity(keep_removed, *all);
   return std::move(*all);
 }
 

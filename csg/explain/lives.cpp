@@ -10,7 +10,6 @@
 #include "csg/operators/component_lists.h"
 #include "csg/operators/material_levels.h"
 #include "csg/operators/pair_refinement.h"
-#include "csg/operators/paper_terms.h"
 #include "csg/tree/unfold.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
@@ -20,16 +19,6 @@
 
 namespace cnrg {
 namespace {
-
-template <class F>
-decltype(auto) with_id(const Location& at, F f) {
-  switch (at.dimension) {
-    case 0: return f(at.vertex);
-    case 1: return f(at.edge);
-    case 2: return f(at.face);
-    default: return f(at.region);
-  }
-}
 
 bool has(const Group& group, const Location& cell) {
   return with_id(cell, [&](auto id) {
@@ -49,30 +38,8 @@ CellState region_state(const Group& group, std::uint32_t region) {
   return {region, region == 0 ? "" : group.regions[region - 1].name, true, false};
 }
 
-std::size_t place_of(const Selection& selection, const Location& cell, bool& found) {
-  const auto search = [&](const auto& list, auto id) {
-    const std::size_t k = place_in(list, id);
-    found = k != list.size();
-    return k;
-  };
-  switch (cell.dimension) {
-    case 0: return search(selection.vertices, cell.vertex);
-    case 1: return search(selection.edges, cell.edge);
-    case 2: return search(selection.faces, cell.face);
-    default: return search(selection.regions, cell.region);
-  }
-}
-
 Component component_at(const Selection& selection, const Location& cell) {
-  bool found = false;
-  const std::size_t k = place_of(selection, cell, found);
-  if (!found) return 0;
-  switch (cell.dimension) {
-    case 0: return selection.vertices[k].second;
-    case 1: return selection.edges[k].second;
-    case 2: return selection.faces[k].second;
-    default: return selection.regions[k].second;
-  }
+  return with_id(cell, [&](auto id) { return component_in(list_for(selection, id), id); });
 }
 
 CellState component_state(const Components& x, const Location& cell) {
@@ -194,13 +161,10 @@ CellSide made_by_both(const Complex& complex, PairRefinement& pair, const Boolea
 }
 
 Verdict verdict_of(const Complex& complex, const BooleanStep& step, const Location& cell) {
-  const auto ask = [&](auto id) { return verdict(complex, step, id); };
-  switch (cell.dimension) {
-    case 0: return ask(cell.vertex);
-    case 1: return ask(cell.edge);
-    case 2: return ask(cell.face);
-    default: return {};
-  }
+  return with_id(cell, [&](auto id) -> Verdict {
+    if constexpr (std::is_same_v<decltype(id), RegionId>) return {};
+    else return verdict(complex, step, id);
+  });
 }
 
 LevelsAt levels_of(const Complex& complex, const BooleanStep& step, const Location& cell) {
@@ -214,12 +178,7 @@ Dominance owner_of(const BooleanStep& step, const Location& cell) {
 
 CellSet only(const Location& cell) {
   CellSet out;
-  switch (cell.dimension) {
-    case 0: out.vertices = {cell.vertex}; break;
-    case 1: out.edges = {cell.edge}; break;
-    case 2: out.faces = {cell.face}; break;
-    default: out.regions = {cell.region};
-  }
+  with_id(cell, [&](auto id) { list_for(out, id) = {id}; });
   return out;
 }
 
@@ -254,13 +213,13 @@ CellState state_in(const Complex& complex, const NodeValue& value, const Locatio
 }
 
 std::vector<LeafId> origins_in(const Components& x, const Location& cell) {
-  bool found = false;
-  const std::size_t k = place_of(x.selection, cell, found);
-  if (!found) return {};
-  const std::vector<LeafSetId>* lists[] = {&x.origins.vertices, &x.origins.edges, &x.origins.faces,
-                                           &x.origins.regions};
-  const auto leaves = x.origins.sets[(*lists[cell.dimension])[k]];
-  return {leaves.begin(), leaves.end()};
+  return with_id(cell, [&](auto id) -> std::vector<LeafId> {
+    const auto& list = list_for(x.selection, id);
+    const std::size_t k = place_in(list, id);
+    if (k == list.size()) return {};
+    const auto leaves = x.origins.sets[list_for(x.origins, id)[k]];
+    return {leaves.begin(), leaves.end()};
+  });
 }
 
 std::vector<LeafId> origins_in(const Complex& complex, const NodeValue& value, const Location& cell) {

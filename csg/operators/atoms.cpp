@@ -14,18 +14,7 @@ namespace {
 
 constexpr std::uint32_t kNoAtom = 0xffffffffu;  // after all atoms
 
-template <class List, class CellsT>
-bool any_known(const List& list, const CellsT& cells) {
-  return std::any_of(list.begin(), list.end(), [&](const auto& entry) { return cells.place[entry.first] != 0; });
-}
-
 }  // namespace
-
-Atoms::Atoms(const Complex& complex)
-    : vertices_(complex.points.size()),
-      edges_(complex.edge_count()),
-      faces_(complex.face_count()),
-      regions_(complex.region_count) {}
 
 int Atoms::Atom::dimension() const {
   int d = 3;
@@ -34,40 +23,38 @@ int Atoms::Atom::dimension() const {
 }
 
 bool Atoms::meet(const Components& x) const {
-  return any_known(x.selection.vertices, vertices_) || any_known(x.selection.edges, edges_) ||
-         any_known(x.selection.faces, faces_) || any_known(x.selection.regions, regions_);
-}
-
-// f(cells, list of x, its origins, cells of x in a set, dimension)
-template <class F>
-void Atoms::for_each_dimension(const Components& x, F f) {
-  f(vertices_, x.selection.vertices, x.origins.vertices, &CellSet::vertices, 0);
-  f(edges_, x.selection.edges, x.origins.edges, &CellSet::edges, 1);
-  f(faces_, x.selection.faces, x.origins.faces, &CellSet::faces, 2);
-  f(regions_, x.selection.regions, x.origins.regions, &CellSet::regions, 3);
+  bool known = false;
+  const auto see = [&](const auto& list, const auto& cells) {
+    known = known || std::any_of(list.begin(), list.end(),
+                                 [&](const auto& entry) { return cells.place[entry.first] != 0; });
+  };
+  for_each_dimension(see, x.selection, cells_);
+  return known;
 }
 
 void Atoms::add(const Components& x, std::optional<Dominance> dominance) {
   std::vector<Key> keys;
   const auto key_of = [](const auto& cells, const auto& entry) {
-    const std::uint32_t place = std::as_const(cells.place)[entry.first];
+    const std::uint32_t place = cells.place.get(entry.first);
     return Key(place == 0 ? kNoAtom : cells.atoms[place - 1], entry.second);
   };
-  for_each_dimension(x, [&](auto& cells, const auto& list, const auto&, auto, std::size_t) {
+  const auto see = [&](const auto& cells, const auto& list) {
     for (const auto& entry : list) {
       const Key key = key_of(cells, entry);
       if (keys.empty() || keys.back() != key) keys.push_back(key);
     }
-  });
+  };
+  for_each_dimension(see, cells_, x.selection);
   sort_unique(keys);
   const std::size_t before = atoms_.size();
   std::vector<Conflict> conflicts = add_atoms(x, keys, dominance);
 
   LeafSetMap sets(x.origins.sets, sets_);
   std::size_t last = 0;
-  for_each_dimension(x, [&](auto& cells, const auto& list, const auto& origins, auto in_set, std::size_t d) {
+  const auto take_in = [&](auto& cells, const auto& list, const auto& origins) {
     for (std::size_t k = 0; k < list.size(); ++k) {
       const Key key = key_of(cells, list[k]);
+      const auto d = static_cast<std::size_t>(dimension_of(list[k].first));
       if (keys[last] != key) {
         last = static_cast<std::size_t>(std::lower_bound(keys.begin(), keys.end(), key) - keys.begin());
       }
@@ -88,9 +75,10 @@ void Atoms::add(const Components& x, std::optional<Dominance> dominance) {
       Conflict& at = conflicts[last];
       if (at.decides == Dominance::equal) at_odds_.see(list[k].first, sets_.said(origin), sets_.said(more));
       origin = sets_.unite(origin, more, at.decides);
-      if (!at.yielded.empty()) (at.cells.*in_set).push_back(list[k].first);
+      if (!at.yielded.empty()) list_for(at.cells, list[k].first).push_back(list[k].first);
     }
-  });
+  };
+  for_each_dimension(take_in, cells_, x.selection, x.origins);
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const Atom& atom = atoms_[before + i];
     if (atom.dimension() < conflicts[i].least) continue;
@@ -143,10 +131,7 @@ ComponentsResult Atoms::result() {
       origins.push_back(sets(cells.origins[i]));
     }
   };
-  write(vertices_, value.selection.vertices, value.origins.vertices);
-  write(edges_, value.selection.edges, value.origins.edges);
-  write(faces_, value.selection.faces, value.origins.faces);
-  write(regions_, value.selection.regions, value.origins.regions);
+  for_each_dimension(write, cells_, value.selection, value.origins);
   sort_unique(features_.edges), sort_unique(features_.vertices);
   value.features = active(value.selection, features_);
   collect_leaves(value);

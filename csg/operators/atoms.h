@@ -11,13 +11,14 @@
 
 #include "csg/operators/cnrg.h"
 #include "csg/operators/component_attributes.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {
 
 class Atoms {
  public:
-  explicit Atoms(const Complex& complex);
+  explicit Atoms(const Complex& complex) : cells_(complex) {}
   /// True if some cell of `x` is in an atom.
   bool meet(const Components& x) const;
   /// Takes in the next operand. Attributes of what it shares with atoms as `sum` has them.
@@ -50,15 +51,10 @@ class Atoms {
     Dominance decides = Dominance::equal;
   };
 
-  template <class F>
-  void for_each_dimension(const Components& x, F f);
   std::vector<Conflict> add_atoms(const Components& x, const std::vector<Key>& keys,
                                   std::optional<Dominance> dominance);
 
-  Cells<VertexId> vertices_;
-  Cells<EdgeId> edges_;
-  Cells<FaceId> faces_;
-  Cells<RegionId> regions_;
+  OfCells<Cells> cells_;
   std::vector<Atom> atoms_;
   LeafUnions sets_;
   Features features_;  // of all operands, in no order

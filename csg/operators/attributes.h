@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "csg/operators/group.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/selection.h"
 
 namespace cnrg {
@@ -31,7 +32,7 @@ class AtOdds {
   template <class IdT>
   void see(IdT cell, const SaidPointer& left, const SaidPointer& right) {
     if (left == right || left == nullptr || right == nullptr) return;
-    if (Found* found = find(left, right, dimension_of(cell))) list_of(found->cells, cell).push_back(cell);
+    if (Found* found = find(left, right, dimension_of(cell))) list_for(found->cells, cell).push_back(cell);
   }
   /// Moves what was collected to the end of a list.
   void take_to(std::vector<AttributeConflict>& conflicts);
@@ -44,10 +45,6 @@ class AtOdds {
     CellSet cells;
   };
   Found* find(const SaidPointer& left, const SaidPointer& right, int dimension);
-  static std::vector<VertexId>& list_of(CellSet& cells, VertexId) { return cells.vertices; }
-  static std::vector<EdgeId>& list_of(CellSet& cells, EdgeId) { return cells.edges; }
-  static std::vector<FaceId>& list_of(CellSet& cells, FaceId) { return cells.faces; }
-  static std::vector<RegionId>& list_of(CellSet& cells, RegionId) { return cells.regions; }
   std::vector<Found> found_;
 };
 

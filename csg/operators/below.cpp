@@ -17,6 +17,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/selection/scratch.h"
 
@@ -359,9 +360,7 @@ class Parting {
         to.push_back(k < from.size() && from[k] == cell ? sets(from_origins[k]) : LeafSetId(0));
       }
     };
-    origins(out.faces, surface_.faces, surface_.origins.faces, out.origins.faces);
-    origins(out.edges, surface_.edges, surface_.origins.edges, out.origins.edges);
-    origins(out.vertices, surface_.vertices, surface_.origins.vertices, out.origins.vertices);
+    for_each_entity(origins, out, surface_, surface_.origins, out.origins);
     for (const EdgeId e : surface_.features.edges) {
       if (sheet_edges.get(e) != 0) out.features.edges.push_back(e);
     }

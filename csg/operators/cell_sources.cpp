@@ -13,25 +13,18 @@ namespace cnrg {
 namespace {
 
 template <class IdT>
-LeafSetId set_in(const std::vector<IdT>& list, const std::vector<LeafSetId>& origins, IdT cell) {
-  const auto it = std::lower_bound(list.begin(), list.end(), cell);
+LeafSetId set_in(const Group& group, IdT cell) {
+  const auto& list = list_for(group, cell);
+  const auto it = std::ranges::lower_bound(list, cell);
   if (it == list.end() || *it != cell) return LeafSetId::none();
-  return origins[static_cast<std::size_t>(it - list.begin())];
+  return list_for(group.origins, cell)[static_cast<std::size_t>(it - list.begin())];
 }
 
 template <class IdT>
-LeafSetId set_in(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& origins,
-                 IdT cell) {
+LeafSetId set_in(const Components& x, IdT cell) {
+  const auto& list = list_for(x.selection, cell);
   const std::size_t k = place_in(list, cell);
-  return k == list.size() ? LeafSetId::none() : origins[k];
-}
-
-template <class IdT>
-LeafSetId telling_set_in(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& origins,
-                         const std::set<std::pair<Component, LeafSetId>>& repeated, IdT cell) {
-  const std::size_t k = place_in(list, cell);
-  if (k == list.size() || repeated.contains({list[k].second, origins[k]})) return LeafSetId::none();
-  return origins[k];
+  return k == list.size() ? LeafSetId::none() : list_for(x.origins, cell)[k];
 }
 
 bool add_origin(const LeafSets& sets, LeafSetId set, std::vector<LeafId>& out) {
@@ -83,9 +76,9 @@ LeafSetId ValueSources::said_set(VertexId v) const {
   return end ? LeafSetId::none() : set;
 }
 
-LeafSetId GroupSources::set_of(FaceId f) const { return set_in(group_.faces, group_.origins.faces, f); }
-LeafSetId GroupSources::set_of(EdgeId e) const { return set_in(group_.edges, group_.origins.edges, e); }
-LeafSetId GroupSources::set_of(VertexId v) const { return set_in(group_.vertices, group_.origins.vertices, v); }
+LeafSetId GroupSources::set_of(FaceId f) const { return set_in(group_, f); }
+LeafSetId GroupSources::set_of(EdgeId e) const { return set_in(group_, e); }
+LeafSetId GroupSources::set_of(VertexId v) const { return set_in(group_, v); }
 
 // Faces and edges that bound something kept are entities: a group is closed, and walls in a region are entities.
 void GroupSources::leaves_of(FaceId f, std::vector<LeafId>& out) const {
@@ -102,7 +95,7 @@ ComponentSources::ComponentSources(const Complex& complex, const Components& x)
     : ValueSources(complex, x.origins.sets), x_(x) {
   if (!sets_.says_anything()) return;
   std::pair<Component, LeafSetId> last(0, LeafSetId(0));
-  for_each_list(x, [&](const auto& list, const auto& origins) {
+  const auto see = [&](const auto& list, const auto& origins) {
     for (std::size_t k = 0; k < list.size(); ++k) {
       const std::pair entry(list[k].second, origins[k]);
       if (entry == std::exchange(last, entry)) continue;
@@ -113,24 +106,24 @@ ComponentSources::ComponentSources(const Complex& complex, const Components& x)
       replace(both, said->attributes);
       if (both == of_component) repeated_.insert(entry);
     }
-  });
+  };
+  for_each_dimension(see, x.selection, x.origins);
 }
 
-LeafSetId ComponentSources::telling_set_of(FaceId f) const {
-  return telling_set_in(x_.selection.faces, x_.origins.faces, repeated_, f);
-}
-LeafSetId ComponentSources::telling_set_of(EdgeId e) const {
-  return telling_set_in(x_.selection.edges, x_.origins.edges, repeated_, e);
-}
-LeafSetId ComponentSources::telling_set_of(VertexId v) const {
-  return telling_set_in(x_.selection.vertices, x_.origins.vertices, repeated_, v);
+template <class IdT>
+LeafSetId ComponentSources::telling_set(IdT cell) const {
+  const LeafSetId set = set_of(cell);
+  const bool repeats = set.valid() && repeated_.contains({component_in(list_for(x_.selection, cell), cell), set});
+  return repeats ? LeafSetId::none() : set;
 }
 
-LeafSetId ComponentSources::set_of(FaceId f) const { return set_in(x_.selection.faces, x_.origins.faces, f); }
-LeafSetId ComponentSources::set_of(EdgeId e) const { return set_in(x_.selection.edges, x_.origins.edges, e); }
-LeafSetId ComponentSources::set_of(VertexId v) const {
-  return set_in(x_.selection.vertices, x_.origins.vertices, v);
-}
+LeafSetId ComponentSources::telling_set_of(FaceId f) const { return telling_set(f); }
+LeafSetId ComponentSources::telling_set_of(EdgeId e) const { return telling_set(e); }
+LeafSetId ComponentSources::telling_set_of(VertexId v) const { return telling_set(v); }
+
+LeafSetId ComponentSources::set_of(FaceId f) const { return set_in(x_, f); }
+LeafSetId ComponentSources::set_of(EdgeId e) const { return set_in(x_, e); }
+LeafSetId ComponentSources::set_of(VertexId v) const { return set_in(x_, v); }
 
 bool ComponentSources::stands_out(FaceId f) const {
   const auto sides = complex_.face_regions[f];
@@ -149,9 +142,7 @@ bool ComponentSources::is_beside(std::span<const RegionId> around, Component own
 void ComponentSources::leaves_of(FaceId f, std::vector<LeafId>& out) const {
   out.clear();
   if (add_origin(sets_, set_of(f), out)) return;
-  for (const RegionId r : complex_.face_regions[f]) {
-    add_origin(sets_, set_in(x_.selection.regions, x_.origins.regions, r), out);
-  }
+  for (const RegionId r : complex_.face_regions[f]) add_origin(sets_, set_in(x_, r), out);
   sort_unique(out);
 }
 
@@ -161,9 +152,7 @@ void ComponentSources::leaves_of(EdgeId e, std::vector<LeafId>& out) const {
   std::vector<RegionId> regions;
   for (const FaceUse& use : complex_.edge_uses[e]) add_origin(sets_, set_of(use.face), out);
   complex_.star_regions(e, regions);
-  for (const RegionId r : regions) {
-    add_origin(sets_, set_in(x_.selection.regions, x_.origins.regions, r), out);
-  }
+  for (const RegionId r : regions) add_origin(sets_, set_in(x_, r), out);
   sort_unique(out);
 }
 

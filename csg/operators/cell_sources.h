@@ -106,6 +106,8 @@ class ComponentSources : public ValueSources {
   LeafSetId telling_set_of(VertexId v) const override;
   bool stands_out(FaceId f) const override;
   bool stands_out(EdgeId e) const override;
+  template <class IdT>
+  LeafSetId telling_set(IdT cell) const;
   /// A cell of a component, not just of none, with a 3-cell around it that is not of that component.
   bool is_beside(std::span<const RegionId> around, Component own) const;
   const Components& x_;

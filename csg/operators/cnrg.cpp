@@ -95,18 +95,10 @@ class Overlay {
   ComponentsResult run(std::optional<Dominance> dominance) {
     stated_ = dominance;
     Selection& s = out_.value.selection;
-    Origins& o = out_.value.origins;
-    overlay(x_.selection.vertices, x_.origins.vertices, y_.selection.vertices, y_.origins.vertices, vertices_,
-            o.vertices);
-    overlay(x_.selection.edges, x_.origins.edges, y_.selection.edges, y_.origins.edges, edges_, o.edges);
-    overlay(x_.selection.faces, x_.origins.faces, y_.selection.faces, y_.origins.faces, faces_, o.faces);
-    overlay(x_.selection.regions, x_.origins.regions, y_.selection.regions, y_.origins.regions, regions_,
-            o.regions);
+    for_each_dimension([&](auto&... of) { overlay(of...); }, x_.selection, x_.origins, y_.selection, y_.origins,
+                       pairs_, out_.value.origins);
     numbering_.number();
-    assign(vertices_, s.vertices);
-    assign(edges_, s.edges);
-    assign(faces_, s.faces);
-    assign(regions_, s.regions);
+    for_each_dimension([&](const auto& pairs, auto& list) { assign(pairs, list); }, pairs_, s);
     attributes(dominance);
     at_odds_.take_to(out_.conflicts);
     out_.value.features = active(s, unite(x_.features, y_.features));
@@ -185,10 +177,7 @@ class Overlay {
   ComponentsResult out_;
   LeafSetMap<LeafSets, LeafSets> from_x_, from_y_;
   Numbering<PairKey> numbering_;
-  Pairs<VertexId> vertices_;
-  Pairs<EdgeId> edges_;
-  Pairs<FaceId> faces_;
-  Pairs<RegionId> regions_;
+  OfCells<Pairs> pairs_;
 };
 
 // --- one selection, restricted
@@ -218,9 +207,10 @@ ComponentAttributes strongest(const Components& x, std::vector<AttributeConflict
 // Drops components without cells and numbers the others from 1.
 void renumber(Components& x) {
   std::vector<Component> number(x.attributes.size() + 1, 0);
-  for_each_list(x, [&](const auto& list, const auto&) {
+  const auto see = [&](const auto& list) {
     for (const auto& entry : list) number[entry.second] = 1;
-  });
+  };
+  for_each_dimension(see, x.selection);
   std::vector<ComponentAttributes> kept;
   for (std::size_t c = 1; c < number.size(); ++c) {
     if (number[c] == 0) continue;
@@ -228,9 +218,10 @@ void renumber(Components& x) {
     number[c] = static_cast<Component>(kept.size());
   }
   x.attributes = std::move(kept);
-  for_each_list(x, [&](auto& list, const auto&) {
+  const auto renumber_list = [&](auto& list) {
     for (auto& entry : list) entry.second = number[entry.second];
-  });
+  };
+  for_each_dimension(renumber_list, x.selection);
 }
 
 // Origins of cells that X lacks: those of the cells of X next to them, and the leaves among `below` that have a
@@ -298,14 +289,15 @@ void inherit_origins(const Complex& complex, const Components& x, std::span<cons
                      Components& value) {
   LeafSetMap map(x.origins.sets, value.origins.sets);
   NearbyOrigins nearby(complex, x, below, value.origins.sets);
-  for_each_list(value, x, [&](const auto& list, auto& origins, const auto& from, const auto& from_origins) {
+  const auto inherit = [&](const auto& list, auto& origins, const auto& from, const auto& from_origins) {
     std::size_t k = 0;
     for (const auto& [id, component] : list) {
       while (k < from.size() && from[k].first < id) ++k;
       const bool own = k < from.size() && from[k].first == id;
       origins.push_back(own ? map(from_origins[k]) : nearby.of(id));
     }
-  });
+  };
+  for_each_dimension(inherit, value.selection, value.origins, x.selection, x.origins);
 }
 
 // The union of all origins.
@@ -378,33 +370,22 @@ ComponentsResult sum(const Complex& complex, std::span<const Components* const> 
 ComponentsResult subtract(const Complex& complex, std::span<const Components* const> operands) {
   require(!operands.empty(), "subtract: no operands");
   const Components& x = *operands[0];
-  Marks<VertexId> vertices(complex.points.size());
-  Marks<EdgeId> edges(complex.edge_count());
-  Marks<FaceId> faces(complex.face_count());
-  Marks<RegionId> regions(complex.region_count);
+  OfCells<Marks> taken(complex);
   const auto mark = [](const auto& list, auto& marks) {
     for (const auto& entry : list) marks[entry.first] = 1;
   };
-  for (const Components* y : operands.subspan(1)) {
-    mark(y->selection.vertices, vertices);
-    mark(y->selection.edges, edges);
-    mark(y->selection.faces, faces);
-    mark(y->selection.regions, regions);
-  }
+  for (const Components* y : operands.subspan(1)) for_each_dimension(mark, y->selection, taken);
   ComponentsResult out;
   Components& value = out.value;
   LeafSetMap sets(x.origins.sets, value.origins.sets);
-  const auto take = [&](const auto& from, const auto& origins, const auto& marks, auto& to, auto& to_origins) {
+  const auto keep = [&](const auto& from, const auto& origins, const auto& marks, auto& to, auto& to_origins) {
     for (std::size_t k = 0; k < from.size(); ++k) {
       if (marks[from[k].first]) continue;
       to.push_back(from[k]);
       to_origins.push_back(sets(origins[k]));
     }
   };
-  take(x.selection.vertices, x.origins.vertices, vertices, value.selection.vertices, value.origins.vertices);
-  take(x.selection.edges, x.origins.edges, edges, value.selection.edges, value.origins.edges);
-  take(x.selection.faces, x.origins.faces, faces, value.selection.faces, value.origins.faces);
-  take(x.selection.regions, x.origins.regions, regions, value.selection.regions, value.origins.regions);
+  for_each_dimension(keep, x.selection, x.origins, std::as_const(taken), value.selection, value.origins);
   value.attributes = x.attributes;
   value.features = active(value.selection, x.features);
   renumber(value);
@@ -420,9 +401,10 @@ ComponentsResult unify(const Complex&, const Components& x) {
     out.value.attributes.push_back(strongest(x, out.conflicts));
     out.value.attributes[0].leaves = all_leaves(x);
   }
-  for_each_list(out.value, [](auto& list, const auto&) {
+  const auto unite_list = [](auto& list) {
     for (auto& entry : list) entry.second = 1;
-  });
+  };
+  for_each_dimension(unite_list, out.value.selection);
   return out;
 }
 
@@ -450,10 +432,8 @@ ComponentsResult complement(const Complex& complex, const Components& x) {
   value.attributes[0].leaves = all_leaves(x);
   value.attributes[0].dominance = largest_dominance(x);
   const LeafSetId origin = value.origins.sets.intern(value.attributes[0].leaves);
-  value.origins.vertices.assign(rest.vertices.size(), origin);
-  value.origins.edges.assign(rest.edges.size(), origin);
-  value.origins.faces.assign(rest.faces.size(), origin);
-  value.origins.regions.assign(rest.regions.size(), origin);
+  for_each_dimension([&](auto& origins, const auto& cells) { origins.assign(cells.size(), origin); },
+                     value.origins, rest);
   return out;
 }
 

@@ -31,12 +31,13 @@ Combined combine(const ComponentAttributes& a, const ComponentAttributes& b, std
 // Neighbouring cells mostly have one origin.
 void collect_leaves(Components& x) {
   std::vector<std::pair<Component, LeafSetId>> seen;
-  for_each_list(x, [&](const auto& list, const auto& origins) {
+  const auto see = [&](const auto& list, const auto& origins) {
     for (std::size_t k = 0; k < list.size(); ++k) {
       const std::pair entry(list[k].second, origins[k]);
       if (seen.empty() || seen.back() != entry) seen.push_back(entry);
     }
-  });
+  };
+  for_each_dimension(see, x.selection, x.origins);
   sort_unique(seen);
   for (ComponentAttributes& a : x.attributes) a.leaves.clear();
   for (const auto& [component, set] : seen) {

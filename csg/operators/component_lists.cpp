@@ -35,13 +35,20 @@ void for_each_cell(const std::vector<std::pair<IdT, Component>>& list, F f) {
 
 std::vector<int> dimensions(const Components& x) {
   std::vector<int> out(x.attributes.size(), -1);
-  const auto see = [&](const auto& list, int dimension) {
-    for (const auto& entry : list) out[entry.second - 1] = dimension;
+  const auto see = [&](const auto& list) {
+    for (const auto& [id, component] : list) out[component - 1] = dimension_of(id);
   };
-  see(x.selection.vertices, 0);
-  see(x.selection.edges, 1);
-  see(x.selection.faces, 2);
-  see(x.selection.regions, 3);
+  for_each_dimension(see, x.selection);
+  return out;
+}
+
+std::vector<Component> components_in(const Selection& selection) {
+  std::vector<Component> out;
+  const auto see = [&](const auto& list) {
+    for (const auto& [id, component] : list) out.push_back(component);
+  };
+  for_each_dimension(see, selection);
+  sort_unique(out);
   return out;
 }
 
@@ -54,10 +61,10 @@ Rational largest_dominance(const Components& x) {
 
 std::vector<CellSet> supports(const Components& x) {
   std::vector<CellSet> out(x.attributes.size());
-  for (const auto& [id, c] : x.selection.vertices) out[c - 1].vertices.push_back(id);
-  for (const auto& [id, c] : x.selection.edges) out[c - 1].edges.push_back(id);
-  for (const auto& [id, c] : x.selection.faces) out[c - 1].faces.push_back(id);
-  for (const auto& [id, c] : x.selection.regions) out[c - 1].regions.push_back(id);
+  const auto add = [&](const auto& list) {
+    for (const auto& [id, c] : list) list_for(out[c - 1], id).push_back(id);
+  };
+  for_each_dimension(add, x.selection);
   return out;
 }
 
@@ -86,23 +93,17 @@ void Memberships::add(const CellSet& set, Component component) {
   const auto append = [&](const auto& cells, auto& list) {
     for (const auto cell : cells) list.emplace_back(cell, component);
   };
-  append(set.vertices, vertices_);
-  append(set.edges, edges_);
-  append(set.faces, faces_);
-  append(set.regions, regions_);
+  for_each_dimension(append, set, cells_);
 }
 
 std::vector<std::vector<Component>> Memberships::atoms(Selection& selection) {
-  std::sort(vertices_.begin(), vertices_.end());
-  std::sort(edges_.begin(), edges_.end());
-  std::sort(faces_.begin(), faces_.end());
-  std::sort(regions_.begin(), regions_.end());
   std::map<std::vector<Component>, Component> numbers;
   const auto see = [&](auto, const std::vector<Component>& components) { numbers.emplace(components, 0); };
-  for_each_cell(vertices_, see);
-  for_each_cell(edges_, see);
-  for_each_cell(faces_, see);
-  for_each_cell(regions_, see);
+  const auto see_all = [&](auto& list) {
+    std::sort(list.begin(), list.end());
+    for_each_cell(list, see);
+  };
+  for_each_dimension(see_all, cells_);
   std::vector<std::vector<Component>> out;
   for (auto& [components, number] : numbers) {
     out.push_back(components);
@@ -113,10 +114,7 @@ std::vector<std::vector<Component>> Memberships::atoms(Selection& selection) {
       to.emplace_back(cell, numbers.at(components));
     });
   };
-  assign(vertices_, selection.vertices);
-  assign(edges_, selection.edges);
-  assign(faces_, selection.faces);
-  assign(regions_, selection.regions);
+  for_each_dimension(assign, cells_, selection);
   return out;
 }
 

@@ -1,4 +1,4 @@
-// Passes over the four lists of a value, one per dimension, and over the lists parallel to them.
+// Questions about the components of a value, and about its lists, one per dimension.
 #pragma once
 
 #include <algorithm>
@@ -7,26 +7,9 @@
 
 #include "csg/operators/components.h"
 #include "kernel/base/sorted.h"
+#include "kernel/complex/by_dimension.h"
 
 namespace cnrg {
-
-/// f(list, origins) for vertices, edges, faces and 3-cells.
-template <class ComponentsT, class F>
-void for_each_list(ComponentsT& x, F f) {
-  f(x.selection.vertices, x.origins.vertices);
-  f(x.selection.edges, x.origins.edges);
-  f(x.selection.faces, x.origins.faces);
-  f(x.selection.regions, x.origins.regions);
-}
-
-/// f(list of x, origins of x, list of y, origins of y).
-template <class F>
-void for_each_list(Components& x, const Components& y, F f) {
-  f(x.selection.vertices, x.origins.vertices, y.selection.vertices, y.origins.vertices);
-  f(x.selection.edges, x.origins.edges, y.selection.edges, y.origins.edges);
-  f(x.selection.faces, x.origins.faces, y.selection.faces, y.origins.faces);
-  f(x.selection.regions, x.origins.regions, y.selection.regions, y.origins.regions);
-}
 
 /// The place of a cell in a sorted list of (cell, component); its size when the cell is not there.
 template <class IdT>
@@ -45,6 +28,9 @@ Component component_in(const std::vector<std::pair<IdT, Component>>& list, IdT i
 
 /// The largest dimension of the cells of each component, by component - 1; -1 for one without cells.
 std::vector<int> dimensions(const Components& x);
+
+/// The components that have cells, ascending.
+std::vector<Component> components_in(const Selection& selection);
 
 /// The largest dominance of its components; 0 when there is none.
 Rational largest_dominance(const Components& x);
@@ -69,12 +55,7 @@ class Memberships {
   std::vector<std::vector<Component>> atoms(Selection& selection);
 
  private:
-  template <class IdT>
-  using List = std::vector<std::pair<IdT, Component>>;
-  List<VertexId> vertices_;
-  List<EdgeId> edges_;
-  List<FaceId> faces_;
-  List<RegionId> regions_;
+  Selection cells_;  // each with each of its components
 };
 
 }  // namespace cnrg

@@ -32,9 +32,7 @@ class Entities {
 
   // A cell is inside of a component when all 3-cells around are of it and so are the cells between them.
   void run() {
-    find(x_.selection.faces, x_.origins.faces, out_.faces, out_.origins.faces);
-    find(x_.selection.edges, x_.origins.edges, out_.edges, out_.origins.edges);
-    find(x_.selection.vertices, x_.origins.vertices, out_.vertices, out_.origins.vertices);
+    for_each_entity([&](auto&... of) { find(of...); }, x_.selection, x_.origins, out_, out_.origins);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "csg/operators/origins.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {
@@ -32,45 +33,39 @@ Selection selection_of(const Complex& complex, const Group& group) {
   Selection out;
   out.regions = group.cells;
   const auto entities = static_cast<Component>(group.regions.size() + 1);
-  for (FaceId f : group.faces) out.faces.push_back({f, entities});
-  for (EdgeId e : group.edges) out.edges.push_back({e, entities});
-  for (VertexId v : group.vertices) out.vertices.push_back({v, entities});
+  OfEntities<Marks> seen(complex);
+  const auto add_entities = [&](const auto& cells, auto& marks, auto& list) {
+    for (const auto cell : cells) {
+      marks[cell] = 1;
+      list.push_back({cell, entities});
+    }
+  };
+  for_each_entity(add_entities, group, seen, out);
 
   // Cells in the interior of a region: reached from its 3-cells, and no entities.
-  Marks<FaceId> faces(complex.face_count());
-  Marks<EdgeId> edges(complex.edge_count());
-  Marks<VertexId> vertices(complex.points.size());
-  for (FaceId f : group.faces) faces[f] = 1;
-  for (EdgeId e : group.edges) edges[e] = 1;
-  for (VertexId v : group.vertices) vertices[v] = 1;
-  const auto add_vertex = [&](VertexId v, Component c) {
-    if (vertices[v] || complex.on_frame(v)) return;
-    vertices[v] = 1;
-    out.vertices.push_back({v, c});
+  const auto add = [&](auto cell, Component c) {
+    if (list_for(seen, cell)[cell] || complex.on_frame(cell)) return false;
+    list_for(seen, cell)[cell] = 1;
+    list_for(out, cell).push_back({cell, c});
+    return true;
   };
   const auto add_edge = [&](EdgeId e, Component c) {
-    if (edges[e] || complex.on_frame(e)) return;
-    edges[e] = 1;
-    out.edges.push_back({e, c});
-    for (VertexId v : complex.edge_ends[e]) add_vertex(v, c);
+    if (!add(e, c)) return;
+    for (VertexId v : complex.edge_ends[e]) add(v, c);
   };
   for (const auto& [cell, region] : group.cells) {
     for (HalfFace h : complex.region_faces[cell]) {
       const FaceId f = h.face();
-      if (faces[f] || complex.on_frame(f)) continue;
-      faces[f] = 1;
-      out.faces.push_back({f, region});
+      if (!add(f, region)) continue;
       for (LoopId l : complex.face_loops[f]) {
         for (HalfEdge e : complex.loop[l]) add_edge(e.edge(), region);
       }
-      for (VertexId v : complex.face_vertices[f]) add_vertex(v, region);
+      for (VertexId v : complex.face_vertices[f]) add(v, region);
     }
     for (EdgeId e : complex.region_wires[cell]) add_edge(e, region);
-    for (VertexId v : complex.region_vertices[cell]) add_vertex(v, region);
+    for (VertexId v : complex.region_vertices[cell]) add(v, region);
   }
-  merge_tail(out.faces, group.faces.size());
-  merge_tail(out.edges, group.edges.size());
-  merge_tail(out.vertices, group.vertices.size());
+  for_each_entity([](auto& list, const auto& cells) { merge_tail(list, cells.size()); }, out, group);
   return out;
 }
 

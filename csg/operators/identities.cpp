@@ -185,7 +185,7 @@ std::string check_complement(const Complex& complex, const Group& g, const Group
 std::string check_components(const Complex& complex, const Components& x) {
   std::vector<char> used(x.attributes.size(), 0);
   std::string out;
-  for_each_list(x, [&](const auto& list, const auto& origins) {
+  const auto see = [&](const auto& list, const auto& origins) {
     if (list.size() != origins.size()) out = "origins are not parallel to the cells";
     for (std::size_t k = 0; k < list.size(); ++k) {
       if (k > 0 && !(list[k - 1].first < list[k].first)) out = "a list of components is not ascending";
@@ -193,7 +193,8 @@ std::string check_components(const Complex& complex, const Components& x) {
       if (c == 0 || c > used.size()) out = "a component has no attributes";
       else used[c - 1] = 1;
     }
-  });
+  };
+  for_each_dimension(see, x.selection, x.origins);
   if (!out.empty()) return out;
   if (std::find(used.begin(), used.end(), 0) != used.end()) return "a component has no cells";
   for (const auto& [face, component] : x.selection.faces) {
@@ -227,10 +228,7 @@ std::string check_overlay(OverlayLaw law, const Complex& complex, const Componen
       known = pair;
     }
   };
-  check(result.selection.vertices, x.selection.vertices, y.selection.vertices);
-  check(result.selection.edges, x.selection.edges, y.selection.edges);
-  check(result.selection.faces, x.selection.faces, y.selection.faces);
-  check(result.selection.regions, x.selection.regions, y.selection.regions);
+  for_each_dimension(check, result.selection, x.selection, y.selection);
   std::sort(seen.begin(), seen.end());
   if (out.empty() && std::adjacent_find(seen.begin(), seen.end()) != seen.end()) {
     out = "two components of the result are one pair of components of the operands";

@@ -9,11 +9,13 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "csg/operators/detect_regions.h"
 #include "csg/operators/group.h"
 #include "kernel/base/sorted.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/curve.h"
 
 namespace cnrg {
@@ -86,22 +88,12 @@ class LeafGroups {
     look_at(edges, [&](std::size_t i, Nearby& nearby) { look_at_edge(edge(i), i / kBlock, nearby); });
     look_at(vertices, [&](std::size_t i, Nearby& nearby) { look_at_vertex(vertex(i), i / kBlock, nearby); });
     tbb::parallel_invoke(
-        [&] {
-          deal(
-              faces_, faces, face, [](Group & g) -> auto& { return g.faces; });
-        },
-        [&] {
-          deal(
-              edges_, edges, edge, [](Group & g) -> auto& { return g.edges; });
-        },
+        [&] { deal(faces_, faces, face, &Group::faces); }, [&] { deal(edges_, edges, edge, &Group::edges); },
         [&] {
           deal(
               edge_features_, edges, edge, [](Group & g) -> auto& { return g.features.edges; });
         },
-        [&] {
-          deal(
-              vertices_, vertices, vertex, [](Group & g) -> auto& { return g.vertices; });
-        },
+        [&] { deal(vertices_, vertices, vertex, &Group::vertices); },
         [&] {
           deal(
               vertex_features_, vertices, vertex, [](Group & g) -> auto& { return g.features.vertices; });
@@ -152,8 +144,9 @@ class LeafGroups {
   void deal(const Holders<IdT>& holders, std::size_t cells, Cells cell_at, List list) {
     std::vector<std::size_t> count(groups_.size(), 0);
     holders.for_each(cells, cell_at, [&](LeafId leaf, IdT) { ++count[leaf.index()]; });
-    for (std::size_t leaf = 0; leaf < count.size(); ++leaf) list(groups_[leaf]).reserve(count[leaf]);
-    holders.for_each(cells, cell_at, [&](LeafId leaf, IdT cell) { list(groups_[leaf.index()]).push_back(cell); });
+    for (std::size_t leaf = 0; leaf < count.size(); ++leaf) std::invoke(list, groups_[leaf]).reserve(count[leaf]);
+    holders.for_each(cells, cell_at,
+                     [&](LeafId leaf, IdT cell) { std::invoke(list, groups_[leaf.index()]).push_back(cell); });
   }
 
   void look_at_face(FaceId f, std::size_t block, Nearby& nearby) {
@@ -372,9 +365,8 @@ class LeafGroups {
   void origins(LeafId leaf) {
     Group& group = groups_[leaf.index()];
     const LeafSetId own = group.origins.sets.intern(leaf);
-    group.origins.faces.assign(group.faces.size(), own);
-    group.origins.edges.assign(group.edges.size(), own);
-    group.origins.vertices.assign(group.vertices.size(), own);
+    for_each_entity([&](auto& origins, const auto& cells) { origins.assign(cells.size(), own); }, group.origins,
+                    group);
   }
 
   const Complex& complex_;

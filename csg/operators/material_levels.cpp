@@ -12,6 +12,7 @@
 #include "csg/operators/subgroup.h"
 #include "csg/operators/verdict.h"
 #include "kernel/base/sorted.h"
+#include "kernel/complex/by_dimension.h"
 
 namespace cnrg {
 namespace {
@@ -27,13 +28,6 @@ void regions_around(const Complex& complex, IdT cell, std::vector<RegionId>& out
   }
 }
 
-const std::vector<FaceId>& list_of(const Group& g, FaceId) { return g.faces; }
-const std::vector<EdgeId>& list_of(const Group& g, EdgeId) { return g.edges; }
-const std::vector<VertexId>& list_of(const Group& g, VertexId) { return g.vertices; }
-const std::vector<LeafSetId>& origins_of(const Group& g, FaceId) { return g.origins.faces; }
-const std::vector<LeafSetId>& origins_of(const Group& g, EdgeId) { return g.origins.edges; }
-const std::vector<LeafSetId>& origins_of(const Group& g, VertexId) { return g.origins.vertices; }
-
 /// What is said of a sheet, a wire or a point is said of its closure. An entity has a material of its own if that
 /// is said of a thing of its dimension, or if it bounds nothing of the group.
 bool bounds_nothing(const Complex&, const Group&, FaceId) { return true; }
@@ -46,15 +40,18 @@ bool bounds_nothing(const Complex& complex, const Group& g, IdT cell) {
 template <class IdT>
 const RegionMaterial* own_material(const Complex& complex, const Group& g, IdT cell) {
   if (!g.origins.sets.says_anything()) return nullptr;
-  const auto& list = list_of(g, cell);
+  const auto& list = list_for(g, cell);
   const auto it = std::lower_bound(list.begin(), list.end(), cell);
   if (it == list.end() || *it != cell) return nullptr;
-  const SaidPointer& said = g.origins.sets.said(origins_of(g, cell)[static_cast<std::size_t>(it - list.begin())]);
+  const SaidPointer& said =
+      g.origins.sets.said(list_for(g.origins, cell)[static_cast<std::size_t>(it - list.begin())]);
   if (said == nullptr || said->attributes.material.empty()) return nullptr;
   const bool speaks = said->dimension <= dimension_of(cell) || bounds_nothing(complex, g, cell);
   return speaks ? &said->attributes.material : nullptr;
 }
 
+/// The level of an entity: the greatest of that of its own material, if it has one, and of those of the regions of
+/// `g` in whose closure it lies; 0 where there is neither.
 template <class IdT>
 Rational greatest_level(const Complex& complex, const Group& g, IdT cell) {
   std::vector<RegionId> around;
@@ -80,9 +77,9 @@ class Levels {
     };
     const auto bounds_none = [&](auto cell) { return bounds_nothing(complex, g, cell); };
     see_all(
-        g.faces, [&](FaceId f) { return !is_wall(f); }, faces_);
-    see_all(g.edges, bounds_none, edges_);
-    see_all(g.vertices, bounds_none, vertices_);
+        g.faces, [&](FaceId f) { return !is_wall(f); }, levels_of_.faces);
+    see_all(g.edges, bounds_none, levels_of_.edges);
+    see_all(g.vertices, bounds_none, levels_of_.vertices);
   }
 
   const std::set<Rational>& all() const { return levels_; }
@@ -106,7 +103,7 @@ class Levels {
         if (wanted(level)) entities.add(cell);
       }
     };
-    add(faces_), add(edges_), add(vertices_);
+    for_each_entity(add, levels_of_);
     Group out = entities.of(g_);
     for (const auto& [cell, region] : g_.cells) {
       if (number[region] != 0) out.cells.emplace_back(cell, number[region]);
@@ -125,8 +122,10 @@ class Levels {
     return front != back;
   }
   template <class IdT>
-  void see(IdT cell, std::vector<std::pair<IdT, Rational>>& list) {
-    list.emplace_back(cell, level_of_entity(complex_, g_, cell));
+  using CellLevels = std::vector<std::pair<IdT, Rational>>;
+  template <class IdT>
+  void see(IdT cell, CellLevels<IdT>& list) {
+    list.emplace_back(cell, greatest_level(complex_, g_, cell));
     levels_.insert(list.back().second);
   }
 
@@ -134,9 +133,7 @@ class Levels {
   const Group& g_;
   std::set<Rational> levels_;
   // Entities that are no walls and bound none, and others that have a material of their own.
-  std::vector<std::pair<FaceId, Rational>> faces_;
-  std::vector<std::pair<EdgeId, Rational>> edges_;
-  std::vector<std::pair<VertexId, Rational>> vertices_;
+  OfEntities<CellLevels> levels_of_;
 };
 
 class ByMaterials {
@@ -222,9 +219,7 @@ class ByMaterials {
         ++count[static_cast<std::size_t>(judged.row - table_rows().data())];
       }
     };
-    see(left_.faces, right_.faces);
-    see(left_.edges, right_.edges);
-    see(left_.vertices, right_.vertices);
+    for_each_entity(see, left_, right_);
     for (const auto& [row, n] : count) out_.removals.add(row, n);
   }
 
@@ -238,22 +233,18 @@ class ByMaterials {
 
 template <class IdT>
 std::optional<Rational> level_at(const Complex& complex, const Group& g, IdT cell) {
-  if (g.has(cell)) return level_of_entity(complex, g, cell);
-  const std::uint32_t region = g.region_of(complex.some_region(cell));
+  RegionId around;
+  if constexpr (std::is_same_v<IdT, RegionId>) {
+    around = cell;
+  } else {
+    if (g.has(cell)) return greatest_level(complex, g, cell);
+    around = complex.some_region(cell);
+  }
+  const std::uint32_t region = g.region_of(around);
   return region == 0 ? std::nullopt : std::optional(level_of(g.regions[region - 1]));
 }
 
 }  // namespace
-
-Rational level_of_entity(const Complex& complex, const Group& g, FaceId f) {
-  return greatest_level(complex, g, f);
-}
-Rational level_of_entity(const Complex& complex, const Group& g, EdgeId e) {
-  return greatest_level(complex, g, e);
-}
-Rational level_of_entity(const Complex& complex, const Group& g, VertexId v) {
-  return greatest_level(complex, g, v);
-}
 
 FoldResult boolean_by_materials(const Complex& complex, BooleanOp op, PartedGroup left, PartedGroup right,
                                 const LeafOrder& order) {
@@ -269,21 +260,13 @@ Dominance LevelsAt::dominance() const {
   return *left > *right ? Dominance::left : Dominance::right;
 }
 
-LevelsAt levels_at(const Complex& complex, const Group& left, const Group& right, FaceId f) {
-  return {level_at(complex, left, f), level_at(complex, right, f)};
+template <class IdT>
+LevelsAt levels_at(const Complex& complex, const Group& left, const Group& right, IdT cell) {
+  return {level_at(complex, left, cell), level_at(complex, right, cell)};
 }
-LevelsAt levels_at(const Complex& complex, const Group& left, const Group& right, EdgeId e) {
-  return {level_at(complex, left, e), level_at(complex, right, e)};
-}
-LevelsAt levels_at(const Complex& complex, const Group& left, const Group& right, VertexId v) {
-  return {level_at(complex, left, v), level_at(complex, right, v)};
-}
-LevelsAt levels_at(const Complex&, const Group& left, const Group& right, RegionId r) {
-  const auto level = [&](const Group& g) {
-    const std::uint32_t region = g.region_of(r);
-    return region == 0 ? std::nullopt : std::optional(level_of(g.regions[region - 1]));
-  };
-  return {level(left), level(right)};
-}
+template LevelsAt levels_at(const Complex&, const Group&, const Group&, FaceId);
+template LevelsAt levels_at(const Complex&, const Group&, const Group&, EdgeId);
+template LevelsAt levels_at(const Complex&, const Group&, const Group&, VertexId);
+template LevelsAt levels_at(const Complex&, const Group&, const Group&, RegionId);
 
 }  // namespace cnrg

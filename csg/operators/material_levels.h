@@ -31,12 +31,6 @@
 
 namespace cnrg {
 
-/// The level of an entity: the greatest of that of its own material, if it has one, and of those of the regions of
-/// `g` in whose closure it lies; 0 where there is neither.
-Rational level_of_entity(const Complex& complex, const Group& g, FaceId f);
-Rational level_of_entity(const Complex& complex, const Group& g, EdgeId e);
-Rational level_of_entity(const Complex& complex, const Group& g, VertexId v);
-
 /// A union or intersection in which materials decide. Removals: each cell that is gone counts once, by the row
 /// of its relation under `dominance_at`.
 FoldResult boolean_by_materials(const Complex& complex, BooleanOp op, PartedGroup left, PartedGroup right,
@@ -49,9 +43,7 @@ struct LevelsAt {
   /// Equal where one operand is not there.
   Dominance dominance() const;
 };
-LevelsAt levels_at(const Complex& complex, const Group& left, const Group& right, FaceId f);
-LevelsAt levels_at(const Complex& complex, const Group& left, const Group& right, EdgeId e);
-LevelsAt levels_at(const Complex& complex, const Group& left, const Group& right, VertexId v);
-LevelsAt levels_at(const Complex& complex, const Group& left, const Group& right, RegionId r);
+template <class IdT>
+LevelsAt levels_at(const Complex& complex, const Group& left, const Group& right, IdT cell);
 
 }  // namespace cnrg

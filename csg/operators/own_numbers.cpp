@@ -35,9 +35,10 @@ Components components_of(const Complex& complex, const NodeValue& value, const T
   const std::vector<Component> numbers = own_numbers(complex, value.group(), transform);
   if (std::is_sorted(numbers.begin(), numbers.end())) return out;
   const auto own = [&](Component c) { return c < numbers.size() ? numbers[c] : c; };
-  for_each_list(out, [&](auto& list, const auto&) {
+  const auto renumber = [&](auto& list) {
     for (auto& [cell, component] : list) component = own(component);
-  });
+  };
+  for_each_dimension(renumber, out.selection);
   const std::vector<ComponentAttributes> attributes = out.attributes;
   for (Component c = 1; c <= attributes.size(); ++c) out.attributes[own(c) - 1] = attributes[c - 1];
   return out;

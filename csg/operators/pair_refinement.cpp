@@ -31,9 +31,7 @@ void put(Merging& merging, const std::vector<IdT>& cells, const std::vector<IdT>
 PairRefinement::PairRefinement(const Complex& complex)
     : complex_(complex),
       merging_(complex, {}, {}, SimplifyMode::features, &sources_),
-      of_face_(complex.face_count()),
-      of_edge_(complex.edge_count()),
-      of_vertex_(complex.points.size()),
+      of_(complex),
       faces_(complex.face_count()),
       chains_(complex.edge_count()),
       face_of_edge_(complex.edge_count()),
@@ -50,12 +48,12 @@ void PairRefinement::refine(const Group& a, const Group& b) {
 }
 
 void PairRefinement::clear() {
-  for (const FaceId f : cells_.faces) of_face_[f] = 0;
+  for (const FaceId f : cells_.faces) of_.faces[f] = 0;
   for (const EdgeId e : cells_.edges) {
-    of_edge_[e] = 0, face_of_edge_[e] = 0;
+    of_.edges[e] = 0, face_of_edge_[e] = 0;
     chains_.reset(e);
   }
-  for (const VertexId v : cells_.vertices) of_vertex_[v] = 0, edge_of_vertex_[v] = 0, face_of_vertex_[v] = 0;
+  for (const VertexId v : cells_.vertices) of_.vertices[v] = 0, edge_of_vertex_[v] = 0, face_of_vertex_[v] = 0;
   faces_.reset();
 }
 
@@ -64,16 +62,16 @@ void PairRefinement::simplify(const Group& operand, std::uint8_t flag) {
   sources_.of.emplace(complex_, operand);
   for (const FaceId f : operand.faces) {
     merging_.put(f, 1);
-    of_face_[f] |= flag;
+    of_.faces[f] |= flag;
   }
   put(merging_, operand.edges, operand.features.edges);
   put(merging_, operand.vertices, operand.features.vertices);
   for (const EdgeId e : operand.edges) {
     const bool vanishes = merging_.fate(e) == Fate::in_face;
-    of_edge_[e] |= static_cast<std::uint8_t>(flag | (vanishes ? flag << kVanishes : 0));
+    of_.edges[e] |= static_cast<std::uint8_t>(flag | (vanishes ? flag << kVanishes : 0));
   }
   for (const VertexId v : operand.vertices) {
-    of_vertex_[v] |= static_cast<std::uint8_t>(flag | (merging_.fate(v) == Fate::kept ? kStays : 0));
+    of_.vertices[v] |= static_cast<std::uint8_t>(flag | (merging_.fate(v) == Fate::kept ? kStays : 0));
   }
   for (const FaceId f : operand.faces) merging_.put(f, 0);
   for (const EdgeId e : operand.edges) merging_.put(e, 0, false);
@@ -81,12 +79,12 @@ void PairRefinement::simplify(const Group& operand, std::uint8_t flag) {
 }
 
 void PairRefinement::decide(EdgeId e) {
-  const std::uint8_t of = of_edge_[e] & kBoth;
-  if ((of_edge_[e] >> kVanishes & kBoth) != of) return;
+  const std::uint8_t of = of_.edges[e] & kBoth;
+  if ((of_.edges[e] >> kVanishes & kBoth) != of) return;
   FaceUse pair[2];
   std::size_t n = 0;
   for (const FaceUse& use : complex_.edge_uses[e]) {
-    const std::uint8_t there = of_face_[use.face] & of;
+    const std::uint8_t there = of_.faces[use.face] & of;
     if (there == 0) continue;
     if (there != of) return;
     pair[n++] = use;
@@ -97,16 +95,16 @@ void PairRefinement::decide(EdgeId e) {
 }
 
 void PairRefinement::decide(VertexId v) {
-  const std::uint8_t of = of_vertex_[v] & kBoth;
-  if (of_vertex_[v] & kStays) return;
+  const std::uint8_t of = of_.vertices[v] & kBoth;
+  if (of_.vertices[v] & kStays) return;
   EdgeId pair[2];
   std::size_t n = 0;
   for (const EdgeId e : complex_.vertex_edges[v]) {
-    if (of_edge_[e] == 0 || !is_kept(e)) continue;
+    if (of_.edges[e] == 0 || !is_kept(e)) continue;
     if (n == 2) return;
     pair[n++] = e;
   }
-  if (n == 2 && (of_edge_[pair[0]] & of_edge_[pair[1]] & of) == of) {
+  if (n == 2 && (of_.edges[pair[0]] & of_.edges[pair[1]] & of) == of) {
     chains_.unite(pair[0], pair[1]);
     edge_of_vertex_[v] = pair[0].value() + 1;
   }
@@ -117,13 +115,13 @@ void PairRefinement::decide(VertexId v) {
 
 // Of all operands that have the vertex; none() if there is none.
 FaceId PairRefinement::common_face(VertexId v) const {
-  const std::uint8_t of = of_vertex_[v] & kBoth;
+  const std::uint8_t of = of_.vertices[v] & kBoth;
   for (const FaceId f : complex_.vertex_faces[v]) {
-    if ((of_face_[f] & of) == of) return f;
+    if ((of_.faces[f] & of) == of) return f;
   }
   for (const EdgeId e : complex_.vertex_edges[v]) {
     for (const FaceUse& use : complex_.edge_uses[e]) {
-      if ((of_face_[use.face] & of) == of) return use.face;
+      if ((of_.faces[use.face] & of) == of) return use.face;
     }
   }
   return FaceId::none();

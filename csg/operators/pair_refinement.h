@@ -10,6 +10,7 @@
 
 #include "csg/operators/cell_sources.h"
 #include "csg/operators/group.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/merging.h"
 
 namespace cnrg {
@@ -58,9 +59,7 @@ class PairRefinement {
   Sources sources_;
   Merging merging_;  // of one operand after the other
   CellSet cells_;    // of both
-  Marks<FaceId> of_face_;
-  Marks<EdgeId> of_edge_;
-  Marks<VertexId> of_vertex_;
+  OfEntities<Marks> of_;
   OrientedSets faces_;
   SparseSets<EdgeId> chains_;
   // Of entities in the interior of a larger cell: 1 + a piece of that.

@@ -9,6 +9,7 @@
 
 #include "csg/operators/cell_sources.h"
 #include "kernel/base/error.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg {
@@ -129,13 +130,14 @@ auto merged_lists(const std::vector<const Part*>& parts, List list) {
 }
 
 // One kind of entities with their origins, whose sets are each part's own.
-template <class List, class OriginList, class IdT>
-void merge_entities(const std::vector<const Part*>& parts, std::vector<SetMap>& sets, List list,
-                    OriginList origins, std::vector<IdT>& out, std::vector<LeafSetId>& out_origins) {
+template <class IdT>
+void merge_entities(const std::vector<const Part*>& parts, std::vector<SetMap>& sets, Group& out) {
+  const auto list = [](const Group& g) -> const auto& { return list_for(g, IdT()); };
   const MergeOrder order(parts, list);
-  out = order.gather(list);
-  out_origins = order.gather(origins);
-  for (std::size_t i = 0; i < out.size(); ++i) out_origins[i] = sets[order.part(i)](out_origins[i]);
+  list_for(out, IdT()) = order.gather(list);
+  auto& origins = list_for(out.origins, IdT());
+  origins = order.gather([](const Group& g) -> const auto& { return list_for(g.origins, IdT()); });
+  for (std::size_t i = 0; i < origins.size(); ++i) origins[i] = sets[order.part(i)](origins[i]);
 }
 
 // One group of parts that share no point; two parts at least.
@@ -157,15 +159,9 @@ Group merge(const std::vector<const Part*>& parts) {
   std::vector<SetMap> sets;
   sets.reserve(parts.size());
   for (const Part* part : parts) sets.emplace_back(part->group().origins.sets, out.origins.sets);
-  merge_entities(
-      parts, sets, [](const Group& g) -> const auto& { return g.faces; },
-      [](const Group& g) -> const auto& { return g.origins.faces; }, out.faces, out.origins.faces);
-  merge_entities(
-      parts, sets, [](const Group& g) -> const auto& { return g.edges; },
-      [](const Group& g) -> const auto& { return g.origins.edges; }, out.edges, out.origins.edges);
-  merge_entities(
-      parts, sets, [](const Group& g) -> const auto& { return g.vertices; },
-      [](const Group& g) -> const auto& { return g.origins.vertices; }, out.vertices, out.origins.vertices);
+  merge_entities<FaceId>(parts, sets, out);
+  merge_entities<EdgeId>(parts, sets, out);
+  merge_entities<VertexId>(parts, sets, out);
   out.features.edges = merged_lists(
       parts, [](const Group& g) -> const auto& { return g.features.edges; });
   out.features.vertices = merged_lists(

@@ -8,10 +8,12 @@ namespace cnrg {
 namespace {
 
 void clear_entities(Group& group) {
-  group.faces.clear(), group.edges.clear(), group.vertices.clear();
-  group.origins.faces.clear(), group.origins.edges.clear(), group.origins.vertices.clear();
+  for_each_entity([](auto&... lists) { (lists.clear(), ...); }, group, group.origins);
   group.features.edges.clear(), group.features.vertices.clear();
 }
+
+template <class IdT>
+using WithOrigins = std::vector<std::pair<IdT, LeafSetId>>;
 
 template <class List>
 void sort(List& list) {
@@ -29,7 +31,7 @@ void take_flagged(const EntityMarks<IdT>& marks, std::uint8_t flag, const std::v
 }  // namespace
 
 void RemovedEntities::count(std::span<const Group* const> next, std::map<std::size_t, std::size_t>& rows) {
-  if (removed_faces_.empty() && removed_edges_.empty() && removed_vertices_.empty()) return;
+  if (removed_.faces.empty() && removed_.edges.empty() && removed_.vertices.empty()) return;
   if (!pair_) pair_.emplace(complex_);
   take_held(), take_next(next);
   pair_->refine(held_, next_);
@@ -39,7 +41,7 @@ void RemovedEntities::count(std::span<const Group* const> next, std::map<std::si
     }
     removed.clear();
   };
-  count(removed_faces_), count(removed_edges_), count(removed_vertices_);
+  for_each_entity(count, removed_);
 }
 
 void RemovedEntities::take_held() {
@@ -51,17 +53,13 @@ void RemovedEntities::take_held() {
     sort(cells);
     for (const auto cell : cells) origins.push_back(sets_(marks.origin.get(cell)));
   };
-  take(removed_faces_, faces_, held_.faces, held_.origins.faces);
-  take(removed_edges_, edges_, held_.edges, held_.origins.edges);
-  take(removed_vertices_, vertices_, held_.vertices, held_.origins.vertices);
+  for_each_entity(take, removed_, marks_, held_, held_.origins);
   take_features(kHeldFeature, held_);
 }
 
 void RemovedEntities::take_next(std::span<const Group* const> next) {
   clear_entities(next_);
-  std::vector<std::pair<FaceId, LeafSetId>> faces;
-  std::vector<std::pair<EdgeId, LeafSetId>> edges;
-  std::vector<std::pair<VertexId, LeafSetId>> vertices;
+  OfEntities<WithOrigins> taken;
   for (const Group* part : next) {
     LeafSetMap sets(part->origins.sets, next_.origins.sets);
     const auto take = [&](const auto& marks, const auto& cells, const auto& origins, auto& out) {
@@ -69,23 +67,19 @@ void RemovedEntities::take_next(std::span<const Group* const> next) {
         if (marks.has(cells[i], kRemoved)) out.emplace_back(cells[i], sets(origins[i]));
       }
     };
-    take(faces_, part->faces, part->origins.faces, faces);
-    take(edges_, part->edges, part->origins.edges, edges);
-    take(vertices_, part->vertices, part->origins.vertices, vertices);
+    for_each_entity(take, marks_, *part, part->origins, taken);
   }
-  const auto put = [](auto& taken, auto& cells, auto& origins) {
-    sort(taken);
-    for (const auto& [cell, origin] : taken) cells.push_back(cell), origins.push_back(origin);
+  const auto put = [](auto& list, auto& cells, auto& origins) {
+    sort(list);
+    for (const auto& [cell, origin] : list) cells.push_back(cell), origins.push_back(origin);
   };
-  put(faces, next_.faces, next_.origins.faces);
-  put(edges, next_.edges, next_.origins.edges);
-  put(vertices, next_.vertices, next_.origins.vertices);
+  for_each_entity(put, taken, next_, next_.origins);
   take_features(kNextFeature, next_);
 }
 
 void RemovedEntities::take_features(std::uint8_t flag, Group& of) const {
-  take_flagged(edges_, flag, of.edges, of.features.edges);
-  take_flagged(vertices_, flag, of.vertices, of.features.vertices);
+  take_flagged(marks_.edges, flag, of.edges, of.features.edges);
+  take_flagged(marks_.vertices, flag, of.vertices, of.features.vertices);
 }
 
 }  // namespace cnrg

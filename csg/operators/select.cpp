@@ -19,12 +19,10 @@ bool one_of(const std::vector<T>& wanted, const T& value) {
   return wanted.empty() || std::find(wanted.begin(), wanted.end(), value) != wanted.end();
 }
 
-bool has(const CellSet& set, VertexId v) {
-  return std::binary_search(set.vertices.begin(), set.vertices.end(), v);
+template <class IdT>
+bool has(const CellSet& set, IdT cell) {
+  return std::ranges::binary_search(list_for(set, cell), cell);
 }
-bool has(const CellSet& set, EdgeId e) { return std::binary_search(set.edges.begin(), set.edges.end(), e); }
-bool has(const CellSet& set, FaceId f) { return std::binary_search(set.faces.begin(), set.faces.end(), f); }
-bool has(const CellSet& set, RegionId r) { return std::binary_search(set.regions.begin(), set.regions.end(), r); }
 
 // What the two kinds of values call the component of a 3-cell, and what is said of one.
 Component component_at(const Group& group, RegionId r) { return group.region_of(r); }
@@ -230,18 +228,14 @@ Group select(const Complex& complex, const Group& group, const Criteria& criteri
                  picker.touches(cell));
     }
   };
-  ask(group.faces, group.origins.faces);
-  ask(group.edges, group.origins.edges);
-  ask(group.vertices, group.origins.vertices);
+  for_each_entity(ask, group, group.origins);
   WantedEntities wanted(complex);
   const auto want = [&](const auto& cells) {
     for (const auto cell : cells) {
       if (picked.has(cell)) wanted.add(cell);
     }
   };
-  want(group.faces);
-  want(group.edges);
-  want(group.vertices);
+  for_each_entity(want, group);
 
   std::vector<std::vector<RegionId>> cells_of(group.regions.size());
   for (const auto& [cell, region] : group.cells) cells_of[region - 1].push_back(cell);
@@ -278,13 +272,14 @@ Components select(const Complex& complex, const Components& components, const Cr
   const SimplifiedComplex simplified =
       simplify(complex, components.selection, components.features, SimplifyMode::features, &sources);
   PickedPlaces picked(simplified);
-  for_each_list(components, [&](const auto& cells, const auto& origins) {
+  const auto ask = [&](const auto& cells, const auto& origins) {
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const auto& [cell, component] = cells[k];
       picked.see(cell, picker.picks(cell, said(cell, component), origins[k], component), picker.is_inside(cell),
                  picker.touches(cell));
     }
-  });
+  };
+  for_each_dimension(ask, components.selection, components.origins);
   Components out;
   LeafSetMap map(components.origins.sets, out.origins.sets);
   std::vector<Component> number(components.attributes.size() + 1, 0);
@@ -297,17 +292,16 @@ Components select(const Complex& complex, const Components& components, const Cr
       number[component] = 1;
     }
   };
-  for_each_list(out, components, [&](auto& to, auto& to_origins, const auto& cells, const auto& origins) {
-    pick(to, to_origins, cells, origins);
-  });
+  for_each_dimension(pick, out.selection, out.origins, components.selection, components.origins);
   for (Component i = 1; i < number.size(); ++i) {
     if (number[i] == 0) continue;
     out.attributes.push_back(components.attributes[i - 1]);
     number[i] = static_cast<Component>(out.attributes.size());
   }
-  for_each_list(out, [&](auto& list, const auto&) {
+  const auto renumber = [&](auto& list) {
     for (auto& entry : list) entry.second = number[entry.second];
-  });
+  };
+  for_each_dimension(renumber, out.selection);
   out.features = active(out.selection, components.features);
   return out;
 }

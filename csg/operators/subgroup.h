@@ -2,6 +2,7 @@
 #pragma once
 
 #include "csg/operators/group.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {
@@ -9,10 +10,10 @@ namespace cnrg {
 /// Entities that are wanted, closed: what bounds one of them is wanted, too.
 class WantedEntities {
  public:
-  explicit WantedEntities(const Complex& complex);
+  explicit WantedEntities(const Complex& complex) : complex_(complex), wanted_(complex) {}
   void add(FaceId f);
   void add(EdgeId e);
-  void add(VertexId v) { vertices_[v] = 1; }
+  void add(VertexId v) { wanted_.vertices[v] = 1; }
 
   /// Those of `g` that are wanted, with their features and origins: a group without regions, with the dominance of
   /// `g`.
@@ -20,9 +21,7 @@ class WantedEntities {
 
  private:
   const Complex& complex_;
-  Marks<FaceId> faces_;
-  Marks<EdgeId> edges_;
-  Marks<VertexId> vertices_;
+  OfEntities<Marks> wanted_;
 };
 
 }  // namespace cnrg

@@ -51,14 +51,12 @@ class TableEngine::State {
       : complex_(complex),
         op_(op),
         counts_removed_(removed == Removed::counted),
-        faces_(complex.face_count()),
-        edges_(complex.edge_count()),
-        vertices_(complex.points.size()),
-        regions_(complex, op, faces_, order),
-        removed_(complex, faces_, edges_, vertices_, sets_) {
+        marks_(complex),
+        regions_(complex, op, marks_.faces, order),
+        removed_(complex, marks_, sets_) {
     for (const Group* part : first) load(*part);
     regions_.load(first);
-    if (tallies) tally_.emplace(complex, faces_, edges_, vertices_, sets_, regions_, first);
+    if (tallies) tally_.emplace(complex, marks_, sets_, regions_, first);
   }
 
   void step(Dominance dominance, Operands next, FoldStep& step) {
@@ -66,9 +64,7 @@ class TableEngine::State {
     a_ = roles_.swapped ? Who::next : Who::held;
     b_ = roles_.swapped ? Who::held : Who::next;
     take_in(next);
-    decide(faces_, 2, next, &Group::faces);
-    decide(edges_, 1, next, &Group::edges);
-    decide(vertices_, 0, next, &Group::vertices);
+    decide<FaceId>(next), decide<EdgeId>(next), decide<VertexId>(next);
     if (counts_removed_) removed_.count(next, step.removed);
     regions_.update(roles_, next, step.conflicts);
     CellSet changed;
@@ -84,18 +80,15 @@ class TableEngine::State {
       step.conflicts.emplace_back(RegionId::none(), std::move(conflict));
   }
 
-  bool empty() const {
-    return faces_.listed.empty() && edges_.listed.empty() && vertices_.listed.empty() && regions_.empty();
-  }
+  bool empty() const { return listed() == 0 && regions_.empty(); }
 
   Group group() {
     Group out;
     LeafSetMap sets(sets_, out.origins.sets);
-    write(faces_, sets, out.faces, out.origins.faces);
-    write(edges_, sets, out.edges, out.origins.edges);
-    write(vertices_, sets, out.vertices, out.origins.vertices);
-    write_features(edges_, out.edges, out.features.edges);
-    write_features(vertices_, out.vertices, out.features.vertices);
+    for_each_entity([&](const auto& marks, auto& list, auto& origins) { write(marks, sets, list, origins); },
+                    marks_, out, out.origins);
+    write_features(marks_.edges, out.edges, out.features.edges);
+    write_features(marks_.vertices, out.vertices, out.features.vertices);
     regions_.write(out);
     return out;
   }
@@ -105,30 +98,29 @@ class TableEngine::State {
 
   void load(const Group& part) {
     LeafSetMap sets(part.origins.sets, sets_);
-    load(faces_, part.faces, part.origins.faces, sets);
-    load(edges_, part.edges, part.origins.edges, sets);
-    load(vertices_, part.vertices, part.origins.vertices, sets);
-    for (const EdgeId e : part.features.edges) edges_.flags[e] |= kHeldFeature;
-    for (const VertexId v : part.features.vertices) vertices_.flags[v] |= kHeldFeature;
+    const auto hold = [&](auto& marks, const auto& cells, const auto& origins) {
+      marks.listed.insert(marks.listed.end(), cells.begin(), cells.end());
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        marks.flags[cells[i]] = kHeld | kListed;
+        marks.origin[cells[i]] = sets(origins[i]);
+      }
+    };
+    for_each_entity(hold, marks_, part, part.origins);
+    flag_features(part, kHeldFeature);
   }
 
-  template <class IdT>
-  static void load(EntityMarks<IdT>& marks, const std::vector<IdT>& cells, const std::vector<LeafSetId>& origins,
-                   IntoUnions& sets) {
-    marks.listed.insert(marks.listed.end(), cells.begin(), cells.end());
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      marks.flags[cells[i]] = kHeld | kListed;
-      marks.origin[cells[i]] = sets(origins[i]);
-    }
+  void flag_features(const Group& part, std::uint8_t flag) {
+    for (const EdgeId e : part.features.edges) marks_.edges.flags[e] |= flag;
+    for (const VertexId v : part.features.vertices) marks_.vertices.flags[v] |= flag;
   }
 
   void take_in(Operands next) {
+    const auto flag = [](auto& marks, const auto& cells) {
+      for (const auto cell : cells) marks.flags[cell] |= kNext;
+    };
     for (const Group* part : next) {
-      for (const FaceId f : part->faces) faces_.flags[f] |= kNext;
-      for (const EdgeId e : part->edges) edges_.flags[e] |= kNext;
-      for (const VertexId v : part->vertices) vertices_.flags[v] |= kNext;
-      for (const EdgeId e : part->features.edges) edges_.flags[e] |= kNextFeature;
-      for (const VertexId v : part->features.vertices) vertices_.flags[v] |= kNextFeature;
+      for_each_entity(flag, marks_, *part);
+      flag_features(*part, kNextFeature);
     }
     regions_.take_in(next);
     ask_held();
@@ -140,48 +132,53 @@ class TableEngine::State {
     const Relation outside = relation_of(a_ == Who::held, b_ == Who::held, false);
     bool all = !keeps_outside(op_, roles_.dominant, outside);
     if (!all) {
-      const std::size_t held = faces_.listed.size() + edges_.listed.size() + vertices_.listed.size();
       std::size_t faces = 0;
       for (const RegionId cell : regions_.next_cells()) faces += complex_.region_faces[cell].size();
-      all = held < faces;
+      all = listed() < faces;
     }
     if (all) {
-      for (const FaceId f : faces_.listed) faces_.ask(f);
-      for (const EdgeId e : edges_.listed) edges_.ask(e);
-      for (const VertexId v : vertices_.listed) vertices_.ask(v);
+      const auto ask = [](auto& marks) {
+        for (const auto cell : marks.listed) marks.ask(cell);
+      };
+      for_each_entity(ask, marks_);
     } else {
       for (const RegionId cell : regions_.next_cells()) ask_inside(cell);
     }
+  }
+
+  std::size_t listed() const {
+    return marks_.faces.listed.size() + marks_.edges.listed.size() + marks_.vertices.listed.size();
   }
 
   // Entities of held in the closure of a 3-cell of next that are none of next are inside of its region.
   void ask_inside(RegionId cell) {
     for (const HalfFace h : complex_.region_faces[cell]) {
       const FaceId f = h.face();
-      if (h.side() != 0 || faces_.has(f, kNext)) continue;  // inside: the same region on both sides
-      faces_.ask(f);
+      if (h.side() != 0 || marks_.faces.has(f, kNext)) continue;  // inside: the same region on both sides
+      marks_.faces.ask(f);
       for (const LoopId l : complex_.face_loops[f]) {
         for (const HalfEdge e : complex_.loop[l]) {
-          edges_.ask(e.edge());
-          vertices_.ask(complex_.origin(e));
+          marks_.edges.ask(e.edge());
+          marks_.vertices.ask(complex_.origin(e));
         }
       }
-      for (const VertexId v : complex_.face_vertices[f]) vertices_.ask(v);
+      for (const VertexId v : complex_.face_vertices[f]) marks_.vertices.ask(v);
     }
     for (const EdgeId e : complex_.region_wires[cell]) {
-      edges_.ask(e);
-      for (const VertexId v : complex_.edge_ends[e]) vertices_.ask(v);
+      marks_.edges.ask(e);
+      for (const VertexId v : complex_.edge_ends[e]) marks_.vertices.ask(v);
     }
-    for (const VertexId v : complex_.region_vertices[cell]) vertices_.ask(v);
+    for (const VertexId v : complex_.region_vertices[cell]) marks_.vertices.ask(v);
   }
 
   // --- the rows
 
   template <class IdT>
-  void decide(EntityMarks<IdT>& marks, int dimension, Operands next, std::vector<IdT> Group::*entities) {
+  void decide(Operands next) {
+    EntityMarks<IdT>& marks = list_for(marks_, IdT());
     std::array<std::size_t, kRelations> rows;
     for (std::size_t r = 0; r < kRelations; ++r) {
-      rows[r] = table_row(op_, roles_.dominant, dimension, static_cast<Relation>(r));
+      rows[r] = table_row(op_, roles_.dominant, dimension_of(IdT()), static_cast<Relation>(r));
     }
     const auto decide_one = [&](IdT cell) {
       const std::size_t row = rows[static_cast<std::size_t>(relation(cell))];
@@ -191,7 +188,7 @@ class TableEngine::State {
       if (counts_removed_) removed_.add(cell, row);
     };
     for (const Group* part : next) {
-      for (const IdT cell : part->*entities) decide_one(cell);
+      for (const IdT cell : list_for(*part, IdT())) decide_one(cell);
     }
     for (const IdT cell : marks.asked) decide_one(cell);
   }
@@ -199,7 +196,7 @@ class TableEngine::State {
   bool bounds_kept(FaceId) const { return false; }
   template <class IdT>
   bool bounds_kept(IdT cell) const {
-    return bounds_any(complex_, cell, [&](auto other) { return marks(other).kept(other); });
+    return bounds_any(complex_, cell, [&](auto other) { return list_for(marks_, other).kept(other); });
   }
 
   template <class IdT>
@@ -269,7 +266,7 @@ class TableEngine::State {
 
   template <class IdT>
   bool has(Who who, IdT cell) const {
-    return marks(cell).has(cell, static_cast<std::uint8_t>(who));
+    return list_for(marks_, cell).has(cell, static_cast<std::uint8_t>(who));
   }
   bool in_region(Who who, RegionId cell) const {
     return who == Who::held ? regions_.in_held(cell) : regions_.in_next(cell);
@@ -277,36 +274,31 @@ class TableEngine::State {
   bool one_region(Who who, RegionId a, RegionId b) {
     return who == Who::held ? regions_.same_in_held(a, b) : regions_.same_in_next(a, b);
   }
-  bool only_cut(Who who, EdgeId e) const { return !edges_.has(e, feature(who)); }
+  bool only_cut(Who who, EdgeId e) const { return !marks_.edges.has(e, feature(who)); }
   bool only_cut(Who who, VertexId v) const {
     const auto edges = complex_.vertex_edges[v];
-    return !vertices_.has(v, feature(who)) &&
+    return !marks_.vertices.has(v, feature(who)) &&
            std::all_of(edges.begin(), edges.end(), [&](EdgeId e) { return only_cut(who, e); });
   }
   static std::uint8_t feature(Who who) { return who == Who::held ? kHeldFeature : kNextFeature; }
-
-  const EntityMarks<FaceId>& marks(FaceId) const { return faces_; }
-  const EntityMarks<EdgeId>& marks(EdgeId) const { return edges_; }
-  const EntityMarks<VertexId>& marks(VertexId) const { return vertices_; }
 
   // --- the end of a step
 
   // Entities that held loses or that are of next and stay, and the 3-cells that this step was about.
   CellSet what_changes(Operands next) {
     CellSet out;
-    const auto list = [&](const auto& marks, auto entities, auto& cells) {
-      for (const Group* part : next) {
-        for (const auto cell : part->*entities) {
-          if (marks.has(cell, kHeld) || marks.kept(cell)) cells.push_back(cell);
-        }
+    const auto list_next = [](const auto& marks, const auto& entities, auto& cells) {
+      for (const auto cell : entities) {
+        if (marks.has(cell, kHeld) || marks.kept(cell)) cells.push_back(cell);
       }
+    };
+    const auto list_removed = [](const auto& marks, auto& cells) {
       for (const auto cell : marks.asked) {
         if (marks.has(cell, kRemoved)) cells.push_back(cell);
       }
     };
-    list(faces_, &Group::faces, out.faces);
-    list(edges_, &Group::edges, out.edges);
-    list(vertices_, &Group::vertices, out.vertices);
+    for (const Group* part : next) for_each_entity(list_next, marks_, *part, out);
+    for_each_entity(list_removed, marks_, out);
     out.regions = regions_.next_cells();
     const std::vector<RegionId>& gone = regions_.outside_next();
     out.regions.insert(out.regions.end(), gone.begin(), gone.end());
@@ -317,11 +309,9 @@ class TableEngine::State {
     if (op_ == BooleanOp::subtract) mark_borders(next);
     for (const Group* part : next) {
       LeafSetMap sets(part->origins.sets, sets_);
-      commit(faces_, part->faces, part->origins.faces, sets);
-      commit(edges_, part->edges, part->origins.edges, sets);
-      commit(vertices_, part->vertices, part->origins.vertices, sets);
+      for_each_entity([&](auto&... of) { commit(of..., sets); }, marks_, *part, part->origins);
     }
-    commit_asked(faces_), commit_asked(edges_), commit_asked(vertices_);
+    for_each_entity([&](auto& marks) { commit_asked(marks); }, marks_);
   }
 
   // A difference takes features of next only where they bound a face that held does not have and that stays: such
@@ -329,14 +319,14 @@ class TableEngine::State {
   void mark_borders(Operands next) {
     for (const Group* part : next) {
       for (const FaceId f : part->faces) {
-        if (faces_.has(f, kHeld | kRemoved)) continue;
+        if (marks_.faces.has(f, kHeld | kRemoved)) continue;
         for (const LoopId l : complex_.face_loops[f]) {
           for (const HalfEdge h : complex_.loop[l]) {
-            edges_.flags[h.edge()] |= kBorder;
-            vertices_.flags[complex_.origin(h)] |= kBorder;
+            marks_.edges.flags[h.edge()] |= kBorder;
+            marks_.vertices.flags[complex_.origin(h)] |= kBorder;
           }
         }
-        for (const VertexId v : complex_.face_vertices[f]) vertices_.flags[v] |= kBorder;
+        for (const VertexId v : complex_.face_vertices[f]) marks_.vertices.flags[v] |= kBorder;
       }
     }
   }
@@ -408,9 +398,7 @@ class TableEngine::State {
   const Complex& complex_;
   const BooleanOp op_;
   const bool counts_removed_;
-  EntityMarks<FaceId> faces_;
-  EntityMarks<EdgeId> edges_;
-  EntityMarks<VertexId> vertices_;
+  OfEntities<EntityMarks> marks_;
   HeldRegions regions_;
   LeafUnions sets_;  // of the origins of held
 

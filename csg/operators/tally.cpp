@@ -18,22 +18,18 @@ namespace {
 // The cells that were listed, and all in their closure.
 class Closure {
  public:
-  explicit Closure(const Complex& complex)
-      : complex_(complex),
-        faces_(complex.face_count()),
-        edges_(complex.edge_count()),
-        vertices_(complex.points.size()) {}
+  explicit Closure(const Complex& complex) : complex_(complex), listed_(complex) {}
 
   void add(VertexId v) {
-    if (std::exchange(vertices_[v], 1) == 0) cells_.vertices.push_back(v);
+    if (std::exchange(listed_.vertices[v], 1) == 0) cells_.vertices.push_back(v);
   }
   void add(EdgeId e) {
-    if (std::exchange(edges_[e], 1) != 0) return;
+    if (std::exchange(listed_.edges[e], 1) != 0) return;
     cells_.edges.push_back(e);
     for (const VertexId v : complex_.edge_ends[e]) add(v);
   }
   void add(FaceId f) {
-    if (std::exchange(faces_[f], 1) != 0) return;
+    if (std::exchange(listed_.faces[f], 1) != 0) return;
     cells_.faces.push_back(f);
     for (const LoopId l : complex_.face_loops[f]) {
       for (const HalfEdge h : complex_.loop[l]) add(h.edge());
@@ -50,9 +46,7 @@ class Closure {
 
  private:
   const Complex& complex_;
-  Marks<FaceId> faces_;
-  Marks<EdgeId> edges_;
-  Marks<VertexId> vertices_;
+  OfEntities<Marks> listed_;
   CellSet cells_;
 };
 
@@ -83,15 +77,12 @@ int change(const std::vector<Link>& changes, ChangingLinks<IdT>& links) {
 
 }  // namespace
 
-Tally::Tally(const Complex& complex, const EntityMarks<FaceId>& faces, const EntityMarks<EdgeId>& edges,
-             const EntityMarks<VertexId>& vertices, const LeafUnions& sets, const HeldRegions& regions,
-             std::span<const Group* const> held)
+Tally::Tally(const Complex& complex, const OfEntities<EntityMarks>& marks, const LeafUnions& sets,
+             const HeldRegions& regions, std::span<const Group* const> held)
     : complex_(complex),
-      faces_(faces),
-      edges_(edges),
-      vertices_(vertices),
+      marks_(marks),
       regions_(regions),
-      sources_(faces, edges, sets),
+      sources_(marks, sets),
       merging_(complex, {}, {}, SimplifyMode::features, &sources_),
       inside_(complex.region_count) {
   load(held);
@@ -136,11 +127,11 @@ void Tally::update(const CellSet& changed, TotalsChange& out) {
   if (!known()) return;
 
   Closure around(complex_);
-  for (const FaceId f : changed.faces) around.add(f);
-  for (const EdgeId e : changed.edges) around.add(e);
-  for (const VertexId v : changed.vertices) around.add(v);
-  for (const RegionId r : gone) around.add(r);
-  for (const RegionId r : come) around.add(r);
+  const auto add = [&](const auto& list) {
+    for (const auto cell : list) around.add(cell);
+  };
+  for_each_entity(add, changed);
+  add(gone), add(come);
   const CellSet& cells = around.cells();
 
   std::vector<Link<FaceId>> faces;
@@ -166,10 +157,10 @@ void Tally::update(const CellSet& changed, TotalsChange& out) {
 }
 
 void Tally::decide(const CellSet& cells) {
-  for (const FaceId f : cells.faces) merging_.put(f, faces_.has(f, kHeld) ? 1 : 0);
-  for (const EdgeId e : cells.edges) merging_.put(e, edges_.has(e, kHeld) ? 1 : 0, edges_.has(e, kHeldFeature));
-  for (const VertexId v : cells.vertices)
-    merging_.put(v, vertices_.has(v, kHeld) ? 1 : 0, vertices_.has(v, kHeldFeature));
+  const auto held = [&](auto cell) { return list_for(marks_, cell).has(cell, kHeld) ? 1 : 0; };
+  for (const FaceId f : cells.faces) merging_.put(f, held(f));
+  for (const EdgeId e : cells.edges) merging_.put(e, held(e), marks_.edges.has(e, kHeldFeature));
+  for (const VertexId v : cells.vertices) merging_.put(v, held(v), marks_.vertices.has(v, kHeldFeature));
 }
 
 void Tally::count(const CellSet& cells, int sign, TotalsChange& out) {

@@ -24,9 +24,8 @@ class Tally {
  public:
   /// Of what is held now. References are kept. No cell has attributes of its own (said.h), now or in later steps,
   /// and the complex has no frame.
-  Tally(const Complex& complex, const EntityMarks<FaceId>& faces, const EntityMarks<EdgeId>& edges,
-        const EntityMarks<VertexId>& vertices, const LeafUnions& sets, const HeldRegions& regions,
-        std::span<const Group* const> held);
+  Tally(const Complex& complex, const OfEntities<EntityMarks>& marks, const LeafUnions& sets,
+        const HeldRegions& regions, std::span<const Group* const> held);
 
   /// After a step: `changed` lists the entities and 3-cells that came or went, in any order; others may be among
   /// them. Adds the change of the sums to `out`.
@@ -39,14 +38,12 @@ class Tally {
   /// The leaves of entities.
   class Sources : public CellSources {
    public:
-    Sources(const EntityMarks<FaceId>& faces, const EntityMarks<EdgeId>& edges, const LeafUnions& sets)
-        : faces_(faces), edges_(edges), sets_(sets) {}
-    void leaves_of(FaceId f, std::vector<LeafId>& out) const override { out = sets_[faces_.origin.get(f)]; }
-    void leaves_of(EdgeId e, std::vector<LeafId>& out) const override { out = sets_[edges_.origin.get(e)]; }
+    Sources(const OfEntities<EntityMarks>& marks, const LeafUnions& sets) : marks_(marks), sets_(sets) {}
+    void leaves_of(FaceId f, std::vector<LeafId>& out) const override { out = sets_[marks_.faces.origin.get(f)]; }
+    void leaves_of(EdgeId e, std::vector<LeafId>& out) const override { out = sets_[marks_.edges.origin.get(e)]; }
 
    private:
-    const EntityMarks<FaceId>& faces_;
-    const EntityMarks<EdgeId>& edges_;
+    const OfEntities<EntityMarks>& marks_;
     const LeafUnions& sets_;
   };
   /// A link that one step adds or takes away, each as often as `times` says.
@@ -67,9 +64,7 @@ class Tally {
   bool is_open(EdgeId e) const { return merging_.fate(e) == Fate::kept; }
 
   const Complex& complex_;
-  const EntityMarks<FaceId>& faces_;
-  const EntityMarks<EdgeId>& edges_;
-  const EntityMarks<VertexId>& vertices_;
+  const OfEntities<EntityMarks>& marks_;
   const HeldRegions& regions_;
   Sources sources_;
   Merging merging_;

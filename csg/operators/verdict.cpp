@@ -5,11 +5,10 @@
 #include "csg/operators/bounds.h"
 
 namespace cnrg {
-namespace {
 
 template <class IdT>
-Verdict judge(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right,
-              const Group& result, IdT cell, int dimension, bool bounds_kept) {
+Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right,
+                const Group& result, IdT cell) {
   const auto [swapped, dominant] = roles(op, dominance);
   const Group& a = swapped ? right : left;
   const Group& b = swapped ? left : right;
@@ -19,29 +18,15 @@ Verdict judge(const Complex& complex, BooleanOp op, Dominance dominance, const G
   out.entity = true;
   out.swapped = swapped;
   out.relation = relation_of(of_a, of_b, (of_a ? b : a).region_of(complex.some_region(cell)) != 0);
-  out.bounds_kept = bounds_kept;
+  if constexpr (!std::is_same_v<IdT, FaceId>)
+    out.bounds_kept = bounds_any(complex, cell, [&](auto other) { return result.has(other); });
   out.removed = !result.has(cell);
-  out.row = &table_rows()[table_row(op, dominant, dimension, out.relation)];
+  out.row = &table_rows()[table_row(op, dominant, dimension_of(cell), out.relation)];
   return out;
 }
 
-}  // namespace
-
-Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right,
-                const Group& result, FaceId f) {
-  return judge(complex, op, dominance, left, right, result, f, 2, false);
-}
-
-Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right,
-                const Group& result, EdgeId e) {
-  const bool bounds = bounds_any(complex, e, [&](auto cell) { return result.has(cell); });
-  return judge(complex, op, dominance, left, right, result, e, 1, bounds);
-}
-
-Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right,
-                const Group& result, VertexId v) {
-  const bool bounds = bounds_any(complex, v, [&](auto cell) { return result.has(cell); });
-  return judge(complex, op, dominance, left, right, result, v, 0, bounds);
-}
+template Verdict verdict(const Complex&, BooleanOp, Dominance, const Group&, const Group&, const Group&, FaceId);
+template Verdict verdict(const Complex&, BooleanOp, Dominance, const Group&, const Group&, const Group&, EdgeId);
+template Verdict verdict(const Complex&, BooleanOp, Dominance, const Group&, const Group&, const Group&, VertexId);
 
 }  // namespace cnrg

@@ -16,11 +16,8 @@ struct Verdict {
   const TableRow* row = nullptr;  ///< the row of its relation
   friend bool operator==(const Verdict&, const Verdict&) = default;
 };
+template <class IdT>
 Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right,
-                const Group& result, FaceId f);
-Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right,
-                const Group& result, EdgeId e);
-Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right,
-                const Group& result, VertexId v);
+                const Group& result, IdT cell);
 
 }  // namespace cnrg

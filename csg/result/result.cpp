@@ -7,6 +7,7 @@
 
 #include "csg/materials/grade.h"
 #include "csg/result/result_data.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/selection/measure.h"
 
@@ -50,12 +51,11 @@ Components components_by_selection(const Complex& complex, Selection selection) 
   const auto see = [&](const auto& cells) {
     for (const auto& [cell, component] : cells) count = std::max(count, component);
   };
-  see(selection.vertices), see(selection.edges), see(selection.faces), see(selection.regions);
+  for_each_dimension(see, selection);
   out.attributes.resize(count);
-  out.origins.vertices = origins_of(complex, selection.vertices, out.origins.sets);
-  out.origins.edges = origins_of(complex, selection.edges, out.origins.sets);
-  out.origins.faces = origins_of(complex, selection.faces, out.origins.sets);
-  out.origins.regions = origins_of(complex, selection.regions, out.origins.sets);
+  for_each_dimension(
+      [&](const auto& cells, auto& origins) { origins = origins_of(complex, cells, out.origins.sets); }, selection,
+      out.origins);
   out.selection = std::move(selection);
   return out;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/operators/component_lists.h"
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
 #include "csg/topology/around.h"
@@ -229,16 +230,6 @@ std::string adjacency_text(const RegionGraph& graph) {
     append_line(out, "  " + graph.nodes[e.nodes[0]].name + " - " + graph.nodes[e.nodes[1]].name + ": " +
                          grouped(e.faces) + (e.faces == 1 ? " face" : " faces"));
   }
-  return out;
-}
-
-std::vector<Component> components_in(const Selection& selection) {
-  std::vector<Component> out;
-  const auto add = [&](const auto& cells) {
-    for (const auto& [cell, c] : cells) out.push_back(c);
-  };
-  add(selection.vertices), add(selection.edges), add(selection.faces), add(selection.regions);
-  sort_unique(out);
   return out;
 }
 

@@ -2,6 +2,7 @@
 #include "csg/transfer/carried_groups.h"
 
 #include "kernel/base/error.h"
+#include "kernel/complex/by_dimension.h"
 
 namespace cnrg {
 
@@ -50,22 +51,16 @@ std::vector<Group> CarriedGroups::on(const Complex& complex, const std::vector<V
       list(piece, f, out[piece.part].faces, out[piece.part].origins.faces);
     });
   }
-  for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
-    for (const Piece& piece : cells_.pieces(e)) {
+  const auto list_pieces = [&](auto cell, auto CarriedGroup::*stored) {
+    for (const Piece& piece : cells_.pieces(cell)) {
       Group& group = out[piece.part];
-      list(piece, e, group.edges, group.origins.edges);
-      if (piece.dimension == 1 && groups_[piece.part].edges_[piece.number].feature)
-        group.features.edges.push_back(e);
+      list(piece, cell, list_for(group, cell), list_for(group.origins, cell));
+      if (piece.dimension == dimension_of(cell) && (groups_[piece.part].*stored)[piece.number].feature)
+        list_for(group.features, cell).push_back(cell);
     }
-  }
-  for (const VertexId v : complex.vertices) {
-    for (const Piece& piece : cells_.pieces(v)) {
-      Group& group = out[piece.part];
-      list(piece, v, group.vertices, group.origins.vertices);
-      if (piece.dimension == 0 && groups_[piece.part].vertices_[piece.number].feature)
-        group.features.vertices.push_back(v);
-    }
-  }
+  };
+  for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) list_pieces(e, &CarriedGroup::edges_);
+  for (const VertexId v : complex.vertices) list_pieces(v, &CarriedGroup::vertices_);
   std::vector<std::vector<std::uint32_t>> number(groups_.size());
   for (std::size_t g = 0; g < groups_.size(); ++g) number[g].assign(groups_[g].regions_.size() + 1, 0);
   for (const RegionId r : IdRange<RegionId>(complex.region_count)) {

@@ -8,6 +8,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {
@@ -42,10 +43,7 @@ class LeafValue {
     const auto set_origins = [&](const auto& cells, std::vector<LeafSetId>& origins) {
       for (const auto& [cell, component] : cells) origins.push_back(set_of(stored(piece(cell)), nullptr));
     };
-    set_origins(s.vertices, out_.origins.vertices);
-    set_origins(s.edges, out_.origins.edges);
-    set_origins(s.faces, out_.origins.faces);
-    set_origins(s.regions, out_.origins.regions);
+    for_each_dimension(set_origins, s, out_.origins);
     put_said(placed);
     for (std::size_t i = 0; i < attributes.size(); ++i) {
       out_.attributes.push_back({{attributes[i], {leaf_}}, stored_.dominances[stored_.group ? 0 : i]});
@@ -134,9 +132,7 @@ class LeafValue {
           list.emplace_back(cell, LeafCell{here(of.leaf), of.dimension, of.number});
       }
     };
-    add(selection.faces, held.faces);
-    add(selection.edges, held.edges);
-    add(selection.vertices, held.vertices);
+    for_each_entity(add, selection, held);
   }
 
  private:

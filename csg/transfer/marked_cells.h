@@ -3,15 +3,18 @@
 
 #include <vector>
 
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
 
+template <class IdT>
+using CellMarks = IdVector<IdT, std::uint32_t>;
+
 /// Cells merge with their like only (CellSources::mark); every leaf counts everywhere.
-class MarkedCells : public CellSources {
+class MarkedCells : public CellSources, public OfEntities<CellMarks> {
  public:
-  explicit MarkedCells(const Complex& complex)
-      : faces(complex.face_count()), edges(complex.edge_count()), vertices(complex.points.size()) {
+  explicit MarkedCells(const Complex& complex) : OfEntities(complex) {
     for (const LeafId leaf : IdRange<LeafId>(complex.leaf_count)) all_.push_back(leaf);
   }
   bool marks_anything() const override { return true; }
@@ -20,10 +23,6 @@ class MarkedCells : public CellSources {
   std::uint32_t mark(VertexId v) const override { return vertices[v]; }
   void leaves_of(FaceId, std::vector<LeafId>& out) const override { out = all_; }
   void leaves_of(EdgeId, std::vector<LeafId>& out) const override { out = all_; }
-
-  IdVector<FaceId, std::uint32_t> faces;
-  IdVector<EdgeId, std::uint32_t> edges;
-  IdVector<VertexId, std::uint32_t> vertices;
 
  private:
   std::vector<LeafId> all_;

@@ -8,6 +8,7 @@
 
 #include "csg/explain/explain.h"
 #include "csg/explain/fates.h"
+#include "csg/operators/component_lists.h"
 #include "csg/operators/node_value.h"
 #include "csg/operators/paper_terms.h"
 #include "csg/result/palette.h"
@@ -306,12 +307,7 @@ void add_topology(const Evaluation& evaluation, const KeptValue& kept, const Fla
     out["euler"]["closed"] = subtract(closure(complex, set), set).empty();
   }
   BettiCounter counter(neighbourhoods);
-  std::vector<Component> components;
-  const auto see = [&](const auto& cells) {
-    for (const auto& [cell, c] : cells) components.push_back(c);
-  };
-  see(selection.vertices), see(selection.edges), see(selection.faces), see(selection.regions);
-  sort_unique(components);
+  const std::vector<Component> components = components_in(selection);
   const std::vector<BettiNumbers> numbers = betti_numbers(selection, components, counter);
   Json betti = Json::array();
   for (std::size_t i = 0; i < numbers.size(); ++i) {

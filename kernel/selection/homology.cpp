@@ -30,20 +30,17 @@
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
+#include "kernel/complex/by_dimension.h"
 
 namespace cnrg {
 
 /// The cells of a set, numbered from 1 as they are listed; 0: not in the set.
 struct BettiCounter::Members {
-  explicit Members(const Complex& complex)
-      : vertices(complex.points.size()),
-        edges(complex.edge_count()),
-        faces(complex.face_count()),
-        regions(complex.region_count) {}
-  std::uint32_t operator()(VertexId v) const { return vertices[v]; }
-  std::uint32_t operator()(EdgeId e) const { return edges[e]; }
-  std::uint32_t operator()(FaceId f) const { return faces[f]; }
-  std::uint32_t operator()(RegionId r) const { return regions[r]; }
+  explicit Members(const Complex& complex) : numbers_(complex) {}
+  template <class IdT>
+  std::uint32_t operator()(IdT cell) const {
+    return list_for(numbers_, cell).get(cell);
+  }
 
   void enter(const CellSet& set) {
     std::uint32_t count = 0;
@@ -53,19 +50,18 @@ struct BettiCounter::Members {
     number(set, [] { return 0u; });
   }
 
-  Scratch<VertexId, std::uint32_t> vertices;
-  Scratch<EdgeId, std::uint32_t> edges;
-  Scratch<FaceId, std::uint32_t> faces;
-  Scratch<RegionId, std::uint32_t> regions;
-
  private:
   template <class Next>
   void number(const CellSet& set, Next next) {
-    for (VertexId v : set.vertices) vertices[v] = next();
-    for (EdgeId e : set.edges) edges[e] = next();
-    for (FaceId f : set.faces) faces[f] = next();
-    for (RegionId r : set.regions) regions[r] = next();
+    const auto number_list = [&](const auto& cells, auto& numbers) {
+      for (const auto cell : cells) numbers[cell] = next();
+    };
+    for_each_dimension(number_list, set, numbers_);
   }
+
+  template <class IdT>
+  using Numbers = Scratch<IdT, std::uint32_t>;
+  OfCells<Numbers> numbers_;
 };
 
 namespace {
@@ -303,15 +299,14 @@ BettiNumbers betti_numbers(const Complex& complex, const CellSet& set) {
 std::vector<BettiNumbers> betti_numbers(const Selection& selection, const std::vector<Component>& components,
                                         BettiCounter& counter) {
   std::vector<CellSet> sets(components.size());
-  const auto deal = [&](const auto& cells, auto member) {
+  const auto deal = [&](const auto& cells) {
     for (const auto& [cell, c] : cells) {
       const auto at = std::lower_bound(components.begin(), components.end(), c);
       require(at != components.end() && *at == c, "homology: a component that is not listed");
-      (sets[static_cast<std::size_t>(at - components.begin())].*member).push_back(cell);
+      list_for(sets[static_cast<std::size_t>(at - components.begin())], cell).push_back(cell);
     }
   };
-  deal(selection.vertices, &CellSet::vertices), deal(selection.edges, &CellSet::edges);
-  deal(selection.faces, &CellSet::faces), deal(selection.regions, &CellSet::regions);
+  for_each_dimension(deal, selection);
   std::vector<BettiNumbers> out{counter.of(support(selection))};
   for (const CellSet& set : sets) out.push_back(counter.of(set));
   return out;

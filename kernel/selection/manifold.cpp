@@ -12,6 +12,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/merging.h"
 
 namespace cnrg {
@@ -20,20 +21,14 @@ namespace {
 using Index = Neighbourhood::Index;
 
 /// The cells of a closed set.
-struct ClosedSet {
-  ClosedSet(const Complex& complex, const CellSet& set)
-      : cells(closure(complex, set)),
-        edges(complex.edge_count()),
-        faces(complex.face_count()),
-        regions(complex.region_count) {
-    for (EdgeId e : cells.edges) edges[e] = 1;
-    for (FaceId f : cells.faces) faces[f] = 1;
-    for (RegionId r : cells.regions) regions[r] = 1;
+struct ClosedSet : OfCells<Marks> {
+  ClosedSet(const Complex& complex, const CellSet& set) : OfCells(complex), cells(closure(complex, set)) {
+    const auto mark = [](auto& marks, const auto& list) {
+      for (const auto cell : list) marks[cell] = 1;
+    };
+    for_each_dimension(mark, *this, cells);
   }
   CellSet cells;
-  Marks<EdgeId> edges;
-  Marks<FaceId> faces;
-  Marks<RegionId> regions;
 };
 
 std::string number(std::int64_t n, const char* one, const char* many) {

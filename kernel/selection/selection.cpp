@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "kernel/base/sorted.h"
+#include "kernel/complex/by_dimension.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {
@@ -27,13 +28,6 @@ std::vector<IdT> ids(const std::vector<std::pair<IdT, Component>>& list, Compone
     if (component == wanted) out.push_back(id);
   }
   return out;
-}
-
-void sort_cells(CellSet& set) {
-  sort_unique(set.vertices);
-  sort_unique(set.edges);
-  sort_unique(set.faces);
-  sort_unique(set.regions);
 }
 
 /// An operation on the cells of each dimension of some sets.
@@ -80,16 +74,13 @@ std::vector<std::pair<IdT, Component>> extended(const std::vector<std::pair<IdT,
 }
 
 // The cells of a set as marks, for tests of membership.
-struct MarkedSet {
-  MarkedSet(const Complex& complex, const CellSet& set)
-      : edges(complex.edge_count()), faces(complex.face_count()), regions(complex.region_count) {
-    for (EdgeId e : set.edges) edges[e] = 1;
-    for (FaceId f : set.faces) faces[f] = 1;
-    for (RegionId r : set.regions) regions[r] = 1;
+struct MarkedSet : OfCells<Marks> {
+  MarkedSet(const Complex& complex, const CellSet& set) : OfCells(complex) {
+    const auto mark = [](auto& marks, const auto& cells) {
+      for (const auto cell : cells) marks[cell] = 1;
+    };
+    for_each_dimension(mark, *this, set);
   }
-  Marks<EdgeId> edges;
-  Marks<FaceId> faces;
-  Marks<RegionId> regions;
 };
 
 // Calls `edge`, `face` and `region` for the cells of the open star of a cell, but for those on the frame.
@@ -176,10 +167,11 @@ CellSet star(const Complex& complex, const CellSet& set) {
   StarWalk walk(
       complex, [&](EdgeId e) { out.edges.push_back(e); }, [&](FaceId f) { out.faces.push_back(f); },
       [&](RegionId r) { out.regions.push_back(r); });
-  for (VertexId v : set.vertices) walk.of(v);
-  for (EdgeId e : set.edges) walk.of(e);
-  for (FaceId f : set.faces) walk.of(f);
-  sort_cells(out);
+  const auto walk_all = [&](const auto& cells) {
+    for (const auto cell : cells) walk.of(cell);
+  };
+  for_each_entity(walk_all, set);
+  for_each_dimension([](auto& cells) { sort_unique(cells); }, out);
   return out;
 }
 
@@ -232,9 +224,7 @@ CellSet interior(const Complex& complex, const CellSet& set) {
     }
   };
   CellSet out;
-  keep(set.vertices, out.vertices);
-  keep(set.edges, out.edges);
-  keep(set.faces, out.faces);
+  for_each_entity(keep, set, out);
   out.regions = set.regions;
   return out;
 }
