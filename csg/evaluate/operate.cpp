@@ -10,7 +10,6 @@
 #include "csg/operators/fold.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/material_levels.h"
-#include "csg/operators/own_numbers.h"
 #include "csg/operators/say.h"
 #include "csg/operators/select.h"
 #include "csg/tree/selector.h"

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "csg/geometry/transform.h"
 #include "csg/operators/components.h"
 #include "csg/operators/parts.h"
 #include "kernel/selection/simplify.h"
@@ -72,5 +73,13 @@ SimplifiedComplex simplify(const Complex& complex, const NodeValue& value, const
 std::array<std::size_t, 4> simplified_counts(const Complex& complex, const NodeValue& value,
                                              const Selection& selection);
 Components components_of(const Complex& complex, const NodeValue& value);
+
+/// Regions of a group are numbered by where they are. A node that takes them by number, or makes components of
+/// them, must find the numbers that they have where the node stands alone, wherever its users have moved it. So
+/// this is, by region of the group, from 1, its number before `transform` moved all that the group came from; that
+/// of 0 is 0.
+std::vector<Component> own_numbers(const Complex& complex, const Group& group, const Transform& transform);
+/// The components of a value; those of a group are numbered so.
+Components components_of(const Complex& complex, const NodeValue& value, const Transform& transform);
 
 }  // namespace cnrg
