@@ -11,16 +11,76 @@
 #include <set>
 #include <utility>
 
-#include "csg/compare/names.h"
 #include "csg/compare/partners.h"
 #include "csg/compare/same_material.h"
-#include "csg/compare/settled.h"
+#include "csg/compare/together.h"
+#include "csg/evaluate/evaluate.h"
+#include "csg/formats/formats.h"
+#include "csg/leaves/leaf.h"
 #include "csg/operators/cell_sources.h"
 #include "csg/operators/node_value.h"
+#include "csg/result/result_data.h"
+#include "csg/text/child.h"
 #include "csg/text/escape.h"
+#include "csg/tree/tree_of_file.h"
+#include "kernel/complex/by_dimension.h"
 
 namespace cnrg {
 namespace {
+
+/// The strongest origin of a part of `name` that `other` has not.
+NameOrigin strongest(const Name& name, const Name& other) {
+  NameOrigin most = NameOrigin::entities;
+  for (const NamePart& part : name.parts()) {
+    const auto& all = other.parts();
+    const auto says = [&](const NamePart& p) { return p.shown() == part.shown(); };
+    if (std::none_of(all.begin(), all.end(), says)) most = std::max(most, part.origin);
+  }
+  return most;
+}
+
+/// Two names differ where one of them has a part that the other one has not and that somebody gave: by `name`, in
+/// a group, in a CAD model. A region that nobody named is called after its node; the nodes of an answer to an
+/// exercise may be called anything. Parts of a result that was read back and does not tell may be either; they
+/// differ from given ones and from each other, not from those of nodes.
+bool names_differ(const Name& a, const Name& b) {
+  const NameOrigin of_a = strongest(a, b), of_b = strongest(b, a);
+  return std::max(of_a, of_b) == NameOrigin::given || (of_a == NameOrigin::file && of_b == NameOrigin::file);
+}
+
+/// A tree with `weld`, compared. What is near is joined among the leaves of that tree alone, before anything cuts
+/// anything. Among the leaves of two trees more would be near, and differences would go with it. So such a tree is
+/// evaluated by itself, and what is compared is its result, exact as a `.json` holds it, in a file without a name.
+class Settled {
+ public:
+  /// Evaluates the node. InputError if the result reaches infinity, which no `.json` can give back.
+  Settled(const Tree& tree, NodeId node, int threads) : file_("cnrg compare") {
+    EvaluateOptions options;
+    options.threads = threads;
+    options.rows = Rows::none;
+    options.result = node;
+    const Result result = evaluate(tree, options).result();
+    const std::string text = json_text(result.data().view()).text;
+    file_.write(text.data(), text.size());
+    const ResultShape shape{"/proc/self/fd/" + std::to_string(file_.descriptor())};
+    try {
+      prepare(shape);
+    } catch (const InputError&) {
+      throw TreeError(tree.file, tree.weld_at,
+                      "a result of a tree with `weld` is compared as it is in a `.json`, and `" +
+                          tree.nodes[node].name +
+                          "` has faces or lines without bounds, which cannot be read back; "
+                          "cut it with a box");
+    }
+    tree_ = tree_of_leaf(tree.file, tree.nodes[node].name, "cnrg", shape);
+  }
+  /// One leaf, the result; of use as long as this lives.
+  const Tree& tree() const { return tree_; }
+
+ private:
+  MemoryFile file_;
+  Tree tree_;
+};
 
 /// One of the two values on the complex.
 struct ComparedSide {
@@ -185,17 +245,15 @@ class Comparer {
     if (!a.marks_anything() && !b.marks_anything()) return;
     static const Attributes kNothing;
     std::map<std::vector<Comparison::Word>, CellSet> found;
-    const auto ask = [&](const auto& list, auto CellSet::*of) {
+    const auto ask = [&](const auto& list) {
       for (const auto cell : list) {
         const Attributes *in_a = a.said(cell), *in_b = b.said(cell);
         if (in_a == nullptr && in_b == nullptr) continue;
         std::vector<Comparison::Word> words = differing(in_a ? *in_a : kNothing, in_b ? *in_b : kNothing);
-        if (!words.empty()) (found[std::move(words)].*of).push_back(cell);
+        if (!words.empty()) list_for(found[std::move(words)], cell).push_back(cell);
       }
     };
-    ask(cells.vertices, &CellSet::vertices);
-    ask(cells.edges, &CellSet::edges);
-    ask(cells.faces, &CellSet::faces);
+    for_each_entity(ask, cells);
     said_at_ = sets_.size();
     for (auto& [words, set] : found) {
       changed = unite(changed, set);
