@@ -5,12 +5,13 @@
 #include <cmath>
 #include <span>
 
-#include "csg/geometry/nearest.h"
 #include "kernel/base/error.h"
 #include "kernel/base/hypotenuse.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/vectors.h"
+#include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/trigonometry.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {
@@ -19,6 +20,55 @@ namespace {
 using Index = Parts::Index;
 
 double largest(const DoubleVector& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
+
+/// The nearest points of two points, segments and triangles, exactly: closest points of rational simplices are
+/// rational, and so is the square of their distance. Only what is nearest in the interior of both is asked for.
+struct NearestPoints {
+  RationalPoint a, b;  ///< on the first and on the second
+  Rational squared;    ///< of their distance
+};
+
+NearestPoints nearest_pair(const RationalPoint& a, RationalPoint b) {
+  const RationalPoint d = b - a;
+  return {a, std::move(b), dot(d, d)};
+}
+
+/// Of p and the open segment from a to b; nothing if p is nearest to an end.
+std::optional<NearestPoints> nearest_in_segment(const RationalPoint& p, const RationalPoint& a,
+                                                const RationalPoint& b) {
+  const RationalPoint along = whole(b - a);
+  const auto beyond = [&](const RationalPoint& end) { return sgn(dot(whole(p - end), along)); };
+  if (beyond(a) <= 0 || beyond(b) >= 0) return {};
+  return nearest_pair(p, a + Rational(dot(p - a, along) / dot(along, along)) * along);
+}
+
+/// Of p and the closed triangle; nothing unless p is straight above or below it. The triangle must have an area.
+std::optional<NearestPoints> nearest_in_triangle(const RationalPoint& p, const RationalPoint& a,
+                                                 const RationalPoint& b, const RationalPoint& c) {
+  const RationalPoint normal = cross(whole(b - a), whole(c - a));
+  const auto beside = [&](const RationalPoint& from, const RationalPoint& to) {
+    return dot(cross(whole(to - from), whole(p - from)), normal) < 0;
+  };
+  if (beside(a, b) || beside(b, c) || beside(c, a)) return {};
+  const Rational height = dot(p - a, normal) / dot(normal, normal);
+  return nearest_pair(p, p - height * normal);
+}
+
+/// Of the open segments from a to b and from c to d; nothing if an end is as near, so also if they are parallel.
+std::optional<NearestPoints> nearest_in_segments(const RationalPoint& a, const RationalPoint& b,
+                                                 const RationalPoint& c, const RationalPoint& d) {
+  const RationalPoint u = whole(b - a), v = whole(d - c), normal = cross(u, v);
+  if (is_zero(normal)) return {};
+  // On which side of the end of one line the other line passes, as seen along the normal.
+  const auto side = [&](const RationalPoint& from, const RationalPoint& to, const RationalPoint& line) {
+    return sgn(dot(cross(whole(to - from), line), normal));
+  };
+  if (side(a, c, v) <= 0 || side(b, c, v) >= 0 || side(a, c, u) <= 0 || side(a, d, u) >= 0) return {};
+  const RationalPoint w = c - a;
+  const Rational square = dot(normal, normal);
+  return nearest_pair(a + Rational(dot(cross(w, v), normal) / square) * u,
+                      c + Rational(dot(cross(w, u), normal) / square) * v);
+}
 
 template <class Loops, class Visit>
 void for_each_side(const Loops& loops, const Visit& visit) {
@@ -200,7 +250,7 @@ class NearSearch {
     std::optional<NearestPoints> nearest;
     if (kind == Near::points) {
       if (a >= b || (ends_ == Ends::left_out && parts_.is_segment(a, b))) return {};
-      nearest = nearest_of_points(x[a], x[b]);
+      nearest = nearest_pair(x[a], x[b]);
     } else if (kind == Near::point_segment) {
       const auto& [p, q] = parts_.segments_[b].ends;
       if (a == p || a == q || is_far(a, p, q) || are_apart(std::array{a}, std::array{p, q})) return {};
