@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <utility>
 
-#include "csg/carriers/common_steps.h"
 #include "csg/carriers/cuts.h"
 #include "csg/carriers/net_carriers.h"
 #include "csg/carriers/placed_nets.h"
+#include "csg/curves/boundary_curves.h"
 #include "kernel/base/leaf_words.h"
 #include "kernel/base/union_find.h"
 #include "kernel/refine/box_tree.h"
@@ -62,6 +65,71 @@ void each_meeting(const std::vector<Item>& items, IntervalsOf intervals_of, Visi
                });
   }
 }
+
+/// How many steps a curve has that several leaves have, each with a fineness of its own.
+///
+/// All that must have equal steps are tied into one class: a curve in many leaves, and the two rims of a wall of
+/// an extrusion with those of other walls on the same surface. A class has as many steps as the most that any
+/// curve in it needs for all that is asked of the class.
+class CommonSteps {
+ public:
+  /// A leaf has the curve and asks for a fineness and further lines, at parameters between 0 and 1. Returns its
+  /// number.
+  std::uint32_t ask(const BezierCurve& curve, const Fineness& fineness, const std::vector<Rational>& lines) {
+    const std::uint32_t i = number(curve, 0);
+    if (!lines.empty()) {
+      const bool reversed = canonical(curve).reversed;
+      for (const Rational& t : lines) asked_[i].lines.insert(reversed ? Rational(1 - t) : t);
+    }
+    std::optional<Fineness>& all = asked_[i].fineness;
+    if (all) all->join(fineness);
+    else all = fineness;
+    return i;
+  }
+  /// A number for what is no curve of a leaf: a projected one; those of different `kind`, from 1, are different.
+  std::uint32_t number(const BezierCurve& curve, std::size_t kind) {
+    BezierCurve least = canonical(curve).curve;
+    const auto [it, is_new] = numbers_.try_emplace({kind, least.net}, std::uint32_t(classes_.size()));
+    if (is_new) {
+      asked_.push_back({std::move(least), std::nullopt, {}});
+      classes_.add();
+    }
+    return it->second;
+  }
+  /// Both get the same even steps.
+  void tie(std::uint32_t a, std::uint32_t b) { classes_.unite(a, b); }
+  /// Steps of all curves that were asked for.
+  AgreedSteps agree() {
+    std::map<std::uint32_t, Fineness> joined;
+    for (std::uint32_t i = 0; i < asked_.size(); ++i) {
+      if (!asked_[i].fineness) continue;
+      const auto [it, is_new] = joined.try_emplace(classes_.find(i), *asked_[i].fineness);
+      if (!is_new) it->second.join(*asked_[i].fineness);
+    }
+    std::map<std::uint32_t, int> most;
+    for (std::uint32_t i = 0; i < asked_.size(); ++i) {
+      if (!asked_[i].fineness) continue;
+      int& steps = most[classes_.find(i)];
+      steps = std::max(steps, BoundaryCurves(joined.at(classes_.find(i))).steps(asked_[i].curve));
+    }
+    AgreedSteps result;
+    for (std::uint32_t i = 0; i < asked_.size(); ++i) {
+      if (asked_[i].fineness)
+        result[asked_[i].curve.net] = {most.at(classes_.find(i)), rounded_lines(asked_[i].lines)};
+    }
+    return result;
+  }
+
+ private:
+  struct Asked {
+    BezierCurve curve;  // canonical
+    std::optional<Fineness> fineness;
+    std::set<Rational> lines{};
+  };
+  std::map<std::pair<std::size_t, ControlRow>, std::uint32_t> numbers_;
+  std::vector<Asked> asked_;
+  UnionFind classes_;
+};
 
 /// A strand on its carrier.
 struct Run {

@@ -3,7 +3,7 @@
 // Each leaf alone has facets that depend on its own net, place and fineness. So two leaves with one curved wall in
 // common, of which one has more segments or reaches farther, would overlap a little and leave slivers between
 // them. Here those that share a carrier (net_carriers.h) or a curve are cut along the same lines, into sub-patches
-// that are the same patch in both (cuts.h), with steps that all of them agree on (common_steps.h). `mesh_patch`
+// that are the same patch in both (cuts.h), with steps that all of them agree on. `mesh_patch`
 // makes of equal patches equal facets, so the overlap is one set of facets, and its border the same edges.
 //
 // Walls of extrusions are compared by their segments, projected along the vector: they need the same rulings.
