@@ -3,22 +3,76 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <queue>
 
 #include "csg/picture/make_scene.h"
-#include "csg/picture/room.h"
 #include "csg/picture/visibility.h"
 #include "csg/result/result_data.h"
 #include "kernel/base/error.h"
 #include "kernel/base/hypotenuse.h"
+#include "kernel/base/vectors.h"
+#include "kernel/refine/box.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Scene::Index;
-using Vector = std::array<double, 3>;
+using Vector = DoubleVector;
+using Loops = std::vector<std::vector<Point2>>;
 
-/// The length of a vector.
-double size_of(const Vector& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+/// Distance to the border, negative outside.
+double room_at(const Loops& loops, const Point2& p) {
+  bool inside = false;
+  double nearest = INFINITY;
+  for (const auto& loop : loops) {
+    for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+      const auto& [ax, ay] = loop[j];
+      const auto& [bx, by] = loop[i];
+      if ((ay > p[1]) != (by > p[1]) && p[0] < (bx - ax) * (p[1] - ay) / (by - ay) + ax) inside = !inside;
+      const double dx = bx - ax, dy = by - ay, size = dx * dx + dy * dy;
+      const double t = size == 0 ? 0 : std::clamp(((p[0] - ax) * dx + (p[1] - ay) * dy) / size, 0.0, 1.0);
+      nearest = std::min(nearest, hypotenuse(ax + t * dx - p[0], ay + t * dy - p[1]));
+    }
+  }
+  return inside ? nearest : -nearest;
+}
+
+/// The middle of nearly the largest disk in what the loops enclose, and its radius: the best place within
+/// 1/50 of the area's extent (Agafonkin's quadtree search, "polylabel").
+Figure::Label::Place place_with_room(const Loops& loops) {
+  Point2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  for (const auto& loop : loops) {
+    for (const Point2& p : loop) {
+      for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+    }
+  }
+  const double width = high[0] - low[0], height = high[1] - low[1], side = std::min(width, height);
+  if (!(side > 0)) return {};
+  struct Square {
+    Point2 middle;
+    double half, room;
+    double most() const { return room + half * M_SQRT2; }
+    bool operator<(const Square& other) const { return most() < other.most(); }
+  };
+  std::priority_queue<Square> open;
+  const auto push = [&](const Point2& middle, double half) { open.push({middle, half, room_at(loops, middle)}); };
+  const double half = side / 2, precision = side / 50;
+  for (double x = low[0] + half; x < high[0] + half; x += side) {
+    for (double y = low[1] + half; y < high[1] + half; y += side) push({x, y}, half);
+  }
+  Square best{{}, 0, 0};
+  for (int steps = 0; !open.empty() && steps < 2000; ++steps) {
+    const Square at = open.top();
+    open.pop();
+    if (at.room > best.room) best = at;
+    if (at.most() - best.room <= precision) break;
+    for (const double x : {-0.5, 0.5}) {
+      for (const double y : {-0.5, 0.5})
+        push({at.middle[0] + x * at.half, at.middle[1] + y * at.half}, at.half / 2);
+    }
+  }
+  return {best.middle, best.room};
+}
 
 constexpr double kLights = 40;  // steps from dark to light
 
@@ -27,9 +81,8 @@ Vector area_of(const std::vector<Vector>& points, const Scene::Loop& loop) {
   const Vector& o = points[loop.front()];
   Vector n{};
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    Vector a{}, b{};
-    for (std::size_t k = 0; k < 3; ++k) a[k] = points[loop[i]][k] - o[k], b[k] = points[loop[i + 1]][k] - o[k];
-    n[0] += a[1] * b[2] - a[2] * b[1], n[1] += a[2] * b[0] - a[0] * b[2], n[2] += a[0] * b[1] - a[1] * b[0];
+    const Vector part = cross(minus(points[loop[i]], o), minus(points[loop[i + 1]], o));
+    for (std::size_t k = 0; k < 3; ++k) n[k] += part[k];
   }
   return n;
 }
@@ -59,12 +112,12 @@ void set_light(Scene& scene) {
     Vector n{};
     for (const Index p : facet.loops.front()) {
       const Vector& sum = at[{facet.surface, p}];
-      const double size = size_of(sum);
+      const double size = length(sum);
       for (std::size_t k = 0; k < 3 && size > 0; ++k) n[k] += sum[k] / size;
     }
     constexpr Vector kLight{-0.42, 0.72, 0.55};
-    const double turn = areas[f][2] < 0 ? -1 : 1, size = size_of(n) * size_of(kLight);
-    const double cosine = size > 0 ? turn * (n[0] * kLight[0] + n[1] * kLight[1] + n[2] * kLight[2]) / size : 0;
+    const double turn = areas[f][2] < 0 ? -1 : 1, size = length(n) * length(kLight);
+    const double cosine = size > 0 ? turn * dot(n, kLight) / size : 0;
     facet.light = static_cast<int>(std::llround(kLights * (0.74 + 0.30 * cosine)));
   }
 }
@@ -231,19 +284,13 @@ class Finisher {
 };
 
 /// The box around the points of results.
-struct Extent {
-  Vector low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-};
-Extent extent_of(const std::vector<Result>& results) {
-  Extent out;
+Box extent_of(const std::vector<Result>& results) {
+  Box out;
   for (const Result& result : results) {
     const Complex& complex = result.complex();
     const auto add = [&](VertexId v) {
       const auto p = complex.points.approx(v);
-      for (std::size_t k = 0; k < 3; ++k) {
-        out.low[k] = std::min(out.low[k], p[k]);
-        out.high[k] = std::max(out.high[k], p[k]);
-      }
+      out.extend(p, p);
     };
     for (const auto& vertex : result.cells().vertices) add(vertex.cell);
     for (const auto& edge : result.cells().edges) {
@@ -256,8 +303,8 @@ Extent extent_of(const std::vector<Result>& results) {
 }  // namespace
 
 DrawOptions::Camera camera_for(const std::vector<Result>& results) {
-  const Extent box = extent_of(results);
-  const double x = box.high[0] - box.low[0], y = box.high[1] - box.low[1], z = box.high[2] - box.low[2];
+  const Box box = extent_of(results);
+  const double x = box.hi[0] - box.lo[0], y = box.hi[1] - box.lo[1], z = box.hi[2] - box.lo[2];
   if (z == 0) return {0, 90};
   if (y == 0) return {0, 0};
   if (x == 0) return {90, 0};
