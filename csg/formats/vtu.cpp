@@ -32,16 +32,109 @@
 //
 // Arrays are base64 of little-endian numbers, doubles unrounded. Cells that bound the result without being part of
 // it are not drawn: an open region has dimension 3 alone, its triangles are where it ends.
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <tuple>
+
 #include "csg/formats/formats.h"
 #include "csg/formats/vtu_grid.h"
-#include "csg/formats/vtu_parameters.h"
+#include "csg/result/flat.h"
 #include "csg/result/rounding.h"
 #include "csg/result/solid.h"
+#include "kernel/base/counts.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {
 
 using Index = FlatComplex::Index;
+
+using Cells = std::vector<std::vector<PatchCorner>>;
+
+/// A cell whose map serves all the cells; nullptr if no one affine map does.
+const std::vector<PatchCorner>* common(const Cells& cells) {
+  if (cells.size() == 1) return &cells[0];
+  if (cells.empty()) return nullptr;
+  const std::vector<PatchCorner>& first = cells[0];
+  // Three corners of the first one; the fourth is checked with the others.
+  std::vector<PatchCorner> three{first[0], first[1], first[2]};
+  if (!is_cell(three)) three = {first[0], first[2], first[3]};
+  for (const auto& cell : cells) {
+    for (const PatchCorner& corner : cell) {
+      if (parameters_in(three, corner.point) != corner.at) return nullptr;
+    }
+  }
+  return &first;
+}
+
+/// Points of a grid split so that each has one pair of parameters; see above. The corners of a triangle get their
+/// parameters in the cell of its facet, exactly, and are rounded last.
+class VtuSplit {
+ public:
+  /// For a view with parameters. `xyz`: of the flattened result's points, which keep their numbers, without
+  /// parameters; split ones come after them.
+  VtuSplit(const ResultView& view, const FlatComplex& flat, const std::vector<std::array<double, 3>>& xyz);
+
+  /// Triangle k of a face on split points.
+  std::array<Index, 3> triangle(Index face, std::size_t k) const { return triangles_[first_[face] + k]; }
+  /// A row of the names; 0 where the face has no parameters.
+  std::int32_t patch(Index face) const { return patches_[face]; }
+  /// Notes the next cell of the grid.
+  void add_cell(std::int32_t patch) { parameters_.patches.push_back(patch); }
+
+  const std::vector<std::array<double, 3>>& points() const { return xyz_; }
+  const VtuParameters& parameters() const { return parameters_; }
+
+ private:
+  Index split(Index point, std::int32_t patch, const Parameters& at);
+
+  std::vector<std::array<double, 3>> xyz_;
+  VtuParameters parameters_;
+  std::vector<std::array<Index, 3>> triangles_;  // of all faces
+  std::vector<std::size_t> first_;               // of each face among them
+  std::vector<std::int32_t> patches_;            // by face
+  std::map<std::tuple<Index, std::int32_t, Parameters>, Index> number_;
+};
+
+VtuSplit::VtuSplit(const ResultView& view, const FlatComplex& flat, const std::vector<std::array<double, 3>>& xyz)
+    : xyz_(xyz), patches_(flat.faces.size(), 0) {
+  parameters_.uv.assign(2 * xyz.size(), std::numeric_limits<double>::quiet_NaN());
+  std::map<FlatComplex::Patch, std::int32_t> rows;
+  for (Index i = 0; i < flat.faces.size(); ++i) {
+    const FlatComplex::Face& face = flat.faces[i];
+    first_.push_back(triangles_.size());
+    triangles_.insert(triangles_.end(), face.triangles.begin(), face.triangles.end());
+    std::vector<const std::vector<PatchCorner>*> cells;  // by facet
+    for (const Cells& facet : face.cells) cells.push_back(common(facet));
+    if (std::find(cells.begin(), cells.end(), nullptr) != cells.end() || cells.empty()) continue;
+    const auto [row, fresh] =
+        rows.try_emplace(*face.patch, static_cast<std::int32_t>(parameters_.names.size() + 1));
+    if (fresh) {
+      const auto& [leaf, patch] = *face.patch;
+      const bool named = view.leaves != nullptr && leaf.index() < view.leaves->size();
+      parameters_.names.push_back((named ? (*view.leaves)[leaf.index()].name + ": " : "") +
+                                  view.parameters->patch_name(leaf, patch));
+    }
+    patches_[i] = row->second;
+    for (std::size_t k = 0, facet = 0; k < face.triangles.size(); ++k) {
+      while (!face.facet_ends.empty() && k >= face.facet_ends[facet]) ++facet;
+      for (Index& p : triangles_[first_[i] + k]) {
+        const RationalPoint at = view.complex->points.rational(flat.points[p]);
+        p = split(p, row->second, parameters_in(*cells[facet], at));
+      }
+    }
+  }
+}
+
+Index VtuSplit::split(Index point, std::int32_t patch, const Parameters& at) {
+  const auto [it, fresh] = number_.try_emplace({point, patch, at}, next_number(xyz_.size(), "points"));
+  if (fresh) {
+    xyz_.push_back(std::array<double, 3>(xyz_[point]));
+    for (const Rational& x : at) parameters_.uv.push_back(to_double(x));
+  }
+  return it->second;
+}
 
 class VtuWriter {
  public:
