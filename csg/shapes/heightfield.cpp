@@ -8,8 +8,7 @@
 // solid has a wall for each side of the hull, counter-clockwise as the four are.
 #include <algorithm>
 
-#include "csg/imports/height_grid.h"
-#include "csg/imports/height_points.h"
+#include "csg/imports/heights.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "csg/shapes/coarse_grid.h"
