@@ -14,7 +14,7 @@ namespace cnrg {
 /// The pair tests of one thread, with its scratch memory and what it found.
 class PairTester {
  public:
-  /// `copies` of equal_faces.h: a face stands for all that are equal to it.
+  /// `copies` of EqualFaces in contacts.cpp: a face stands for all that are equal to it.
   PairTester(const RefineInput& in, const FaceBoundaries& boundaries, const std::vector<std::uint32_t>& copies)
       : in_(in), t_(in.points), boundaries_(boundaries), copies_(copies) {}
   ContactList list;
