@@ -13,10 +13,12 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <tuple>
 
 #include "kernel/base/parallel.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/contacts.h"
@@ -24,7 +26,6 @@
 #include "kernel/refine/faces.h"
 #include "kernel/refine/keyed_points.h"
 #include "kernel/refine/pair_lists.h"
-#include "kernel/refine/shared_vertices.h"
 
 namespace cnrg {
 
@@ -68,6 +69,47 @@ void part_overlaps(const PointTable& t, std::vector<PlaneTrace>& traces) {
     first = last;
   }
   traces = std::move(parted);
+}
+
+/// Vertices of two leaves in one place are the kind of contact that no pair of elements is tested for. This is how
+/// often a vertex of one leaf is a vertex of another (vertex-vertex in Gursoz et al. 1991): each place counts once
+/// for every pair of leaves that have a corner, an end or a point there. Within a leaf equal points are one. Each
+/// vertex is held by the leaf that comes first; who comes later is listed. Which leaf that is depends on the
+/// threads, how many there are does not.
+std::uint64_t shared_vertices(const Soup& soup, const RefineInput& in) {
+  if (soup.leaf_count() < 2) return 0;
+  constexpr std::uint32_t kFree = 0xffffffffu;
+  using Later = std::vector<std::pair<VertexId, LeafId>>;
+  std::vector<std::uint32_t> holders(in.points.size(), kFree);
+  tbb::enumerable_thread_specific<Later> lists;
+  const auto enter = [&](VertexId v, LeafId leaf) {
+    const std::atomic_ref entry(holders[v.index()]);
+    std::uint32_t holder = entry.load(std::memory_order_relaxed);
+    if (holder == leaf.value()) return;
+    if (holder == kFree && entry.compare_exchange_strong(holder, leaf.value(), std::memory_order_relaxed)) return;
+    if (holder != leaf.value()) lists.local().emplace_back(v, leaf);
+  };
+  for_each_index(in.corners.size(), [&](std::size_t i) {
+    const LeafId leaf = soup.face(SourceId(i)).leaf;
+    if (leaf == soup.frame()) return;
+    for (const VertexId v : in.corners[SourceId(i)]) {
+      if (v.valid()) enter(v, leaf);
+    }
+  });
+  for_each_of(soup.wires(), [&](const Soup::Wire& wire) {
+    for (const PointId p : {wire.a, wire.b}) enter(in.vertex_of[p.index()], wire.leaf);
+  });
+  for_each_of(soup.isolated(), [&](const Soup::Isolated& p) { enter(in.vertex_of[p.point.index()], p.leaf); });
+  Later later;
+  for (const Later& list : lists) later.insert(later.end(), list.begin(), list.end());
+  sort_unique(later);
+  // The leaf that is the k-th one to come after the first makes a pair with each of the k before it.
+  std::uint64_t count = 0, before = 0;
+  for (std::size_t i = 0; i < later.size(); ++i) {
+    before = i > 0 && later[i - 1].first == later[i].first ? before + 1 : 1;
+    count += before;
+  }
+  return count;
 }
 
 /// All the state on the way from the soup to the refinement.

@@ -16,7 +16,7 @@ struct RefineReport {
   std::vector<SourceId> zero_area;  ///< faces without area: dropped
   std::uint64_t candidates = 0;     ///< pairs from the broad phase
   /// Pairs in contact by kind (Gursoz et al. 1991): face-face, face-edge, face-vertex, edge-edge, edge-vertex,
-  /// vertex-vertex; the last by places and pairs of leaves (shared_vertices.h).
+  /// vertex-vertex; the last by places and pairs of leaves (refine.cpp).
   std::array<std::uint64_t, 6> contacts{};
   std::uint64_t constructed = 0;    ///< constructed vertices
   StageCounts stages;               ///< predicate calls by deciding stage
