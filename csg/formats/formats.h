@@ -31,8 +31,6 @@ FileText ply_bytes(const ResultView& view);
 FileText three_mf_text(const ResultView& view);
 // With ResultView::parameters on true surfaces; GLB with the normals of these.
 FileText glb_text(const ResultView& view);
-FileText step_text(const ResultView& view);
-FileText brep_text(const ResultView& view);
 
 FileText smesh_text(const ResultView& view);
 FileText poly_text(const ResultView& view);
@@ -49,7 +47,5 @@ std::string med_bytes(const Mesh& mesh);
 /// Throws InputError for a mesh without such simplices.
 std::string xdmf_text(const std::string& path, const Mesh& mesh);
 std::string vtu_text(const ResultView& view, const Mesh& mesh);
-/// The surface mesh of a result as `text` makes it; `format` is for messages.
-FileText surface_text(const ResultView& view, const std::string& format, std::string (*text)(const Mesh&));
 
 }  // namespace cnrg

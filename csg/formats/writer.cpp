@@ -5,16 +5,48 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
+#include "csg/exports/cad_text.h"
 #include "csg/formats/formats.h"
+#include "csg/mesh/mesh.h"
 #include "csg/result/result_json.h"
 #include "csg/result/rounding.h"
+#include "csg/result/solid.h"
 #include "csg/text/file.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
 
 namespace {
+
+/// What was flattened goes before the text is made: it takes as much memory as that.
+std::pair<Mesh, RoundingReport> rounded_mesh(const ResultView& view, const std::string& format) {
+  const FlatComplex flat = flatten(view);
+  require_closed_and_bounded(flat, format);
+  if (flat.vertices.empty() && flat.edges.empty() && flat.faces.empty()) {
+    throw InputError(format +
+                     " is a mesh, and readers refuse one of nothing, as this result is; write .vtu or .json");
+  }
+  const RoundedPoints points = round_points(view, flat);
+  RoundingReport rounding = report_rounding(points, drawing_of(flat));
+  return {surface_mesh(view, flat, points), std::move(rounding)};
+}
+
+/// The surface mesh of a result as `text` makes it; `format` is for messages.
+FileText surface_text(const ResultView& view, const std::string& format, std::string (*text)(const Mesh&)) {
+  auto [mesh, rounding] = rounded_mesh(view, format);
+  return {text(mesh), std::move(rounding)};
+}
+
+/// The result as a CAD model on its true surfaces (csg/exports).
+FileText cad_file(const ResultView& view, const std::string& name, CadFormat format) {
+  CadText made = cad_text(cad_parts(view, name), format);
+  return {std::move(made.text), {.notices = std::move(made.notices)}};
+}
+
+FileText step_text(const ResultView& view) { return cad_file(view, "STEP", CadFormat::step); }
+FileText brep_text(const ResultView& view) { return cad_file(view, "BREP", CadFormat::brep); }
 
 struct Format {
   std::string_view extension;
