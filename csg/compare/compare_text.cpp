@@ -4,6 +4,7 @@
 #include "csg/compare/compare.h"
 #include "csg/text/escape.h"
 #include "csg/text/number.h"
+#include "csg/text/table.h"
 
 namespace cnrg {
 namespace {
@@ -13,14 +14,6 @@ constexpr std::array<const char*, 2> kSides{"A", "B"};
 std::string some(std::size_t count, const std::string& what) {
   const bool vowel = what.find_first_of("aeiou") == 0;
   return count == 1 ? (vowel ? "an " : "a ") + what : std::to_string(count) + " " + what + "s";
-}
-
-std::string listed(const std::vector<std::string>& parts) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  }
-  return text;
 }
 
 std::string extent_text(const Extent& extent, const std::string& what) {

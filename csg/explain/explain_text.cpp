@@ -22,15 +22,6 @@ std::string counted_cells(std::size_t n, int dimension) {
   return counted(n, kKinds[dimension], kManyKinds[dimension]);
 }
 
-/// `a`, `a and b`, `a, b and c`.
-std::string listed(const std::vector<std::string>& words) {
-  std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
-  }
-  return out;
-}
-
 std::string quoted(const std::string& name) { return name.empty() ? "" : " `" + name + "`"; }
 
 /// A region of a group, or what is outside of all.

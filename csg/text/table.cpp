@@ -107,4 +107,12 @@ std::string counted(std::size_t n, std::string_view one, std::string_view many) 
   return std::to_string(n).append(" ").append(n == 1 ? one : many);
 }
 
+std::string listed(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  }
+  return out;
+}
+
 }  // namespace cnrg

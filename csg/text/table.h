@@ -52,4 +52,7 @@ std::string decimal(double x, const char* format);
 /// A number and the word for so many: `1 vertex`, `3 vertices`.
 std::string counted(std::size_t n, std::string_view one, std::string_view many);
 
+/// `a`, `a and b`, `a, b and c`.
+std::string listed(const std::vector<std::string>& words);
+
 }  // namespace cnrg
