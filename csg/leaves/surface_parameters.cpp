@@ -198,20 +198,20 @@ std::vector<CurvePoint> SurfaceParameters::on_curves(const Location& cell, const
   return unique(std::move(result));
 }
 
-std::vector<PatchPoint> first_of_each(const std::vector<PatchPoint>& points) {
-  std::vector<PatchPoint> result;
-  for (const PatchPoint& p : points) {
-    if (result.empty() || result.back().leaf != p.leaf || result.back().patch != p.patch) result.push_back(p);
-  }
-  return result;
+std::vector<PatchPoint> first_of_each(std::vector<PatchPoint> points) {
+  const auto same = [](const PatchPoint& p, const PatchPoint& q) {
+    return p.leaf == q.leaf && p.patch == q.patch;
+  };
+  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+  return points;
 }
 
-std::vector<CurvePoint> first_of_each(const std::vector<CurvePoint>& points) {
-  std::vector<CurvePoint> result;
-  for (const CurvePoint& p : points) {
-    if (result.empty() || result.back().leaf != p.leaf || result.back().curve != p.curve) result.push_back(p);
-  }
-  return result;
+std::vector<CurvePoint> first_of_each(std::vector<CurvePoint> points) {
+  const auto same = [](const CurvePoint& p, const CurvePoint& q) {
+    return p.leaf == q.leaf && p.curve == q.curve;
+  };
+  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+  return points;
 }
 
 }  // namespace cnrg

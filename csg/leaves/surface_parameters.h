@@ -96,7 +96,7 @@ class SurfaceParameters {
 };
 
 /// The first place on each patch (curve): enough for people, on a seam or at a pole.
-std::vector<PatchPoint> first_of_each(const std::vector<PatchPoint>& points);
-std::vector<CurvePoint> first_of_each(const std::vector<CurvePoint>& points);
+std::vector<PatchPoint> first_of_each(std::vector<PatchPoint> points);
+std::vector<CurvePoint> first_of_each(std::vector<CurvePoint> points);
 
 }  // namespace cnrg
