@@ -16,12 +16,6 @@ namespace {
 
 using Index = WeldModel::Index;
 
-RationalPoint value(const Soup& soup, PointId p) {
-  if (const RationalPoint* exact = soup.rational(p)) return *exact;
-  const double* xyz = soup.xyz(p);
-  return {from_double(xyz[0]), from_double(xyz[1]), from_double(xyz[2])};
-}
-
 std::vector<std::vector<PointId>> loops_of(const Soup& soup, SourceId f) {
   std::vector<std::vector<PointId>> loops(1);
   for (const PointId p : soup.corners(f)) {
@@ -103,7 +97,7 @@ class LeafWelder {
     if (leaf.unbounded() || leaf.stored() != nullptr || instances_[i].transform->determinant() == 0) return;
     Soup& soup = soups_.back().emplace();
     leaf.add_to(soup, instances_[i].transform);
-    for (PointId p : IdRange<PointId>(soup.point_count())) model_.points.push_back(value(soup, p));
+    for (PointId p : IdRange<PointId>(soup.point_count())) model_.points.push_back(exact_value(soup, p));
     const Fill fill = soup.fill(LeafId(0));
     std::map<Index, Index> face_of;            // leaf_face: of the model
     std::map<Index, WeldModel::Solid> solids;  // by region
@@ -183,7 +177,7 @@ class LeafWelder {
     if (const ParameterSource source = old.leaf->parameters()) {
       std::map<RationalPoint, RationalPoint> moves;
       for (PointId p : IdRange<PointId>(from.point_count())) {
-        const RationalPoint was = value(from, p);
+        const RationalPoint was = exact_value(from, p);
         if (was != moved(i, p)) moves.emplace(was, moved(i, p));
       }
       made->set_parameters([source, transform = old.transform, moves, sources, kept] {
@@ -230,7 +224,7 @@ class LeafWelder {
     for (const auto& loop : loops) {
       auto& walk = walks.emplace_back();
       for (const PointId p : loop) {
-        const RationalPoint at = value(*soups_[i], p);
+        const RationalPoint at = exact_value(*soups_[i], p);
         if (walks.size() == 1) outer.push_back(at);
         const auto [it, fresh] = ids.try_emplace(at);
         if (fresh) {
