@@ -9,7 +9,6 @@
 #include "csg/app/progress_bar.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/text/escape.h"
-#include "csg/text/file.h"
 #include "csg/text/table.h"
 #include "csg/topology/features.h"
 

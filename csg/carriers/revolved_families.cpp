@@ -26,7 +26,6 @@
 #include "csg/geometry/placement.h"
 #include "csg/leaves/parameters.h"
 #include "csg/leaves/prepare_shapes.h"
-#include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
 #include "kernel/exact/exact_vectors.h"
 

@@ -20,9 +20,7 @@
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
-#include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
-#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {

@@ -11,7 +11,6 @@
 
 #include "csg/geometry/circle.h"
 #include "csg/leaves/geometry_leaf.h"
-#include "kernel/base/error.h"
 #include "kernel/exact/trigonometry.h"
 
 namespace cnrg {

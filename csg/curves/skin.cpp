@@ -5,7 +5,6 @@
 #include "csg/curves/profile.h"
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/prepare_shapes.h"
-#include "kernel/base/error.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {

@@ -18,7 +18,6 @@
 #include "csg/mesh/mesh.h"
 #include "csg/mesh/second_order.h"
 #include "csg/text/digits.h"
-#include "csg/text/escape.h"
 #include "csg/text/file.h"
 #include "csg/text/table.h"
 #include "csg/text/xml.h"

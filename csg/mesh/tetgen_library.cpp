@@ -16,7 +16,6 @@
 #include "csg/mesh/tetgen_run.h"
 #include "csg/text/child.h"
 #include "csg/text/plugin.h"
-#include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {

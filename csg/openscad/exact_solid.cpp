@@ -6,7 +6,6 @@
 #include "csg/geometry/transform.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/mesh_data.h"
-#include "kernel/base/error.h"
 #include "kernel/complex/complex.h"
 #include "kernel/exact/triangulate.h"
 

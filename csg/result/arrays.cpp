@@ -11,7 +11,6 @@
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
 #include "csg/result/said_table.h"
-#include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {

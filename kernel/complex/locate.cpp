@@ -1,7 +1,6 @@
 // Point location: vertices whose boxes hold the point are tested exactly, then edges, then faces; off all of them
 // a ray tells the region.
 
-#include "kernel/base/error.h"
 #include "kernel/complex/ray.h"
 #include "kernel/exact/predicates.h"
 

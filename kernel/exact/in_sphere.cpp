@@ -11,7 +11,6 @@
 
 #include <algorithm>
 
-#include "kernel/base/error.h"
 #include "kernel/exact/enclosure.h"
 #include "kernel/exact/predicates.h"
 

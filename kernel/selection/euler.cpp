@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/measure.h"

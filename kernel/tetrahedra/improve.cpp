@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/lengths.h"

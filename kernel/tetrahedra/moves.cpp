@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 
-#include "kernel/base/error.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/per_thread.h"
 #include "kernel/base/vectors.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
 
