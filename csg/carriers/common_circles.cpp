@@ -11,12 +11,21 @@
 
 namespace cnrg {
 
+namespace {
+
+/// From the centre, by a factor.
+RationalPoint scaled_point(const CircleInSpace& circle, const RationalPoint& p, const Rational& by) {
+  return circle.center + by * (p - circle.center);
+}
+
+}  // namespace
+
 void CommonCircles::add(const CircleInSpace& circle, Part part) {
   Circle& of =
       circles_.try_emplace(circle, Circle{circle, {}, PointLattice(circle.center, circle.radius)}).first->second;
   Family& family = *part.family;
   if (part.direction) family.add_direction(*part.direction);
-  else family.add_circle(part.member, {circle.radius, family.axis().place_of(circle.center)});
+  else family.add_circle(part.member, {part.radius, family.axis().place_of(circle.center)});
   of.parts.push_back(std::move(part));
 }
 
@@ -44,8 +53,10 @@ std::vector<RationalPoint> CommonCircles::points(const Circle& circle, const Par
     const AxisLine& axis = family.axis();
     const MeridianPoint middle{dot(circle.place.center - axis.foot, *part.direction),
                                axis.place_of(circle.place.center)};
-    for (const MeridianPoint& p : family.vertices(middle, circle.place.radius, marks))
-      result.push_back(axis.foot + p.t * axis.direction + p.r * *part.direction);
+    for (const MeridianPoint& p : family.vertices(middle, part.radius, marks)) {
+      const RationalPoint at = axis.foot + p.t * axis.direction + p.r * *part.direction;
+      result.push_back(scaled_point(circle.place, at, circle.place.radius / part.radius));
+    }
   } else {
     for (const RationalPoint& d : family.turns().directions(marks))
       result.push_back(circle.place.center + circle.place.radius * d);
@@ -61,12 +72,13 @@ bool CommonCircles::exchange(Circle& circle, bool marks) const {
       for (std::size_t to = 0; to < circle.parts.size(); ++to) {
         if (to == from) continue;
         changed = true;
-        const auto& [family, member, direction] = circle.parts[to];
+        const auto& [family, member, radius, direction] = circle.parts[to];
         if (!direction) {
           family->add_other_direction((1 / circle.place.radius) * (p - circle.place.center));
           continue;
         }
-        family->add_circle(member, {dot(p - family->axis().foot, *direction), family->axis().place_of(p)});
+        const RationalPoint own = scaled_point(circle.place, p, radius / circle.place.radius);
+        family->add_circle(member, {dot(own - family->axis().foot, *direction), family->axis().place_of(own)});
       }
     }
   }
@@ -112,7 +124,7 @@ bool CommonCircles::grade(Circle& circle) const {
   circle.first_row = row;
   bool changed = false;
   for (const Part& part : circle.parts) {
-    if (!part.direction) continue;
+    if (!part.direction || part.radius != circle.place.radius) continue;
     const AxisLine& axis = part.family->axis();
     const double out = to_double(dot(circle.place.center - axis.foot, *part.direction));
     const double margin = tube * ((out + tube) * rounded::cosine(wide / 2) - tube);

@@ -2,7 +2,8 @@
 // pipe or in another elbow, or a ball fills the tube of a torus.
 //
 // The one draws such a circle by the vertices of its arc, the other by its directions. Neither knows of the other,
-// so the points of the circle are kept here, and go to and fro until all have the same ones.
+// so the points of the circle are kept here, and go to and fro until all have the same ones. Of circles that are a
+// little larger or smaller polygons would cross: they have the same points as seen from the centre.
 //
 // A ball touches the torus around it along the circle, from inside. Of a torus with circles of radius R and tube
 // r, a chord over the angle h cuts off at most (R + r) h^2 / 8. In the half-plane where a point of the ball at the
@@ -30,6 +31,7 @@ class CommonCircles {
   struct Part {
     std::shared_ptr<Family> family;
     std::size_t member = 0;
+    Rational radius;
     std::optional<RationalPoint> direction{};
   };
   void add(const CircleInSpace& circle, Part part);

@@ -221,6 +221,17 @@ void MeridianPlane::add_vertex(std::size_t i, const MeridianPoint& at) {
   arcs_.at({piece.middle, piece.radius}).marks.push_back(at);
 }
 
+void MeridianPlane::add_across(std::size_t i, const MeridianPiece& other) {
+  const MeridianPiece& piece = pieces_[i];
+  if (piece.kind != Kind::arc) return;
+  for (const Point& end : {other.from, other.to}) {
+    const Rational up = end.t - piece.middle.t, square = piece.radius * piece.radius,
+                   out = square - square_ * up * up, off = end.r - piece.middle.r;
+    if (out > 0 && end.r > 0 && abs(off * off - out) * 8 <= square && off * off != out)
+      add_vertex(i, {piece.middle.r + (off < 0 ? -1 : 1) * root(out), end.t});
+  }
+}
+
 void MeridianPlane::add_row(std::size_t i, const Rational& way) {
   const MeridianPiece& piece = pieces_[i];
   if (piece.kind == Kind::line) {
@@ -253,6 +264,8 @@ void MeridianPlane::solve() {
         add_vertex(i, at);
         add_vertex(j, at);
       }
+      add_across(i, pieces_[j]);
+      add_across(j, pieces_[i]);
     }
   }
   // A chord that crosses what its arc does not is halved; the other way round it would be for ever where two arcs

@@ -38,6 +38,9 @@ class MeridianPlane {
   std::size_t add(const MeridianPiece& piece);
   /// A vertex of the arc that piece i is on, if it is on one and the point, nearly, too.
   void add_vertex(std::size_t i, const MeridianPoint& at);
+  /// Vertices of the arc that piece i is on where planes across the axis, through ends of another piece, cut it
+  /// near these ends.
+  void add_across(std::size_t i, const MeridianPiece& other);
   /// A row of piece i at a fraction of the way of its parameter, from 0 to 1; all pieces on its circle have it.
   void add_row(std::size_t i, const Rational& way);
   /// After all is added: contacts of all pieces, vertices of all arcs.

@@ -102,8 +102,16 @@ bool touch(const PlacedForm& a, const PlacedForm& b) {
 
 bool sides_near(const PlacedForm& a, const PlacedForm& b, double near) {
   return any_two(a, b, [near](const MeridianPiece& p, const MeridianPiece& q) {
-    const auto gap = slanted(p) && slanted(q) ? between_lines(p, q, 0, near) : std::nullopt;
-    return gap && gap->apart <= near * gap->radius;
+    if (!slanted(p) || !slanted(q)) return false;
+    const auto is_near = [&](double apart, double radius) { return apart <= near * radius; };
+    for (const MeridianPoint& end : {p.from, p.to}) {
+      for (const MeridianPoint& other : {q.from, q.to}) {
+        if (end.t == other.t && is_near(std::abs(to_double(end.r - other.r)), to_double(std::max(end.r, other.r))))
+          return true;
+      }
+    }
+    const auto gap = between_lines(p, q, 0, near);
+    return gap && is_near(gap->apart, gap->radius);
   });
 }
 

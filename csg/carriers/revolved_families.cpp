@@ -149,7 +149,7 @@ class Space {
 
   void touch_circles() {
     for (const auto& [circle, all] : of_.contacts.circles) {
-      for (const auto& [i, direction] : all) {
+      for (const auto& [i, radius, direction] : all) {
         Index node = 0;
         if (const auto leaf = of_leaf_.find(i); leaf != of_leaf_.end()) {
           node = leaf->second[0];
@@ -159,7 +159,7 @@ class Space {
           node = ball_node(ball, axis, ball_on(ball, axis));
           on_axes_.insert(ball);
         }
-        has_circle_.push_back({circle, node, direction});
+        has_circle_.push_back({circle, node, radius, direction});
         nested_nodes_.insert(node);
       }
     }
@@ -478,8 +478,8 @@ class Space {
     for (const auto& [inner, outer, direction] : inside_)
       nested.push_back({family_of.at(inner), family_of.at(outer), direction});
     CommonCircles circles;
-    for (const auto& [circle, node, direction] : has_circle_)
-      circles.add(circle, {families[family_of.at(node)], member_of.at(node), direction});
+    for (const auto& [circle, node, radius, direction] : has_circle_)
+      circles.add(circle, {families[family_of.at(node)], member_of.at(node), radius, direction});
     for (const auto& family : families) family->solve_meridians();
     shared_.solve([&] {
       do cnrg::solve_turns(families, nested);
@@ -547,6 +547,7 @@ class Space {
   struct OfCircle {
     CircleInSpace circle;
     Index node;
+    Rational radius;
     std::optional<RationalPoint> direction;
   };
   std::vector<OfCircle> has_circle_;

@@ -178,7 +178,7 @@ bool RoundLeaf::may_share_circle(const RoundLeaf& b) const {
     for (const auto& [q, s, other] : b.rings_) {
       const Point3 across = surface_math::cross(along_, b.along_), apart = difference(q, p);
       const double distance = length(apart);
-      if (!nearly(tube, other, tube)) continue;
+      if (!is_near(from_double(tube), from_double(other))) continue;
       if (surface_math::dot(across, across) > 1e-6
               ? nearly(surface_math::dot(apart, across), 0, size_of(p) + size_of(q))
               : nearly(distance, r + s, size_of(p)) || nearly(distance, std::abs(r - s), size_of(p)))
@@ -243,20 +243,23 @@ bool RoundLeaf::holds(const MeridianPoint& p, const RationalPoint& direction) co
                      [&](const auto& line) { return std::any_of(line.begin(), line.end(), has); });
 }
 
-bool RoundLeaf::goes_around(const MeridianPoint& p) const {
+std::optional<Rational> RoundLeaf::radius_near(const MeridianPoint& p) const {
   const Rational square = exact_->placed.square();
+  std::optional<Rational> near;
   for (const auto& line : exact_->placed.lines) {
     for (const MeridianPiece& piece : line) {
-      if (p == piece.from || p == piece.to) return true;
       const Rational r = p.r - piece.middle.r, t = p.t - piece.middle.t;
       if (piece.kind == MeridianPiece::Kind::arc && r * r + square * t * t == piece.radius * piece.radius)
-        return true;
-      if (piece.kind == MeridianPiece::Kind::line && piece.from.r == p.r && piece.to.r == p.r &&
-          (p.t - piece.from.t) * (p.t - piece.to.t) <= 0)
-        return true;
+        return p.r;
+      const bool along = piece.kind == MeridianPiece::Kind::line && piece.from.r == piece.to.r &&
+                         (p.t - piece.from.t) * (p.t - piece.to.t) <= 0;
+      for (const MeridianPoint& end : {piece.from, piece.to}) {
+        if ((along || end.t == p.t) && is_near(end.r, p.r) && (!near || abs(end.r - p.r) < abs(*near - p.r)))
+          near = end.r;
+      }
     }
   }
-  return false;
+  return near;
 }
 
 }  // namespace cnrg

@@ -35,6 +35,8 @@ struct Slant {
 
 /// Nearly equal lengths, in doubles: what is not certainly is not exactly either.
 bool nearly(double a, double b, double size);
+/// Of radii of circles about one centre whose polygons may cross.
+inline bool is_near(const Rational& a, const Rational& b) { return 16 * abs(a - b) <= b; }
 
 class RoundLeaf {
  public:
@@ -63,8 +65,8 @@ class RoundLeaf {
   bool is_sphere() const { return form_->is_sphere(); }
   /// True if its turn has the direction; of what is exact.
   bool covers(const RationalPoint& direction) const;
-  /// True if it has the circle about its axis.
-  bool goes_around(const MeridianPoint& p) const;
+  /// The radius nearest to p.r of a circle about its axis, if one is near it.
+  std::optional<Rational> radius_near(const MeridianPoint& p) const;
   /// True if one of its meridians has the point, in the half-plane of the direction.
   bool holds(const MeridianPoint& p, const RationalPoint& direction) const;
 

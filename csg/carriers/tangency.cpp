@@ -231,7 +231,7 @@ class Finder : ContactMarks {
     }
   }
 
-  /// Meridians of a that b has, too.
+  /// Meridians of a that b has, too, or a little larger or smaller.
   void common_circles(const RoundLeaf& a, const RoundLeaf& b) {
     const AxisLine& axis = a.exact().placed.axis;
     for (const Ring& ring : a.exact().rings) {
@@ -242,15 +242,17 @@ class Finder : ContactMarks {
       if (dot(axis.direction, other.direction) == 0) {
         const Rational t = other.place_of(center);
         const RationalPoint at = other.foot + t * other.direction;
-        if (b.goes_around({ring.radius, t})) has_circle(a, ring, at - center, b, other.direction, std::nullopt);
+        if (const auto radius = b.radius_near({ring.radius, t}))
+          has_circle(a, ring, at - center, other.direction, {b.instance(), *radius, std::nullopt});
       }
       if (b.is_sphere()) {
         const Ball3& ball = b.exact().balls[0];
         if (ball.radius == ring.radius)
-          has_circle(a, ring, ball.center - center, b, cross(axis.direction, ball.center - center), std::nullopt);
+          has_circle(a, ring, ball.center - center, cross(axis.direction, ball.center - center),
+                     {b.instance(), ball.radius, std::nullopt});
       }
       for (const Ring& second : b.exact().rings) {
-        if (second.middle.r == 0 || second.radius != ring.radius) continue;
+        if (second.middle.r == 0 || !is_near(second.radius, ring.radius)) continue;
         const RationalPoint mate = other.foot + second.middle.t * other.direction, apart = mate - center;
         const RationalPoint turn = cross(axis.direction, other.direction);
         if (!is_zero(turn)) {
@@ -272,19 +274,19 @@ class Finder : ContactMarks {
     if (dot(other, other) != second.middle.r * second.middle.r || dot(other, b.exact().placed.axis.direction) != 0)
       return;
     const RationalPoint direction = Rational(1 / second.middle.r) * other;
-    if (b.covers(direction)) has_circle(a, ring, out, b, along, direction);
+    if (b.covers(direction)) has_circle(a, ring, out, along, {b.instance(), second.radius, direction});
   }
   /// `out`: from the centre of the ring's circle to that of its meridian.
-  void has_circle(const RoundLeaf& a, const Ring& ring, const RationalPoint& out, const RoundLeaf& b,
-                  const RationalPoint& along, const std::optional<RationalPoint>& direction) {
+  void has_circle(const RoundLeaf& a, const Ring& ring, const RationalPoint& out, const RationalPoint& along,
+                  const HasCircle& other) {
     const AxisLine& axis = a.exact().placed.axis;
     if (dot(out, out) != ring.middle.r * ring.middle.r || dot(out, axis.direction) != 0) return;
     const RationalPoint own = Rational(1 / ring.middle.r) * out;
     if (!a.covers(own)) return;
     const RationalPoint center = axis.foot + ring.middle.t * axis.direction + out;
     auto& all = circles_[{center, axis_line(center, along).direction, ring.radius}];
-    all.insert({a.instance(), own});
-    all.insert({b.instance(), direction});
+    all.insert({a.instance(), ring.radius, own});
+    all.insert(other);
   }
   /// How two radii make a distance: r + s, or r - s where one is inside of the other; nothing where they do not.
   static std::optional<Rational> gauge(const RationalPoint& apart, const Rational& r, const Rational& s) {

@@ -42,9 +42,10 @@ struct CircleInSpace {
 /// unit vector.
 struct HasCircle {
   std::uint32_t instance = 0;
+  Rational radius;
   std::optional<RationalPoint> direction{};
   friend bool operator<(const HasCircle& a, const HasCircle& b) {
-    return std::tie(a.instance, a.direction) < std::tie(b.instance, b.direction);
+    return std::tie(a.instance, a.radius, a.direction) < std::tie(b.instance, b.radius, b.direction);
   }
 };
 
@@ -54,7 +55,9 @@ struct Contacts {
   /// it, so these two share the axis through their centres.
   std::vector<std::array<std::uint32_t, 2>> nested;
   std::vector<Inside> inside;
-  std::map<CircleInSpace, std::set<HasCircle>> circles;  ///< of two leaves or more, of one of them a meridian
+  /// Of two leaves or more, of one of them a meridian; about its centre also those that are a little larger or
+  /// smaller.
+  std::map<CircleInSpace, std::set<HasCircle>> circles;
 };
 
 /// A revolved instance, with its transform to the space and a box around it there.

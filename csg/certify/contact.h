@@ -34,6 +34,15 @@ struct Contact {
   bool in(const PlaneEquation& plane) const;
 };
 
+/// A row of its matrix times (p, 1).
+inline Rational row_times(const Quadric& q, std::size_t row, const RationalPoint& p) {
+  return q[row][0] * p[0] + q[row][1] * p[1] + q[row][2] * p[2] + q[row][3];
+}
+/// Outwards, or inwards, at a point of it.
+inline RationalPoint gradient(const Quadric& q, const RationalPoint& p) {
+  return {row_times(q, 0, p), row_times(q, 1, p), row_times(q, 2, p)};
+}
+
 /// The axis of a cylinder, also a stretched one.
 struct CylinderAxis {
   RationalPoint direction, middle;

@@ -51,7 +51,8 @@ const PieceFilling::Space& PieceFilling::space_of(LeafId leaf) {
   return *known;
 }
 
-Filling PieceFilling::of(LeafId leaf, std::span<const PiecePart> parts, const Interval3& common, Between between) {
+Filling PieceFilling::of(LeafId leaf, std::span<const PiecePart> parts, const Interval3& common, Between between,
+                         std::uint32_t beyond, int on_side) {
   if (leaves_[leaf.index()].leaf->stored() != nullptr || pieces_.unknown().contains(leaf)) return Filling::part;
   const Space& space = space_of(leaf);
   std::vector<std::pair<const Piece*, int>> sides;
@@ -61,6 +62,10 @@ Filling PieceFilling::of(LeafId leaf, std::span<const PiecePart> parts, const In
                       const bool flat = piece.kind == Piece::Kind::flat;
                       if (flat && misses(piece, common)) return;
                       int side = 0;
+                      if (flat && piece.sheet == beyond) {
+                        const auto& [x, y, z, w] = pieces_.plane_of(beyond);
+                        side = dot(piece.normal, enclose3({x, y, z})).inf() > 0 ? on_side : -on_side;
+                      }
                       for (std::size_t k = 0; flat && side == 0 && k < parts.size(); ++k)
                         side = side_of(piece, parts[k], between);
                       sides.emplace_back(&piece, side);

@@ -16,7 +16,9 @@ class PieceFilling {
   PieceFilling(const Pieces& pieces, const std::vector<LeafInstance>& leaves) : pieces_(pieces), leaves_(leaves) {}
   /// Of what the parts have in common, which is in the box `common`, for all t: a part where a piece of the leaf
   /// may be there. Of a value read back, and of unknown surfaces, nothing is known.
-  Filling of(LeafId leaf, std::span<const PiecePart> parts, const Interval3& common, Between between);
+  /// `beyond`: on one side of this sheet, a plane, alone.
+  Filling of(LeafId leaf, std::span<const PiecePart> parts, const Interval3& common, Between between,
+             std::uint32_t beyond = kNone, int on_side = 0);
 
  private:
   struct Space;

@@ -21,8 +21,10 @@ bool has_corner(const Piece& piece, std::uint32_t number) {
 
 }  // namespace
 
-bool Pieces::adjacent(std::uint32_t a, std::uint32_t b) const {
-  return std::ranges::any_of(pieces_[a].numbers(), [&](std::uint32_t p) { return has_corner(pieces_[b], p); });
+bool Pieces::share_corner(std::span<const std::uint32_t> pieces) const {
+  return std::ranges::any_of(pieces_[pieces[0]].numbers(), [&](std::uint32_t p) {
+    return std::ranges::all_of(pieces, [&](std::uint32_t i) { return has_corner(pieces_[i], p); });
+  });
 }
 
 std::array<Interval, 2> Pieces::range_beside(std::uint32_t cell, std::uint32_t other) const {
@@ -276,67 +278,9 @@ const std::optional<Contact>& Pieces::contact_of(std::uint32_t sheet, std::uint3
   return it->second;
 }
 
-namespace {
-
-Rational row_times(const Quadric& q, std::size_t row, const RationalPoint& p) {
-  return q[row][0] * p[0] + q[row][1] * p[1] + q[row][2] * p[2] + q[row][3];
-}
-
-}  // namespace
-
-// In a plane across the axis, at a corner at the angle w from the middle of a side, H is at ((1 - t) cos h / cos w
-// + t) of the radius (piece_columns.cpp).
-bool Pieces::share_side(std::uint32_t flat, std::uint32_t a, std::uint32_t b) const {
-  if (pieces_[flat].kind != Piece::Kind::flat || pieces_[a].sheet >= pieces_[b].sheet) return false;
-  const auto& [x, y, z, w] = plane_of(pieces_[flat].sheet);
-  const RationalPoint normal{x, y, z};
-  std::array<std::set<RationalPoint>, 2> ends;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Piece& cell = pieces_[i == 0 ? a : b];
-    if (!is_quadric(cell.sheet) || !cell.column) return false;
-    const std::size_t along = 1 - cell.column->around;
-    std::set<double> levels;
-    std::set<RationalPoint> ring;  // also of cells beside it
-    const auto add = [&](const Piece& piece, std::set<RationalPoint>& to) {
-      for (std::size_t k = 0; k < piece.corner_count; ++k) {
-        const RationalPoint& p = points_.at(piece.leaf)[piece.points[k]];
-        if (dot(normal, p) + w == 0) to.insert(p), levels.insert(piece.at[k][along]);
-      }
-    };
-    add(cell, ends[i]);
-    for (const auto& [other, bits] : cell.neighbours) add(pieces_[other], ring);
-    if (ends[i].size() != 2 || levels.size() != 1 || ring.size() < 3) return false;
-  }
-  if (ends[0] != ends[1]) {  // they have one in common, and the others are on both sides of it
-    std::vector<RationalPoint> corner, others;
-    std::ranges::set_intersection(ends[0], ends[1], std::back_inserter(corner));
-    std::ranges::set_symmetric_difference(ends[0], ends[1], std::back_inserter(others));
-    if (corner.empty()) return false;
-    const RationalPoint way = cross(normal, gradient(a, corner[0]));
-    if (dot(others[0] - corner[0], way) * dot(others[1] - corner[0], way) >= 0) return false;
-  }
-  // Both equations on the plane, from one of its points along two ways: equal but for a factor.
-  const RationalPoint from = *ends[0].begin(), along = *ends[0].rbegin() - from, across = cross(normal, along);
-  std::array<std::array<Rational, 6>, 2> conics;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::uint32_t cell = i == 0 ? a : b;
-    const RationalPoint g = gradient(cell, from), u = gradient(cell, from + along) - g,
-                        v = gradient(cell, from + across) - g, n = gradient(cell, from + normal) - g;
-    if (!is_zero(cross(n, normal))) return false;  // the plane is not across the axis
-    const Rational level = row_times(equations_.quadrics.at(pieces_[cell].sheet), 3, from);
-    conics[i] = {dot(along, u), dot(along, v),  dot(across, v),
-                 dot(along, g), dot(across, g), Rational(dot(from, g) + level)};
-    divide_by_first(conics[i]);
-  }
-  return conics[0] == conics[1];
-}
-
 RationalPoint Pieces::gradient(std::uint32_t cell, const RationalPoint& p) const {
   const auto torus = equations_.tori.find(pieces_[cell].sheet);
-  if (torus == equations_.tori.end()) {
-    const Quadric& q = equations_.quadrics.at(pieces_[cell].sheet);
-    return {row_times(q, 0, p), row_times(q, 1, p), row_times(q, 2, p)};
-  }
+  if (torus == equations_.tori.end()) return cnrg::gradient(equations_.quadrics.at(pieces_[cell].sheet), p);
   const auto& [center, axis, radius, tube] = torus->second;
   const RationalPoint way = p - center, flat = way - Rational(dot(way, axis) / dot(axis, axis)) * axis;
   return Rational(dot(way, way) + radius * radius - tube * tube) * way - Rational(2 * radius * radius) * flat;

@@ -511,10 +511,40 @@ bool misses_line(const PiecePart& part, const Contact& contact, const Interval3&
   return own.sup() < other.inf() || other.sup() < own.inf();
 }
 
-double thickness_of(const PiecePart& part) {
-  const auto d = part.blind ? std::nullopt : direction(middle_of(part.cone));
-  if (!d) return 0;
-  return double(width_of(extents(part, *d, Between::facets_and_surfaces).all()));
+double size_of(const Interval3& x) {
+  Upward size = 0;
+  for (const Interval& c : x) size = std::max(size, width_of(c));
+  return double(size);
+}
+
+double PiecePart::thickness() const {
+  if (known_thickness) return *known_thickness;
+  const auto d = blind ? std::nullopt : direction(middle_of(cone));
+  known_thickness = d ? double(width_of(extents(*this, *d, Between::facets_and_surfaces).all())) : 0;
+  return *known_thickness;
+}
+
+bool worth_halving(const PiecePart& part, const PiecePart& whole, Between between) {
+  const Piece& piece = *part.piece;
+  const double size = size_of(part.box);
+  double far = 0;
+  for (std::size_t k = 0; k < 3; ++k) far = std::max({far, std::abs(piece.box.lo[k]), std::abs(piece.box.hi[k])});
+  if (size <= double(Upward(1e-14) * far)) return false;
+  if (between == Between::surfaces || piece.kind == Piece::Kind::curve) return true;
+  return size > whole.thickness() / 2 || size > part.thickness() / 2;
+}
+
+std::optional<Interval3> common_box(std::span<const PiecePart> parts) {
+  Interval3 common = parts[0].box;
+  for (const PiecePart& part : parts) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double low = std::max(common[k].inf(), part.box[k].inf()),
+                   high = std::min(common[k].sup(), part.box[k].sup());
+      if (low > high) return std::nullopt;
+      common[k] = Interval(low, high);
+    }
+  }
+  return common;
 }
 
 }  // namespace cnrg

@@ -33,7 +33,10 @@ struct PiecePart {
   std::size_t longer() const;
   /// S in the middle of the range, once it is asked for.
   const Interval3& middle() const;
+  /// About how far facets are from the surface there.
+  double thickness() const;
   mutable std::optional<Interval3> known_middle{};
+  mutable std::optional<double> known_thickness{};
 };
 /// Of all pieces of `all`; who calls keeps an enclosure::RoundOutward alive, here and below.
 PiecePart part_of(const std::vector<Piece>& all, const Piece& piece, const std::array<Interval, 2>& range,
@@ -67,8 +70,11 @@ bool at_angle(const Pieces& pieces, std::span<const PiecePart> parts);
 bool misses(const Piece& flat, const Interval3& box);
 /// True if a contact along a line has no point of the part in the box.
 bool misses_line(const PiecePart& part, const Contact& contact, const Interval3& box, Between between);
-/// About how far facets are from the surface there.
-double thickness_of(const PiecePart& part);
+double size_of(const Interval3& x);
+/// False where a part of a piece is no longer than facets are away from the surface there: it gets no thinner.
+bool worth_halving(const PiecePart& part, const PiecePart& whole, Between between);
+/// Nothing if it is empty.
+std::optional<Interval3> common_box(std::span<const PiecePart> parts);
 
 /// True if derivatives prove that two cells of a patch have no point in common but for equal parameters.
 bool differ(const std::vector<Piece>& all, std::span<const std::uint32_t> patch, std::uint32_t a, std::uint32_t b);

@@ -145,7 +145,7 @@ class PieceMaker {
       Place& one = places_[i];
       one.chosen.assign(one.boxes.size(), out_.own_.contains(one.leaf) ? 1 : 0);
       for (std::uint32_t c = 0; c < one.boxes.size(); ++c) add({i, c, kAll, false}, one.boxes[c]);
-      one.asked.assign(one.mould.flats.size(), one.mould.cells.empty() ? 0 : 1);
+      one.asked.assign(one.mould.flats.size(), one.mould.cells.empty() && !out_.own_.contains(one.leaf) ? 0 : 1);
       const auto hull_of = [&](const auto& numbers) {
         Interval3 all = one.points[numbers[0]];
         for (const std::uint32_t p : numbers) all = hull(all, one.points[p]);

@@ -167,8 +167,9 @@ class Pieces {
   /// `of_themselves`: leaves are asked whether they meet themselves, but for single surfaces with an equation.
   Pieces(const PlacedLeaves& leaves, std::span<const RationalPoint> reach, Moulds& moulds, bool of_themselves);
   const std::vector<Piece>& all() const { return pieces_; }
-  /// True if the pieces, of one leaf, have a corner in common.
-  bool adjacent(std::uint32_t a, std::uint32_t b) const;
+  /// True if the pieces, of one leaf, all have one corner in common.
+  bool share_corner(std::span<const std::uint32_t> pieces) const;
+  bool adjacent(std::uint32_t a, std::uint32_t b) const { return share_corner(std::array{a, b}); }
   /// True if they are proven to be at an angle all along a common side.
   bool cross_at_edge(std::uint32_t a, std::uint32_t b) const { return at_angle_.contains(std::minmax(a, b)); }
   /// Parameters of a cell that hold the corners which it has in common with another piece of its leaf.
@@ -196,9 +197,16 @@ class Pieces {
   bool has_equation(std::uint32_t sheet) const { return is_quadric(sheet) || equations_.tori.contains(sheet); }
   /// Whether it is asked if pieces of the leaf meet.
   bool asked_of_itself(LeafId leaf) const { return own_.contains(leaf); }
-  /// True if two cells of quadrics have a side in the plane of a flat piece that is one for all t: the same
-  /// facets, the same conic, and columns about one axis.
-  bool share_side(std::uint32_t flat, std::uint32_t a, std::uint32_t b) const;
+  /// True if a cell has an equation and perhaps a side in the plane of a flat piece.
+  bool may_share_rim(std::uint32_t flat, std::uint32_t cell) const;
+  /// Sides of two such cells in one plane, for all t: one conic with the same corners, so that they have a side or
+  /// a corner in common there and nothing else, or (not `shared`) one within the other.
+  struct Rim {
+    std::array<int, 2> sides{0, 0};  ///< of the plane, by its equation, on which the cells are
+    bool shared = false;
+  };
+  /// Nothing where that is not proven. The plane is across axes, or through that of a torus.
+  std::optional<Rim> rim(std::uint32_t flat, std::uint32_t a, std::uint32_t b) const;
   /// Of a flat sheet.
   const PlaneEquation& plane_of(std::uint32_t sheet) const { return planes_.at(sheet); }
   /// How the facets of two cells, or of a cell and a flat piece, meet.
@@ -238,6 +246,8 @@ class Pieces {
   /// Of the surface of a cell, of which an equation is known, outwards, and on which side a point is.
   RationalPoint gradient(std::uint32_t cell, const RationalPoint& p) const;
   int side(std::uint32_t cell, const RationalPoint& p) const;
+  /// A quadric that has the same curve in the plane, about p, as a surface with an equation.
+  std::optional<Quadric> trace(std::uint32_t sheet, const RationalPoint& normal, const RationalPoint& p) const;
   PlaneEquation equation_of(const Facet& facet) const;
   bool holds(const Facet& facet, const std::vector<const RationalPoint*>& points) const;
   /// The sides of a plane on which corners of a facet are: 1 in front, 2 behind; and those on it.

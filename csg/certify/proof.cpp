@@ -6,7 +6,6 @@
 #include "csg/certify/coaxial.h"
 #include "csg/certify/piece_filling.h"
 #include "csg/certify/piece_parts.h"
-#include "kernel/base/limits.h"
 #include "kernel/refine/box_pairs.h"
 
 namespace cnrg {
@@ -25,12 +24,6 @@ constexpr std::size_t kMostInContact = 64;      // of one to more than two, of w
 constexpr std::size_t kMostOfSurfaces = 20000;  // of one to surfaces alone
 constexpr std::size_t kMostOfOwn = 20000;       // of a leaf, whether it meets itself
 constexpr std::size_t kMostOpen = 1000;         // places of the same patches, after which no more are looked for
-
-double size_of(const Interval3& x) {
-  Upward size = 0;
-  for (const Interval& c : x) size = std::max(size, width_of(c));
-  return double(size);
-}
 
 /// What is asked of some pieces.
 enum class Question : std::uint8_t {
@@ -55,8 +48,8 @@ class Prover {
     find_pairs();
     const enclosure::RoundOutward outward;
     together_.resize(all_.size());
-    thickness_.assign(all_.size(), -1);
     roots_.resize(all_.size());
+    rims_.resize(all_.size());
     relate_leaves();
     if (earlier_ != nullptr) {
       before_ = pieces_.same_in(earlier_->pieces);
@@ -101,6 +94,10 @@ class Prover {
     std::vector<std::pair<Index, Index>> joined;
     for (const auto& [a, b] : pairs_) {
       if (!is_cell(a) || !is_cell(b)) continue;
+      if (all_[a].exact() != all_[b].exact()) {
+        const auto [cell, flat] = all_[a].exact() ? std::pair(b, a) : std::pair(a, b);
+        if (pieces_.may_share_rim(flat, cell)) rims_[cell].push_back(flat);
+      }
       const bool one_sheet = all_[a].sheet == all_[b].sheet;
       if (all_[a].leaf != all_[b].leaf) {
         if (!one_sheet) continue;
@@ -175,13 +172,6 @@ class Prover {
   }
   /// Of a pair that died nothing is proven.
   void count_apart() { died_ ? --proof_.asked : ++proof_.apart; }
-  /// Pieces of one leaf: not of those about a corner.
-  bool asked_of_leaf(const std::vector<Index>& tuple) const {
-    return asked_of_itself(tuple[0]) && std::ranges::none_of(all_[tuple[0]].numbers(), [&](std::uint32_t p) {
-             return std::ranges::all_of(tuple,
-                                        [&](Index i) { return std::ranges::count(all_[i].numbers(), p) > 0; });
-           });
-  }
   /// Two cells of one surface, or one, or a wire.
   void ask_of_itself(Index a, Index b) {
     if (!asked_of_itself(a) || all_[a].exact() || pieces_.has_equation(all_[a].sheet)) return;
@@ -227,10 +217,9 @@ class Prover {
   }
   /// True if nothing is asked of two pieces with others.
   bool answered_by_fewer(Index a, Index b) const {
-    const Piece &one = all_[a], &other = all_[b];
-    return of_one_surface(a, b) || (!is_cell(a) && !is_cell(b) && one.sheet == other.sheet) ||
+    return of_one_surface(a, b) || (!is_cell(a) && !is_cell(b) && all_[a].sheet == all_[b].sheet) ||
            smooth_.contains(std::minmax(a, b)) ||
-           (one.leaf != other.leaf && !relevance_.together(std::array{one.leaf, other.leaf}));
+           (all_[a].leaf != all_[b].leaf && !relevance_.together(std::array{all_[a].leaf, all_[b].leaf}));
   }
 
   /// Triples and quadruples whose first piece that is not exact is i.
@@ -280,14 +269,15 @@ class Prover {
       if (is_cell(i)) ++cells;
       else curves.push_back(i);
     }
-    if (exact || (one_leaf && tuple.size() > 2 && !asked_of_leaf(tuple))) return Question::none;
+    if (exact || (one_leaf && tuple.size() > 2 && (!asked_of_itself(tuple[0]) || pieces_.share_corner(tuple))))
+      return Question::none;
     if (pairs_in_contact(tuple) > 0) return tuple.size() == 3 ? Question::contact : Question::apart;
     if (curves.empty()) return cells <= 3 ? Question::angle : Question::apart;
     if (curves.size() == 1) return cells == 1 ? Question::angle : Question::apart;
     if (curves.size() > 2) return Question::apart;
     std::vector<Index> common;
-    std::ranges::set_intersection(all_[curves[0]].in_sheets, all_[curves[1]].in_sheets,
-                                  std::back_inserter(common));
+    const auto &one = all_[curves[0]].in_sheets, &other = all_[curves[1]].in_sheets;
+    std::ranges::set_intersection(one, other, std::back_inserter(common));
     if (common.size() > 1) return Question::none;  // the curve in which these sheets cross
     return common.size() == 1 && cells == 0 ? Question::angle : Question::apart;
   }
@@ -301,11 +291,21 @@ class Prover {
     const PieceTuple key = key_of(tuple);
     if (const Proof::Answer* const before = answered_before(key)) return take(*before, tuple, patches, open, some);
     if (answered_at_once(tuple, question, some)) return answered(key, some);
-    if (share_side(tuple)) return answered(key, some = true);
     leaves_.clear();
     for (const auto& [leaf, patch] : patches) {
       if (leaves_.empty() || leaves_.back() != leaf) leaves_.push_back(leaf);
     }
+    const auto fewer = along_rim(tuple);
+    if (fewer) question = fewer->size() > 2 ? question_of(*fewer) : Question::none;
+    const bool proven = question == Question::none ? answered(key, some = !fewer->empty())
+                        : fewer                    ? ask_by_halves(key, *fewer, question, open, some)
+                                                   : ask_by_halves(key, tuple, question, open, some);
+    if (died_) proof_.dead.insert(leaves_), proof_.answers.erase(key);
+    return proven;
+  }
+  bool ask_by_halves(const PieceTuple& key, const std::vector<Index>& tuple, Question question, std::size_t& open,
+                     bool& some) {
+    const PiecePatches patches = patches_of(all_, tuple);
     const bool hopeless = hold_any(patches, hopeless_);
     // What touches is asked little with others, whatever is left for these: finer facets do not tell more.
     const std::size_t contacts = tuple.size() > 2 ? pairs_in_contact(tuple) : 0;
@@ -318,7 +318,6 @@ class Prover {
     const std::size_t before = proof_.steps;
     const bool proven = ask_on(key, tuple, question, patches, contacts, hopeless, open, some);
     may_die_ = false;
-    if (died_) proof_.dead.insert(leaves_), proof_.answers.erase(key);
     if (!little) spent += proof_.steps - before;
     return proven;
   }
@@ -368,12 +367,6 @@ class Prover {
     return found == Coaxial::crossing && question != Question::angle ? Coaxial::open : found;
   }
 
-  static PieceTuple key_of(std::vector<Index> tuple) {
-    std::sort(tuple.begin(), tuple.end());
-    PieceTuple key{kNone, kNone, kNone, kNone};
-    std::ranges::copy(tuple, key.begin());
-    return key;
-  }
   bool answered(const PieceTuple& key, bool some) {
     proof_.answers.try_emplace(key, Proof::Answer{some ? AnswerKind::crossing : AnswerKind::apart});
     return true;
@@ -385,13 +378,12 @@ class Prover {
   /// Of the same pieces in the earlier drawing; null if it is not known.
   const Proof::Answer* answered_before(const PieceTuple& key) const {
     if (earlier_ == nullptr) return nullptr;
-    PieceTuple there{kNone, kNone, kNone, kNone};
+    std::vector<Index> there;
     for (std::size_t k = 0; k < 4 && key[k] != kNone; ++k) {
-      there[k] = before_[key[k]];
-      if (there[k] == kNone) return nullptr;
+      there.push_back(before_[key[k]]);
+      if (there.back() == kNone) return nullptr;
     }
-    std::sort(there.begin(), there.end());
-    const auto it = earlier_->proof.answers.find(there);
+    const auto it = earlier_->proof.answers.find(key_of(std::move(there)));
     return it == earlier_->proof.answers.end() ? nullptr : &it->second;
   }
   bool take(const Proof::Answer& before, const std::vector<Index>& tuple, const PiecePatches& patches,
@@ -429,11 +421,37 @@ class Prover {
     return std::nullopt;
   }
 
-  /// Sheets that cross by twos in one curve for all t, which are as leaves of a book there.
-  bool share_side(const std::vector<Index>& tuple) const {
-    const auto any = [&](const auto& test) { return std::ranges::any_of(tuple, test); };
-    return any([&](Index flat) {
-      return any([&](Index a) { return any([&](Index b) { return pieces_.share_side(flat, a, b); }); });
+  /// Where two sheets have no more than a curve of a plane in common, but what dies: others are asked about one of
+  /// them and the plane. None of them if they have not even that; nothing if there are no such sheets.
+  std::optional<std::vector<Index>> along_rim(const std::vector<Index>& tuple) {
+    for (const Index a : tuple) {
+      for (const Index b : tuple) {
+        if (all_[a].sheet >= all_[b].sheet) continue;
+        for (const Index flat : rims_[a]) {
+          if (!std::ranges::binary_search(rims_[b], flat)) continue;
+          const bool there =
+              std::ranges::any_of(tuple, [&](Index i) { return all_[i].sheet == all_[flat].sheet; });
+          const bool at_edge = pieces_.cross_at_edge(a, flat) || pieces_.cross_at_edge(b, flat);
+          if (!there && !at_edge && !all_[flat].numbers().empty()) continue;  // it may end before the curve does
+          const auto rim = pieces_.rim(flat, a, b);
+          if (!rim || !(there || rim->sides[0] != rim->sides[1] || dies_beyond(flat, rim->sides[0], a, b)))
+            continue;
+          if (!rim->shared) return std::vector<Index>{};
+          std::vector<Index> fewer = tuple;
+          std::erase(fewer, pieces_.cross_at_edge(a, flat) ? b : a);
+          if (!there) fewer.push_back(flat);
+          return fewer;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+  bool dies_beyond(Index flat, int side, Index a, Index b) {
+    const std::array parts{root(a), root(b)};
+    const auto common = common_box(parts);
+    if (!common || !relevance_.may_die(leaves_)) return false;
+    return died_ = relevance_.dies(leaves_, [&](LeafId leaf) {
+      return filling_.of(leaf, parts, *common, Between::facets_and_surfaces, all_[flat].sheet, side);
     });
   }
   const PiecePart& root(Index i) {
@@ -459,15 +477,9 @@ class Prover {
 
   bool answer(const PieceParts& parts, Question question, Between between, std::size_t& steps, bool& some,
               Interval3& left) {
-    Interval3 common = parts[0].box;
-    for (const PiecePart& part : parts) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double low = std::max(common[k].inf(), part.box[k].inf()),
-                     high = std::min(common[k].sup(), part.box[k].sup());
-        if (low > high) return true;
-        common[k] = Interval(low, high);
-      }
-    }
+    const auto known = common_box(parts);
+    if (!known) return true;
+    const Interval3& common = *known;
     for (const PiecePart& part : parts) {
       if (part.piece->kind == Piece::Kind::flat && misses(*part.piece, common)) return true;
     }
@@ -482,7 +494,9 @@ class Prover {
     std::size_t chosen = parts.size(), way = 0;
     Upward most = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (parts[i].piece->kind == Piece::Kind::flat || !worth_halving(parts[i], between)) continue;
+      if (parts[i].piece->kind == Piece::Kind::flat ||
+          !worth_halving(parts[i], root(number_of(parts[i])), between))
+        continue;
       if (const auto k = way_from_pole(parts[i]); k && size_of(parts[i].box) > size_of(common)) {
         chosen = i, way = *k;
         break;
@@ -557,19 +571,6 @@ class Prover {
     return false;
   }
 
-  /// False where a part is no longer than facets are away from the surface there: it gets no thinner.
-  bool worth_halving(const PiecePart& part, Between between) {
-    const Piece& piece = *part.piece;
-    const double size = size_of(part.box);
-    double far = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      far = std::max({far, std::abs(piece.box.lo[k]), std::abs(piece.box.hi[k])});
-    if (size <= double(Upward(1e-14) * far)) return false;
-    if (between == Between::surfaces || piece.kind == Piece::Kind::curve) return true;
-    double& thickness = thickness_[number_of(part)];
-    if (thickness < 0) thickness = thickness_of(part_of(all_, piece, piece.range));
-    return size > thickness / 2 || size > thickness_of(part) / 2;
-  }
   Pieces& pieces_;
   const std::vector<Piece>& all_;
   const Relevance& relevance_;
@@ -579,14 +580,13 @@ class Prover {
   std::vector<Index> before_;                            // by piece: the same one in the earlier drawing
   std::vector<std::unique_ptr<const PiecePart>> roots_;  // whole pieces, once they are asked for
   std::vector<std::pair<Index, Index>> pairs_;
-  std::vector<std::vector<Index>> together_;
+  std::vector<std::vector<Index>> together_, rims_;  // by cell: flat pieces in the plane of a side
   std::set<std::pair<Index, Index>> smooth_, contacts_;
   std::map<std::pair<LeafId, std::uint32_t>, std::vector<Index>> of_patch_;  // cells
-  std::vector<double> thickness_;             // of pieces; below 0 where it is not known yet
-  std::set<PiecePatches> hopeless_;           // that touch somewhere
-  std::map<PiecePatches, std::size_t> open_;  // how many places
-  std::vector<LeafId> leaves_;                // of the question, ascending
-  bool may_die_ = false, died_ = false;       // whether it is asked if parts die, and whether some did
+  std::set<PiecePatches> hopeless_;                                          // that touch somewhere
+  std::map<PiecePatches, std::size_t> open_;                                 // how many places
+  std::vector<LeafId> leaves_;                                               // of the question, ascending
+  bool may_die_ = false, died_ = false;  // whether it is asked if parts die, and whether some did
   Proof proof_;
 };
 

@@ -14,11 +14,12 @@
 // cross as well where they touch (Pieces::cross_in_rulings). Then what they have in common is at an angle to a
 // third sheet, and to what this has in common with one of them if they touch as well; or it lies in the third, a
 // plane that crosses both. Where a curve of a leaf is where two of its sheets cross, it is no stratum of its own:
-// the sheets decide. A plane and two sheets may cross by twos in one curve (Pieces::share_side). Sheets that are
-// one surface in truth are asked whether they are drawn alike. Cells about one axis are asked in a half-plane
-// (coaxial.h). What dies is not asked (relevance.h). On request leaves are asked whether they meet themselves, but
-// for what is side by side at a pole: patches that are no quadrics or tori, and wires (piece_self.cpp), and what
-// is beside each other (piece_beside.cpp).
+// the sheets decide. A plane and two sheets may cross by twos in one curve. Two sheets that end in a plane, on its
+// two sides or where the rest dies, have no more in common than such a curve (Pieces::rim); others are asked about
+// one of them and the plane. Sheets that are one surface in truth are asked whether they are drawn alike. Cells
+// about one axis are asked in a half-plane (coaxial.h). What dies is not asked (relevance.h). On request leaves
+// are asked whether they meet themselves, but for what is side by side at a pole: patches that are no quadrics or
+// tori, and wires (piece_self.cpp), and what is beside each other (piece_beside.cpp).
 //
 // All is decided by intervals on parts of pieces, which are halved until it is, or a number of steps is reached.
 #pragma once
@@ -34,11 +35,18 @@
 #include "csg/certify/certificate.h"
 #include "csg/certify/pieces.h"
 #include "csg/certify/relevance.h"
+#include "kernel/base/limits.h"
 
 namespace cnrg {
 
-/// Up to four pieces; kNone after them.
+/// Up to four pieces, ascending; kNone after them.
 using PieceTuple = std::array<std::uint32_t, 4>;
+inline PieceTuple key_of(std::vector<std::uint32_t> pieces) {
+  std::sort(pieces.begin(), pieces.end());
+  PieceTuple key{kNone, kNone, kNone, kNone};
+  std::ranges::copy(pieces, key.begin());
+  return key;
+}
 struct PieceTupleHash {
   std::size_t operator()(const PieceTuple& tuple) const {
     std::uint64_t hash = 0;

@@ -165,7 +165,8 @@ StepOutcome side_of(const Complex& complex, const Node& node, std::span<const Op
   if (left.cells.empty() && left.faces.empty() && left.edges.empty() && left.vertices.empty())
     return {std::move(block), {}, {}};
   const Side side = node.op == Operator::below ? Side::below : Side::above;
-  const Group right = part_of(complex, side, surface, operands[0].name, left, operands[1].name, place.transform);
+  const Group right =
+      part_of(complex, side, surface, operands[0].name, left, operands[1].name, place.transform, place.proven);
   const Dominance dominance = Dominance::left;
   FoldResult cut = boolean_fold(complex, BooleanOp::intersect, std::span(&dominance, 1),
                                 {std::move(block), parted(complex, right)}, place.order, place.removed);

@@ -43,6 +43,7 @@ struct NodePlace {
   SharedTransform placement;  ///< the same without its own: of mixtures that it makes itself (`blend`)
   LeafOrder order;            ///< of the leaves below it
   Removed removed = Removed::counted;
+  bool proven = false;  ///< what facets alone tell is refused
 };
 
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material`

@@ -243,7 +243,8 @@ class Scopes {
     try {
       return operate(*scope.complex, node, x_.grades.on(instance, node.material), operands_of(scope, id),
                      x_.options.validate,
-                     {instance.transform, transform_above(x_.tree, instance), order_below(id), removed()});
+                     {instance.transform, transform_above(x_.tree, instance), order_below(id), removed(),
+                      x_.options.proof == AskedProof::to_the_end});
     } catch (const FaultAt& e) {
       throw TreeError(file_of(node), e.at(), e.what());
     } catch (const LeafError& e) {

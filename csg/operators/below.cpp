@@ -113,7 +113,7 @@ class Plumb {
 class Parting {
  public:
   Parting(const Complex& complex, const Group& surface, const std::string& surface_name, const Group& block,
-          const std::string& block_name, const Transform& transform)
+          const std::string& block_name, const Transform& transform, bool proven)
       : complex_(complex),
         surface_(surface),
         block_(block),
@@ -123,7 +123,8 @@ class Parting {
         of_surface_(complex.face_count()),
         pieces_(block.cells.size()),
         bodies_(block.cells.size()),
-        plumb_(complex, transform) {}
+        plumb_(complex, transform),
+        proven_(proven) {}
 
   Group run(Side side) {
     if (!surface_.cells.empty()) {
@@ -227,9 +228,18 @@ class Parting {
     for (Index i = 0; i < block_.cells.size(); ++i) {
       const Index b = bodies_.find(i);
       if (entered.contains(b) || below_.contains(b)) continue;
+      if (proven_ && std::ranges::any_of(surface_.faces, [&](FaceId f) { return is_curved(f); })) {
+        throw InputError("`" + surface_name_ + "` does not enter a part of `" + block_name_ +
+                         "`: facets alone tell whether this is below; leave out --certify, or that part");
+      }
       below_[b] = is_below(b) ? 0 : 1;  // its one piece has the color 0
       color_[pieces_.find(b)] = 0;
     }
+  }
+
+  bool is_curved(FaceId f) const {
+    return std::ranges::any_of(complex_.cover(f),
+                               [&](const Cover& c) { return complex_.sources[c.source].surface != 0; });
   }
 
   int color_below(const std::vector<FaceId>& faces) {
@@ -379,13 +389,14 @@ class Parting {
   std::vector<FaceId> inner_;           // of the surface, inside of the block
   std::map<Index, int> color_, below_;  // of pieces; of bodies the color that is below
   Plumb plumb_;
+  const bool proven_;
 };
 
 }  // namespace
 
 Group part_of(const Complex& complex, Side side, const Group& surface, const std::string& surface_name,
-              const Group& block, const std::string& block_name, const Transform& transform) {
-  return Parting(complex, surface, surface_name, block, block_name, transform).run(side);
+              const Group& block, const std::string& block_name, const Transform& transform, bool proven) {
+  return Parting(complex, surface, surface_name, block, block_name, transform, proven).run(side);
 }
 
 }  // namespace cnrg

@@ -20,8 +20,9 @@ enum class Side : std::uint8_t { below, above };
 /// there, and it has walls where they end, those on the surface with the origins of the surface. So
 /// `block` intersected with it, the block dominating, is that part with all that is inside of it.
 /// Throws InputError, which names both operands by `surface_name` and `block_name`, for a surface with regions, a
-/// block without, and for a surface that does not part the block. Upwards is the z-axis that `transform` moves.
+/// block without, and for a surface that does not part the block; with `proven` also for a curved one that does
+/// not enter a part of it. Upwards is the z-axis that `transform` moves.
 Group part_of(const Complex& complex, Side side, const Group& surface, const std::string& surface_name,
-              const Group& block, const std::string& block_name, const Transform& transform);
+              const Group& block, const std::string& block_name, const Transform& transform, bool proven);
 
 }  // namespace cnrg

@@ -326,8 +326,7 @@ class LeafGroups {
     const auto& [a, b] = ends.at;
     if (ends.count == 0) return false;
     const std::span<const LeafId> own(&leaf, 1);
-    return ends.count != 2 ||
-           !(share_segment(a, b) || straight(complex_, v, a, b) || one_curve(complex_, v, {a, own}, {b, own}));
+    return ends.count != 2 || !(share_segment(a, b) || one_curve(complex_, v, {a, own}, {b, own}));
   }
 
   // Pieces of one input segment are on one line: no arithmetic with the point that cuts it.

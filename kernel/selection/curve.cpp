@@ -39,6 +39,7 @@ struct Surroundings {
   std::vector<LeafId> leaves;
   std::vector<Surface> surfaces;
   std::vector<PartOfLeaf> wires;
+  std::vector<PartOfLeaf> bent;                     // of these, such as have more than one segment
   std::vector<PartOfLeaf> sides;                    // patches with curved sides that end there
   std::vector<std::pair<Surface, SheetId>> facets;  // in any order
   bool is_cut = false;  // what counts goes on over the edge, on one surface or beside none: another leaf cut there
@@ -81,9 +82,15 @@ Surroundings collect(const Complex& complex, const PieceOfCurve& at) {
       if (!counts(at.leaves, wire.leaf)) continue;
       out.leaves.push_back(wire.leaf);
       out.wires.emplace_back(wire.leaf, wire.leaf_edge);
+      const auto goes_on = [&](std::size_t i) {
+        return i < complex.wires.size() && complex.wires[WireId(i)].leaf == wire.leaf &&
+               complex.wires[WireId(i)].leaf_edge == wire.leaf_edge;
+      };
+      if (goes_on(w.index() + 1) || goes_on(w.index() - 1)) out.bent.push_back(out.wires.back());
     }
   }
   sort_unique(out.leaves), sort_unique(out.surfaces), sort_unique(out.wires), sort_unique(out.sides);
+  sort_unique(out.bent);
   const auto places = [&](const auto& is_of) {  // all that lie there, whoever counts
     std::vector<std::size_t> of;
     for (const Facet& facet : all) {
@@ -138,6 +145,12 @@ bool straight(const Complex& complex, VertexId v, EdgeId a, EdgeId b) {
 
 bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const PieceOfCurve& b) {
   const Surroundings at_a = collect(complex, a), at_b = collect(complex, b);
+  if (straight(complex, v, a.edge, b.edge)) {
+    const auto flat = [](const Surface& surface) { return surface.first == Kind::plane; };
+    return !ends(complex, v, at_a, at_b) && at_a.bent == at_b.bent &&
+           std::ranges::equal(std::ranges::find_if_not(at_a.surfaces, flat), at_a.surfaces.end(),
+                              std::ranges::find_if_not(at_b.surfaces, flat), at_b.surfaces.end());
+  }
   const bool cut = a.cut && at_a.is_cut;
   if (cut != (b.cut && at_b.is_cut) || ends(complex, v, at_a, at_b)) return false;
   const bool alike = at_a.surfaces == at_b.surfaces && at_a.wires == at_b.wires &&

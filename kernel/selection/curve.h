@@ -34,7 +34,8 @@ struct PieceOfCurve {
   bool cut = false;                ///< others may have made it by a cut
 };
 
-/// True if a and b, two different edges at v that are not on one line, are pieces of one tessellated curve.
+/// True if a and b, two different edges at v, are pieces of one line or tessellated curve. Chords of two curves
+/// may be on one line by chance: then other curved surfaces lie along them, or a leaf says that its curves end.
 bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const PieceOfCurve& b);
 
 /// True if none of the leaves covers the face.

@@ -354,6 +354,78 @@ result: r
             self.assertTrue(result.certificate.certified)
             self.assertEqual(result.rows[-1].cells, cells)
 
+    def test_leaves_that_end_in_one_plane_meet_in_their_rims(self):
+        ring = "torus: {center: [0, 0, 0], axis: [0, 0, 1], radius: 3, tube: 1, segments: 16, rings: 8}"
+        cut = "  cut: {halfspace: {point: [0, 0, 0], normal: [0, 1, 0]}}\n"
+        bend = "{difference: [ring, cut]}"
+        pairs = (
+            (f"  ring: {{{ring}}}\n{cut}  more: {{cylinder: {{from: [3, 0, 0], to: [3, -4, 0], radius: WIDE, segments: 11}}}}\n",
+             f"[{bend}, more]", (0, 3, 4, 1)),
+            (f"  ring: {{{ring}}}\n{cut}  more: {{torus: {{center: [6, 0, 0], axis: [0, 0, 1], radius: 3, tube: WIDE, segments: 9, rings: 5}}}}\n",
+             f"[{bend}, {{intersection: [more, cut]}}]", (0, 3, 4, 1)),
+            ("  rod: {cylinder: {from: [0, 0, -2], to: [0, 0, 0], radius: 1, segments: 12}}\n"
+             "  more: {cone: {from: [0, 0, 0], to: [0, 0, 3], radius: WIDE, segments: 17}}\n", "[rod, more]", (0, 2, 3, 1)),
+            ("  rod: {cylinder: {from: [0, 0, -2], to: [0, 0, 0], radius: 3, segments: 12}}\n"
+             "  cut: {halfspace: {point: [0, 0, 0], normal: [0, 0, 1]}}\n"
+             "  more: {sphere: {center: [0, 0, -4], radius: 5 * WIDE, segments: 17, rings: 9}}\n",
+             "[rod, {difference: [more, cut]}]", (0, 2, 3, 1)),
+        )
+        for nodes, union, (v, e, f, c) in pairs:
+            narrower = () if "sphere" in nodes else ("-1e-5", "-1e-9")  # a smaller ball crosses the rod near its rim
+            for step in ("0", "1e-3", "1e-5", "1e-7", "1e-11", *narrower):
+                for turn in ("", ", rotate: {axis: [1, 2, 2], degrees: 57}"):
+                    with self.subTest(union=union, step=step, turn=turn):
+                        wide = nodes.replace("5 * WIDE", f'"${{5 + {step}}}"').replace("WIDE", f'"${{1 + {step}}}"')
+                        tree = cnrg.parse(f"cnrg: 1\nnodes:\n{wide}  r: {{union: {union}{turn}}}\nresult: r\n")
+                        with warnings.catch_warnings():
+                            warnings.simplefilter("ignore")
+                            result = tree.evaluate(certify=True)
+                        self.assertTrue(result.certificate.certified)
+                        self.assertEqual(result.rows[-1].cells, (v, e, f, c) if step == "0" else (v, e + 1, f + 1, c))
+
+    def test_chords_of_two_curves_on_one_line_by_chance_are_two_edges(self):
+        tree = """cnrg: 1
+nodes:
+  wires: {bezier: {curves: [[[-2, 0, 0], [-1, 1, 0], [0, 0, 0]], [[0, 0, 0], [1, -1, 0], [2, 0, 0]]]}}
+  wall: {extrude: {profile: [[-2, 0, 0], {bezier: [[-1, 1, 0]]}, [0, 0, 0], {bezier: [[1, -1, 0]]}, [2, 0, 0], [2, 3, 0], [-2, 3, 0]],
+                   vector: [0, 0, 1]}}
+  across: {plane: {point: [0, 0, 1/2], normal: [0, 0, 1]}}
+  section: {intersection: [wall, across]}
+  turned: {revolve: {profile: [[1, -2], {bezier: [[2, -1]]}, [1, 0], {bezier: [[0, 1]]}, [1, 2], [3, 2], [3, -2]]}}
+  along: {plane: {point: [0, 0, 0], normal: [0, 1, 0]}}
+  halves: {intersection: [turned, along]}
+  line: {polyline: [[0, 0, 5], [1, 0, 5], [3, 0, 5]]}
+result: RESULT
+"""
+        for name, cells in (("wires", (3, 2, 0, 0)), ("section", (5, 5, 1, 0)), ("halves", (10, 10, 2, 0)), ("line", (2, 1, 0, 0))):
+            with self.subTest(name=name):
+                result = cnrg.parse(tree.replace("RESULT", name)).evaluate(certify=True)
+                self.assertTrue(result.certificate.certified)
+                self.assertEqual(result.rows[-1].cells, cells)
+
+    def test_a_wire_is_asked_about_flat_patches_of_its_leaf(self):
+        tree = cnrg.parse("""cnrg: 1
+nodes:
+  a: {bezier: {patch: [[[0, 0, 0], [2, 0, 0]], [[0, 2, 0], [2, 2, 0]]], curve: [[0, 1, 1], [1, 1, -1.000001], [2, 1, 1]], segments: 5}}
+result: a
+""")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.assertFalse(tree.evaluate(certify=True).certificate.certified)
+
+    def test_what_lies_below_a_curved_surface_beside_it_is_not_certified(self):
+        tree = cnrg.parse("""cnrg: 1
+nodes:
+  s: {bezier: {patches: [[[[-5, -5, 0], [5, -5, 0]], [[-5, 5, 0], [5, 5, 0]]],
+                         [[[0, 0, 3], [1, 0, 7/2], [2, 0, 3]], [[0, 1, 3], [1, 3, 7/2], [2, 1, 3]]]], segments: 3}}
+  b: {union: [{box: {min: [-4, -4, -2], max: [-2, -2, 2]}}, {box: {min: [0.98, 1.95, 1], max: [1.02, 1.975, 2]}}]}
+  low: {below: s, within: b}
+result: low
+""")
+        tree.evaluate(certify=False)
+        with self.assertRaisesRegex(cnrg.Error, "facets alone tell"):
+            tree.evaluate(certify=True)
+
     def test_a_ball_that_touches_a_hyperboloid_from_inside(self):
         tree = """cnrg: 1
 nodes:

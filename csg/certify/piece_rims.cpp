@@ -1,0 +1,98 @@
+// Sides that cells of two surfaces have in common in a plane, exactly; see pieces.h.
+//
+// In a plane across the axis, at a corner at the angle w from the middle of a side, H is at ((1 - t) cos h / cos w
+// + t) of the radius (piece_columns.cpp): of two surfaces of revolution it is the same for all t. A torus has half
+// a circle in each half-plane from its axis. There H is elsewhere between the same chord and arc, and can be moved
+// in the plane to where that of the other cell is, with directions between those of chord and arc.
+#include <algorithm>
+
+#include "csg/certify/pieces.h"
+#include "csg/geometry/circle.h"
+#include "kernel/exact/exact_vectors.h"
+
+namespace cnrg {
+
+using namespace surface_math;
+
+std::optional<Quadric> Pieces::trace(std::uint32_t sheet, const RationalPoint& normal,
+                                     const RationalPoint& p) const {
+  if (is_quadric(sheet)) return equations_.quadrics.at(sheet);
+  const auto& [center, axis, radius, tube] = equations_.tori.at(sheet);
+  RationalPoint out = cross(axis, normal);
+  const auto length = rational_root(dot(out, out));
+  if (!length || *length == 0 || dot(axis, normal) != 0 || dot(p - center, normal) != 0) return std::nullopt;
+  const RationalPoint middle = center + Rational(sgn(dot(p - center, out)) * radius / *length) * out;
+  Quadric ball{};
+  for (std::size_t i = 0; i < 3; ++i) ball[i][i] = 1, ball[i][3] = ball[3][i] = -middle[i];
+  ball[3][3] = dot(middle, middle) - tube * tube;
+  return ball;
+}
+
+bool Pieces::may_share_rim(std::uint32_t flat, std::uint32_t cell) const {
+  const Piece &plane = pieces_[flat], &piece = pieces_[cell];
+  return piece.column && has_equation(piece.sheet) &&
+         std::ranges::count_if(std::span(piece.corners).first(piece.corner_count), [&](const Interval3& p) {
+           return holds_zero(dot(plane.normal, difference(p, plane.point)));
+         }) == 2;
+}
+
+std::optional<Pieces::Rim> Pieces::rim(std::uint32_t flat, std::uint32_t a, std::uint32_t b) const {
+  const auto& [x, y, z, w] = plane_of(pieces_[flat].sheet);
+  const RationalPoint normal{x, y, z};
+  Rim rim;
+  std::array<std::set<RationalPoint>, 2> ends;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Piece& cell = pieces_[i == 0 ? a : b];
+    const bool torus = !is_quadric(cell.sheet);
+    const std::size_t fixed = torus ? cell.column->around : 1 - cell.column->around;
+    std::set<double> levels;
+    std::set<RationalPoint> ring;  // also of cells beside it
+    const auto add = [&](const Piece& piece, std::set<RationalPoint>& to) {
+      for (std::size_t k = 0; k < piece.corner_count; ++k) {
+        const RationalPoint& p = points_.at(piece.leaf)[piece.points[k]];
+        const int side = sgn(dot(normal, p) + w);
+        if (side == 0) to.insert(p), levels.insert(piece.at[k][fixed]);
+        else if (&piece == &cell) rim.sides[i] = side;
+      }
+    };
+    add(cell, ends[i]);
+    for (std::size_t k = 0; !torus && k < cell.neighbours.size(); ++k)
+      add(pieces_[cell.neighbours[k].first], ring);
+    if (ends[i].size() != 2 || levels.size() != 1 || (!torus && ring.size() < 3)) return std::nullopt;
+  }
+  // Both equations on the plane, from one of its points along two ways: equal but for a factor.
+  const RationalPoint from = *ends[0].begin(), along = *ends[0].rbegin() - from, across = cross(normal, along);
+  std::array<std::array<Rational, 6>, 2> conics;
+  std::array<RationalPoint, 2> out, middle;  // from the middle of a chord, at right angles to it
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto q = trace(pieces_[i == 0 ? a : b].sheet, normal, *ends[i].begin());
+    if (!q) return std::nullopt;
+    const RationalPoint g = cnrg::gradient(*q, from), u = cnrg::gradient(*q, from + along) - g,
+                        v = cnrg::gradient(*q, from + across) - g, n = cnrg::gradient(*q, from + normal) - g;
+    if (!is_zero(cross(n, normal))) return std::nullopt;  // the plane is not across the axis
+    middle[i] = Rational(Rational(1) / 2) * (*ends[i].begin() + *ends[i].rbegin());
+    out[i] = Rational(sgn(dot(along, u))) * cnrg::gradient(*q, middle[i]);
+    conics[i] = {dot(along, u), dot(along, v),  dot(across, v),
+                 dot(along, g), dot(across, g), Rational(dot(from, g) + row_times(*q, 3, from))};
+    divide_by_first(conics[i]);
+  }
+  const Rational wider = conics[0][5] - conics[1][5];  // b's
+  conics[0][5] = conics[1][5];
+  if (conics[0] != conics[1]) return std::nullopt;
+  if (wider != 0) {  // one ring, at every angle, in the other one, if chords are
+    const std::size_t inner = wider > 0 ? 0 : 1, outer = 1 - inner;
+    const bool apart = std::ranges::all_of(
+        ends[inner], [&](const RationalPoint& p) { return dot(out[outer], p - middle[outer]) < 0; });
+    return apart ? std::optional(rim) : std::nullopt;
+  }
+  rim.shared = true;
+  if (ends[0] == ends[1]) return rim;
+  // They have one in common, and the others are on both sides of it.
+  std::vector<RationalPoint> corner, others;
+  std::ranges::set_intersection(ends[0], ends[1], std::back_inserter(corner));
+  std::ranges::set_symmetric_difference(ends[0], ends[1], std::back_inserter(others));
+  const auto beyond = [&](std::size_t i) { return sgn(dot(others[i] - corner[0], cross(normal, out[0]))); };
+  return !corner.empty() && beyond(0) * beyond(1) < 0 ? std::optional(rim) : std::nullopt;
+}
+
+}  // namespace cnrg
