@@ -36,41 +36,59 @@ bool Pieces::may_share_rim(std::uint32_t flat, std::uint32_t cell) const {
          }) == 2;
 }
 
-std::optional<Pieces::Rim> Pieces::rim(std::uint32_t flat, std::uint32_t a, std::uint32_t b) const {
-  const auto& [x, y, z, w] = plane_of(pieces_[flat].sheet);
+const std::optional<Pieces::RimSide>& Pieces::rim_side(std::uint32_t sheet, std::uint32_t cell) {
+  const auto [it, fresh] = rim_sides_.try_emplace({sheet, cell});
+  if (!fresh) return it->second;
+  const Piece& piece = pieces_[cell];
+  const auto& [x, y, z, w] = plane_of(sheet);
+  const RationalPoint normal{x, y, z};
+  const bool torus = !is_quadric(piece.sheet);
+  const std::size_t fixed = torus ? piece.column->around : 1 - piece.column->around;
+  RimSide found;
+  std::set<double> levels;
+  std::set<RationalPoint> ring;  // of cells beside it
+  const auto add = [&](const Piece& of, std::set<RationalPoint>& to) {
+    for (std::size_t k = 0; k < of.corner_count; ++k) {
+      const RationalPoint& p = points_.at(of.leaf)[of.points[k]];
+      const int side = sgn(dot(normal, p) + w);
+      if (side == 0) to.insert(p), levels.insert(of.at[k][fixed]);
+      else if (&of == &piece) found.side = side;
+    }
+  };
+  add(piece, found.ends);
+  if (found.ends.size() != 2 || levels.size() != 1) return it->second;
+  for (std::size_t k = 0; !torus && k < piece.neighbours.size(); ++k)
+    add(pieces_[piece.neighbours[k].first], ring);
+  if (levels.size() == 1 && (torus || ring.size() > 2)) it->second = std::move(found);
+  return it->second;
+}
+
+const std::optional<Pieces::Rim>& Pieces::rim(std::uint32_t flat, std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t sheet = pieces_[flat].sheet;
+  const auto [it, fresh] = rims_.try_emplace({sheet, a, b});
+  if (!fresh) return it->second;
+  const auto &of_a = rim_side(sheet, a), &of_b = rim_side(sheet, b);
+  if (of_a && of_b) it->second = find_rim(sheet, {a, b}, {&of_a->ends, &of_b->ends});
+  if (it->second) it->second->sides = {of_a->side, of_b->side};
+  return it->second;
+}
+
+std::optional<Pieces::Rim> Pieces::find_rim(std::uint32_t sheet, const std::array<std::uint32_t, 2>& cells,
+                                            const std::array<const std::set<RationalPoint>*, 2>& ends) const {
+  const auto& [x, y, z, w] = plane_of(sheet);
   const RationalPoint normal{x, y, z};
   Rim rim;
-  std::array<std::set<RationalPoint>, 2> ends;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Piece& cell = pieces_[i == 0 ? a : b];
-    const bool torus = !is_quadric(cell.sheet);
-    const std::size_t fixed = torus ? cell.column->around : 1 - cell.column->around;
-    std::set<double> levels;
-    std::set<RationalPoint> ring;  // also of cells beside it
-    const auto add = [&](const Piece& piece, std::set<RationalPoint>& to) {
-      for (std::size_t k = 0; k < piece.corner_count; ++k) {
-        const RationalPoint& p = points_.at(piece.leaf)[piece.points[k]];
-        const int side = sgn(dot(normal, p) + w);
-        if (side == 0) to.insert(p), levels.insert(piece.at[k][fixed]);
-        else if (&piece == &cell) rim.sides[i] = side;
-      }
-    };
-    add(cell, ends[i]);
-    for (std::size_t k = 0; !torus && k < cell.neighbours.size(); ++k)
-      add(pieces_[cell.neighbours[k].first], ring);
-    if (ends[i].size() != 2 || levels.size() != 1 || (!torus && ring.size() < 3)) return std::nullopt;
-  }
   // Both equations on the plane, from one of its points along two ways: equal but for a factor.
-  const RationalPoint from = *ends[0].begin(), along = *ends[0].rbegin() - from, across = cross(normal, along);
+  const RationalPoint from = *ends[0]->begin(), along = *ends[0]->rbegin() - from, across = cross(normal, along);
   std::array<std::array<Rational, 6>, 2> conics;
   std::array<RationalPoint, 2> out, middle;  // from the middle of a chord, at right angles to it
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto q = trace(pieces_[i == 0 ? a : b].sheet, normal, *ends[i].begin());
+    const auto q = trace(pieces_[cells[i]].sheet, normal, *ends[i]->begin());
     if (!q) return std::nullopt;
     const RationalPoint g = cnrg::gradient(*q, from), u = cnrg::gradient(*q, from + along) - g,
                         v = cnrg::gradient(*q, from + across) - g, n = cnrg::gradient(*q, from + normal) - g;
     if (!is_zero(cross(n, normal))) return std::nullopt;  // the plane is not across the axis
-    middle[i] = Rational(Rational(1) / 2) * (*ends[i].begin() + *ends[i].rbegin());
+    middle[i] = Rational(Rational(1) / 2) * (*ends[i]->begin() + *ends[i]->rbegin());
     out[i] = Rational(sgn(dot(along, u))) * cnrg::gradient(*q, middle[i]);
     conics[i] = {dot(along, u), dot(along, v),  dot(across, v),
                  dot(along, g), dot(across, g), Rational(dot(from, g) + row_times(*q, 3, from))};
@@ -82,15 +100,15 @@ std::optional<Pieces::Rim> Pieces::rim(std::uint32_t flat, std::uint32_t a, std:
   if (wider != 0) {  // one ring, at every angle, in the other one, if chords are
     const std::size_t inner = wider > 0 ? 0 : 1, outer = 1 - inner;
     const bool apart = std::ranges::all_of(
-        ends[inner], [&](const RationalPoint& p) { return dot(out[outer], p - middle[outer]) < 0; });
+        *ends[inner], [&](const RationalPoint& p) { return dot(out[outer], p - middle[outer]) < 0; });
     return apart ? std::optional(rim) : std::nullopt;
   }
   rim.shared = true;
-  if (ends[0] == ends[1]) return rim;
+  if (*ends[0] == *ends[1]) return rim;
   // They have one in common, and the others are on both sides of it.
   std::vector<RationalPoint> corner, others;
-  std::ranges::set_intersection(ends[0], ends[1], std::back_inserter(corner));
-  std::ranges::set_symmetric_difference(ends[0], ends[1], std::back_inserter(others));
+  std::ranges::set_intersection(*ends[0], *ends[1], std::back_inserter(corner));
+  std::ranges::set_symmetric_difference(*ends[0], *ends[1], std::back_inserter(others));
   const auto beyond = [&](std::size_t i) { return sgn(dot(others[i] - corner[0], cross(normal, out[0]))); };
   return !corner.empty() && beyond(0) * beyond(1) < 0 ? std::optional(rim) : std::nullopt;
 }

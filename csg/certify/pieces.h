@@ -206,7 +206,7 @@ class Pieces {
     bool shared = false;
   };
   /// Nothing where that is not proven. The plane is across axes, or through that of a torus.
-  std::optional<Rim> rim(std::uint32_t flat, std::uint32_t a, std::uint32_t b) const;
+  const std::optional<Rim>& rim(std::uint32_t flat, std::uint32_t a, std::uint32_t b);
   /// Of a flat sheet.
   const PlaneEquation& plane_of(std::uint32_t sheet) const { return planes_.at(sheet); }
   /// How the facets of two cells, or of a cell and a flat piece, meet.
@@ -248,6 +248,15 @@ class Pieces {
   int side(std::uint32_t cell, const RationalPoint& p) const;
   /// A quadric that has the same curve in the plane, about p, as a surface with an equation.
   std::optional<Quadric> trace(std::uint32_t sheet, const RationalPoint& normal, const RationalPoint& p) const;
+  /// The corners of a cell in a plane, the ends of a side that is there, and on which side of the plane others
+  /// are.
+  struct RimSide {
+    std::set<RationalPoint> ends;
+    int side = 0;
+  };
+  const std::optional<RimSide>& rim_side(std::uint32_t sheet, std::uint32_t cell);
+  std::optional<Rim> find_rim(std::uint32_t sheet, const std::array<std::uint32_t, 2>& cells,
+                              const std::array<const std::set<RationalPoint>*, 2>& ends) const;
   PlaneEquation equation_of(const Facet& facet) const;
   bool holds(const Facet& facet, const std::vector<const RationalPoint*>& points) const;
   /// The sides of a plane on which corners of a facet are: 1 in front, 2 behind; and those on it.
@@ -276,6 +285,8 @@ class Pieces {
   std::map<std::uint32_t, PlaneEquation> planes_;        // by sheet
   SurfaceEquations equations_;                           // by sheet
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<Contact>> contacts_;
+  std::map<std::array<std::uint32_t, 2>, std::optional<RimSide>> rim_sides_;  // by sheet and cell
+  std::map<std::array<std::uint32_t, 3>, std::optional<Rim>> rims_;           // by sheet and cells
   std::set<LeafId> unknown_, own_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> at_angle_;
   friend class PieceMaker;

@@ -433,7 +433,7 @@ class Prover {
               std::ranges::any_of(tuple, [&](Index i) { return all_[i].sheet == all_[flat].sheet; });
           const bool at_edge = pieces_.cross_at_edge(a, flat) || pieces_.cross_at_edge(b, flat);
           if (!there && !at_edge && !all_[flat].numbers().empty()) continue;  // it may end before the curve does
-          const auto rim = pieces_.rim(flat, a, b);
+          const auto& rim = pieces_.rim(flat, a, b);
           if (!rim || !(there || rim->sides[0] != rim->sides[1] || dies_beyond(flat, rim->sides[0], a, b)))
             continue;
           if (!rim->shared) return std::vector<Index>{};

@@ -22,6 +22,9 @@ constexpr std::size_t kMostSteps = 2'000'000;    // the same with --certify
 constexpr std::size_t kMostLines = 400;          // of a patch, in one direction
 constexpr std::size_t kMostCells = 20'000;       // of a leaf that gets further lines
 
+/// Neither finer facets nor more steps tell.
+bool is_near(const OpenPlace& open) { return open.why == UncertainPlace::Why::near; }
+
 /// By u and by v, whether a line in the middle brings facets nearer to the surface, or two triangles to its turn.
 std::array<bool, 2> bends(const Piece& piece) {
   const auto point = [&](double u, double v) { return piece.surface->at(u, v).point; };
@@ -106,8 +109,8 @@ ProvenLines::ProvenLines(const Draw& draw, const std::function<Relevance()>& rel
     dead_.insert(proof_->dead.begin(), proof_->dead.end());
     if (round < kMostRounds && add_lines()) {
       placed = &draw(lines_);
-    } else if (to_the_end && most < kMostSteps && !proof_->open.empty() &&
-               pieces_->unknown().empty()) {  // of finer facets first, with fewer steps
+    } else if (to_the_end && most < kMostSteps && !proof_->open.empty() && pieces_->unknown().empty() &&
+               std::ranges::none_of(proof_->open, is_near)) {  // of finer facets first, with fewer steps
       most = kMostSteps;
       round = 0;
     } else {
@@ -121,7 +124,7 @@ bool ProvenLines::add_lines() {
   // Where surfaces touch no facets are fine enough.
   std::set<PiecePatches> hopeless;
   for (const OpenPlace& open : proof_->open) {
-    if (open.why == UncertainPlace::Why::near) hopeless.insert(patches_of(pieces, open.pieces));
+    if (is_near(open)) hopeless.insert(patches_of(pieces, open.pieces));
   }
   std::map<LeafId, std::size_t> cells;
   for (const Piece& piece : pieces) ++cells[piece.leaf];
@@ -183,8 +186,7 @@ std::shared_ptr<const Certificate> ProvenLines::certificate(const Evaluation& ev
         place.nodes.push_back(evaluation.leaves->node_of(leaf));
       }
       // What finer facets do not tell comes first.
-      const auto last =
-          std::ranges::find_if(part, [](const OpenPlace* one) { return one->why == UncertainPlace::Why::near; });
+      const auto last = std::ranges::find_if(part, [](const OpenPlace* one) { return is_near(*one); });
       const OpenPlace& told = last == part.end() ? *part.front() : **last;
       place.at = to_doubles(motion_.apply({told.at[0], told.at[1], told.at[2]}));
       place.size = to_double(stretch(motion_).value()) * told.size;
