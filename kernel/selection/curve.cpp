@@ -147,9 +147,12 @@ bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const 
   const Surroundings at_a = collect(complex, a), at_b = collect(complex, b);
   if (straight(complex, v, a.edge, b.edge)) {
     const auto flat = [](const Surface& surface) { return surface.first == Kind::plane; };
-    return !ends(complex, v, at_a, at_b) && at_a.bent == at_b.bent &&
-           std::ranges::equal(std::ranges::find_if_not(at_a.surfaces, flat), at_a.surfaces.end(),
-                              std::ranges::find_if_not(at_b.surfaces, flat), at_b.surfaces.end());
+    const auto in_both = common(at_a.wires, at_b.wires);
+    const bool exact = std::ranges::count_if(common(at_a.surfaces, at_b.surfaces), flat) > 1 ||
+                       !std::ranges::includes(at_a.bent, in_both);
+    return exact || (at_a.bent == at_b.bent &&
+                     std::ranges::equal(std::ranges::find_if_not(at_a.surfaces, flat), at_a.surfaces.end(),
+                                        std::ranges::find_if_not(at_b.surfaces, flat), at_b.surfaces.end()));
   }
   const bool cut = a.cut && at_a.is_cut;
   if (cut != (b.cut && at_b.is_cut) || ends(complex, v, at_a, at_b)) return false;

@@ -35,7 +35,8 @@ struct PieceOfCurve {
 };
 
 /// True if a and b, two different edges at v, are pieces of one line or tessellated curve. Chords of two curves
-/// may be on one line by chance: then other curved surfaces lie along them, or a leaf says that its curves end.
+/// may be on one line by chance: where neither two planes nor a straight wire make both, and not the same curved
+/// surfaces and wires lie along them.
 bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const PieceOfCurve& b);
 
 /// True if none of the leaves covers the face.

@@ -403,6 +403,23 @@ result: RESULT
                 self.assertTrue(result.certificate.certified)
                 self.assertEqual(result.rows[-1].cells, cells)
 
+    def test_an_edge_of_two_planes_is_one_whatever_touches_it(self):
+        tree = cnrg.parse("""cnrg: 1
+nodes:
+  a: {box: {min: [-2, 0, 0], max: [2, 4, 1]}}
+  c: {cylinder: {from: [2, 1, 2], to: [2, 3, 2], radius: 1, segments: 8}}
+  d: {difference: [a, c]}
+  p: {simplify: {of: d, mode: points}}
+  s: {sum: [{product: [a, c]}, {subtract: [a, c]}]}
+  q: {unify: s}
+  r: {aggregate: [p, {simplify: q, translate: [10, 0, 0]}]}
+result: r
+""")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            rows = {row.name: row.cells for row in tree.evaluate().rows}
+        self.assertEqual([rows[name] for name in "dpqr"], [(8, 12, 6, 1)] * 3 + [(16, 24, 12, 2)])
+
     def test_a_wire_is_asked_about_flat_patches_of_its_leaf(self):
         tree = cnrg.parse("""cnrg: 1
 nodes:
