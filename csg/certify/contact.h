@@ -39,7 +39,7 @@ inline Rational row_times(const Quadric& q, std::size_t row, const RationalPoint
   return q[row][0] * p[0] + q[row][1] * p[1] + q[row][2] * p[2] + q[row][3];
 }
 /// Outwards, or inwards, at a point of it.
-inline RationalPoint gradient(const Quadric& q, const RationalPoint& p) {
+inline RationalPoint gradient_of(const Quadric& q, const RationalPoint& p) {
   return {row_times(q, 0, p), row_times(q, 1, p), row_times(q, 2, p)};
 }
 

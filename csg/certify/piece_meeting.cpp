@@ -280,7 +280,7 @@ const std::optional<Contact>& Pieces::contact_of(std::uint32_t sheet, std::uint3
 
 RationalPoint Pieces::gradient(std::uint32_t cell, const RationalPoint& p) const {
   const auto torus = equations_.tori.find(pieces_[cell].sheet);
-  if (torus == equations_.tori.end()) return cnrg::gradient(equations_.quadrics.at(pieces_[cell].sheet), p);
+  if (torus == equations_.tori.end()) return gradient_of(equations_.quadrics.at(pieces_[cell].sheet), p);
   const auto& [center, axis, radius, tube] = torus->second;
   const RationalPoint way = p - center, flat = way - Rational(dot(way, axis) / dot(axis, axis)) * axis;
   return Rational(dot(way, way) + radius * radius - tube * tube) * way - Rational(2 * radius * radius) * flat;

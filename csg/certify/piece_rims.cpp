@@ -85,11 +85,11 @@ std::optional<Pieces::Rim> Pieces::find_rim(std::uint32_t sheet, const std::arra
   for (std::size_t i = 0; i < 2; ++i) {
     const auto q = trace(pieces_[cells[i]].sheet, normal, *ends[i]->begin());
     if (!q) return std::nullopt;
-    const RationalPoint g = cnrg::gradient(*q, from), u = cnrg::gradient(*q, from + along) - g,
-                        v = cnrg::gradient(*q, from + across) - g, n = cnrg::gradient(*q, from + normal) - g;
+    const RationalPoint g = gradient_of(*q, from), u = gradient_of(*q, from + along) - g,
+                        v = gradient_of(*q, from + across) - g, n = gradient_of(*q, from + normal) - g;
     if (!is_zero(cross(n, normal))) return std::nullopt;  // the plane is not across the axis
     middle[i] = Rational(Rational(1) / 2) * (*ends[i]->begin() + *ends[i]->rbegin());
-    out[i] = Rational(sgn(dot(along, u))) * cnrg::gradient(*q, middle[i]);
+    out[i] = Rational(sgn(dot(along, u))) * gradient_of(*q, middle[i]);
     conics[i] = {dot(along, u), dot(along, v),  dot(across, v),
                  dot(along, g), dot(across, g), Rational(dot(from, g) + row_times(*q, 3, from))};
     divide_by_first(conics[i]);

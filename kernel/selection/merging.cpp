@@ -333,9 +333,9 @@ bool Merging::continues(VertexId v, EdgeId a, EdgeId b) {
     if (use(across(u, v)).half_edge.edge() != b) return false;
   }
   if (at_a != at_b) return false;
-  const bool on_line = straight(complex_, v, a, b);
-  const bool known = complex_.surface_count == 0 && complex_.wires.empty();
-  return mode_ == SimplifyMode::points || (on_line && known) ? on_line : one_curve(v, a, b);
+  if (mode_ == SimplifyMode::points) return straight(complex_, v, a, b);
+  const bool has_no_curves = complex_.surface_count == 0 && complex_.wires.empty();
+  return (has_no_curves && straight(complex_, v, a, b)) || one_curve(v, a, b);
 }
 
 // True for faces of one plane or of one curved surface. Facets of two curved surfaces may lie in one plane by
