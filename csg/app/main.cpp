@@ -229,7 +229,7 @@ constexpr const char* kSnap =
 constexpr const char* kNoSnap = "Do not move vertices where rounding to doubles breaks the result: ";
 constexpr const char* kOneGroup = "Of .msh: each element in the first of its groups alone; others are left out";
 constexpr const char* kCertify =
-    "Where it is not proven that curved surfaces meet as their facets do: ask with a hundred times the steps, "
+    "Where it is not proven that curved surfaces meet as their facets do: ask with twenty times the steps, "
     "and make an error of what is left";
 constexpr const char* kNoCertify = "Do not ask whether they do: facets stay as they are, right or wrong";
 constexpr const char* kJoin =
@@ -425,37 +425,30 @@ void add_mesh(CLI::App& program, Command& command) {
   add_name(sub, "--node", given->node, "N", "Node to mesh; the result without it");
   add_all_names(
       sub, "-o,--output", given->files, "FILE",
-      "Write this file, in the format of its extension: .msh .msh2 .mesh .vtu .inp .bdf .h5m .med .xdmf; "
+      "Write this file, in the format of its extension: .msh .msh2 .mesh .vtu .inp .bdf .h5m .f3grid .med .xdmf; "
       ".html is a report with pictures")
       ->required();
   add_bounds(sub, given->options);
-  CLI::Option* const keep_boundary = sub->add_flag(
+  sub->add_flag(
       "-Y,--keep-boundary", given->options.keep_boundary,
       "No new points on faces and edges, so that the meshes of neighbours fit; inside only is there room for "
       "--size, --max-volume and --quality, and what they miss is said");
-  CLI::Option* const constrained =
-      sub->add_flag("--constrained", given->options.constrained,
-                    "Not by TetGen: exact constrained tetrahedra, improved; without it these are made only where "
-                    "TetGen fails");
+  sub->add_flag(
+      "--constrained", given->options.constrained,
+      "Not by TetGen: exact constrained tetrahedra, improved; without it these are made only where TetGen "
+      "fails");
   add_either(sub, "--certify", given->certify, kCertify, "--no-certify", given->no_certify, kNoCertify);
-  CLI::Option* const joins = sub->add_option("--join", given->join, kJoin)->type_name("D")->check(distance_fault);
-  CLI::Option* const chord =
-      sub->add_option("--chord", given->chord,
-                      "Facets of curved faces become fewer, as large as sizes allow, within D of those that were")
-          ->type_name("D")
-          ->check(distance_fault);
-  CLI::Option* const curved =
-      sub->add_flag("--curved", given->options.curved,
-                    "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes")
-          ->excludes(joins)
-          ->excludes(chord);
+  sub->add_option("--join", given->join, kJoin)->type_name("D")->check(distance_fault);
+  sub->add_option("--chord", given->chord,
+                  "Facets of curved faces become fewer, as large as sizes allow, within D of those that were")
+      ->type_name("D")
+      ->check(distance_fault);
+  sub->add_flag("--curved", given->options.curved,
+                "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes");
   CLI::Option* const surface =
       sub->add_flag("--surface", given->surface,
                     "Triangles on all faces and segments on edges and wires, without volumes: no angle below 25 "
                     "degrees but where the result has smaller ones or is very narrow");
-  for (CLI::Option* const option :
-       {curved, sub->get_option("--max-volume"), sub->get_option("--quality"), keep_boundary, constrained})
-    surface->excludes(option);
   sub->add_option("--max-points", given->max_points,
                   "Of --surface: no points are added beyond N; parts that are very narrow get a fiftieth of them")
       ->type_name("N")
@@ -465,38 +458,46 @@ void add_mesh(CLI::App& program, Command& command) {
   sub->add_flag("--surface-first", given->options.surface_first,
                 "Begin with the triangles that --surface makes, and keep them as the boundary of the tetrahedra: "
                 "faces are as good as there; where TetGen fails it only fills them, and where it cannot, it is an "
-                "error")
-      ->excludes(surface)
-      ->excludes(keep_boundary)
-      ->excludes(constrained)
-      ->excludes(curved);
-  CLI::Option* const order =
-      sub->add_option(
-             "--order", given->options.order,
-             "Of the elements: 1, or 2 with a node in the middle of each straight edge; --curved is of order 2")
-          ->type_name("N")
-          ->check(CLI::IsMember({1, 2}));
+                "error");
+  sub->add_option(
+         "--order", given->options.order,
+         "Of the elements: 1, or 2 with a node in the middle of each straight edge; --curved is of order 2")
+      ->type_name("N")
+      ->check(CLI::IsMember({1, 2}));
+  sub->add_option_function<std::vector<std::string>>(
+         "--periodic",
+         [given](const std::vector<std::string>& axes) {
+           for (const std::string& axis : axes) given->options.periodic[std::size_t(axis[0] - 'x')] = true;
+         },
+         "Opposite sides along these axes, as `x,y`, get the same triangles, as of --surface-first; pairs of "
+         "nodes "
+         "are in .msh, .msh2, .inp and .vtu")
+      ->type_name("AXES")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"x", "y", "z"}));
   sub->add_flag("--quads", given->quads,
                 "Of --surface: merge triangles of a face by pairs into quadrilaterals with angles from 30 to 150 "
                 "degrees, as many as can be")
-      ->needs(surface)
-      ->excludes(order);
+      ->needs(surface);
   sub->add_flag("--one-group", given->one_group, kOneGroup);
-  CLI::Option* const split =
-      sub->add_option("--split", given->options.split,
-                      "More than once: give both sides of the faces of a group nodes of their own, in groups "
-                      "`back of NAME` and `front of NAME`, so that a fault can open and slip")
-          ->type_name("NAME")
-          ->expected(1)
-          ->take_all()
-          ->excludes(surface);
+  CLI::Option* const split = add_all_names(
+      sub, "--split", given->options.split, "NAME",
+      "More than once: give both sides of the faces of a group nodes of their own, in groups `back of "
+      "NAME` and `front of NAME`, so that a fault can open and slip");
   sub->add_flag("--interfaces", given->options.interfaces,
                 "Of --split: wedges without thickness between the sides, in groups `interface NAME`")
-      ->needs(split)
-      ->excludes(curved)
-      ->excludes(order);
-  add_either(sub, "--snap", given->snap, kSnap, "--no-snap", given->no_snap, std::string(kNoSnap) + "refuse it")
-      ->excludes(curved);
+      ->needs(split);
+  add_either(sub, "--snap", given->snap, kSnap, "--no-snap", given->no_snap, std::string(kNoSnap) + "refuse it");
+  for (const auto& [one, others] : std::initializer_list<std::pair<const char*, std::vector<const char*>>>{
+           {"--curved",
+            {"--join", "--chord", "--surface", "--surface-first", "--periodic", "--interfaces", "--snap"}},
+           {"--surface",
+            {"--max-volume", "--quality", "--keep-boundary", "--constrained", "--surface-first", "--split"}},
+           {"--surface-first", {"--keep-boundary", "--constrained"}},
+           {"--periodic", {"--keep-boundary", "--constrained", "--quads", "--split"}},
+           {"--order", {"--quads", "--interfaces"}}}) {
+    for (const char* const other : others) sub->get_option(one)->excludes(sub->get_option(other));
+  }
   add_threads(sub, given->threads);
   sub->add_flag("-q,--quiet", given->quiet, "No table and no notices");
   sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");

@@ -264,6 +264,7 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
     asked.max_points = arguments.max_points;
     asked.quads = arguments.quads;
     asked.order = arguments.options.order;
+    asked.periodic = arguments.options.periodic;
     asked.seconds = arguments.options.seconds.value_or(0);
     asked.watch.progress = bar.progress();
     made = at_node(tree, node, [&] {

@@ -524,6 +524,13 @@ double PiecePart::thickness() const {
   return *known_thickness;
 }
 
+Interval3 bounded(const Interval3& box, const Piece& piece) {
+  if (std::isfinite(size_of(box))) return box;
+  Interval3 corners = piece.corners[0];
+  for (std::size_t i = 1; i < piece.corner_count; ++i) corners = hull(corners, piece.corners[i]);
+  return corners;
+}
+
 bool worth_halving(const PiecePart& part, const PiecePart& whole, Between between) {
   const Piece& piece = *part.piece;
   const double size = size_of(part.box);

@@ -71,6 +71,8 @@ bool misses(const Piece& flat, const Interval3& box);
 /// True if a contact along a line has no point of the part in the box.
 bool misses_line(const PiecePart& part, const Contact& contact, const Interval3& box, Between between);
 double size_of(const Interval3& x);
+/// The box, or where it has no bounds, since cells are narrower than doubles tell, that of the corners of a piece.
+Interval3 bounded(const Interval3& box, const Piece& piece);
 /// False where a part of a piece is no longer than facets are away from the surface there: it gets no thinner.
 bool worth_halving(const PiecePart& part, const PiecePart& whole, Between between);
 /// Nothing if it is empty.

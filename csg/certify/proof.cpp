@@ -194,7 +194,7 @@ class Prover {
     }
   }
   OpenPlace open_place(const std::vector<Index>& tuple, Why why) {
-    const Interval3& box = root(tuple[0]).box;
+    const Interval3 box = bounded(root(tuple[0]).box, all_[tuple[0]]);
     return {tuple, doubles(middle_of(box)), size_of(box), why};
   }
   const std::vector<Index>& of_patch(const Piece& piece) {
@@ -490,7 +490,7 @@ class Prover {
       return true;
     }
     if (parted(parts, between)) return true;
-    left = common;
+    left = bounded(common, *parts[0].piece);
     std::size_t chosen = parts.size(), way = 0;
     Upward most = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {

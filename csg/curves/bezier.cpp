@@ -372,4 +372,33 @@ BezierPatch coons_patch(const std::array<BezierCurve, 4>& round) {
   return transposed(turned);
 }
 
+/// Sturm's theorem, with t = s / (1 + s): parameters between the ends are the positive s.
+bool is_zero_inside(const ControlRow& row, std::size_t coordinate) {
+  const auto strip = [](Polynomial p) {
+    while (!p.empty() && p.back() == 0) p.pop_back();
+    return p;
+  };
+  Polynomial a, b;
+  for (std::size_t i = 0; i < row.size(); ++i) a.push_back(binomial(row.size() - 1, i) * row[i][coordinate]);
+  a = strip(std::move(a));
+  a.erase(a.begin(), std::ranges::find_if(a, [](const Rational& x) { return x != 0; }));
+  for (std::size_t i = 1; i < a.size(); ++i) b.push_back(Rational(i) * a[i]);
+  int roots = 0;  // changes of sign at 0 less those at infinity
+  int near = a.empty() ? 0 : sgn(a.front());
+  while (!b.empty()) {
+    roots += int(near * sgn(b.front()) < 0) - int(sgn(a.back()) * sgn(b.back()) < 0);
+    if (b.front() != 0) near = sgn(b.front());
+    Polynomial rest = a;
+    while (rest.size() >= b.size()) {
+      const Rational factor = rest.back() / b.back();
+      const std::size_t shift = rest.size() - b.size();
+      for (std::size_t i = 0; i < b.size(); ++i) rest[i + shift] -= factor * b[i];
+      rest = strip(std::move(rest));
+    }
+    for (Rational& x : rest) x = -x;
+    a = std::exchange(b, std::move(rest));
+  }
+  return roots != 0;
+}
+
 }  // namespace cnrg

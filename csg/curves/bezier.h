@@ -41,6 +41,9 @@ ControlRow part(ControlRow row, const Rational& low, const Rational& high);
 /// The homogeneous point at t.
 Homogeneous de_casteljau(ControlRow row, const Rational& t);
 
+/// Is a coordinate zero somewhere between the ends of a curve, but not everywhere?
+bool is_zero_inside(const ControlRow& row, std::size_t coordinate);
+
 struct BezierCurve {
   ControlRow net;
   std::size_t degree() const { return net.size() - 1; }

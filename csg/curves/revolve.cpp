@@ -60,6 +60,21 @@ Rational check_radii(const std::vector<SampledLine>& lines) {
   return largest;
 }
 
+/// Corners tell nothing of what is between them.
+void check_between_corners(const Profile& profile) {
+  std::size_t number = 0;
+  for (const ProfileLine& line : profile.lines) {
+    for (const CurveNet& net : line.segments) {
+      ++number;
+      for (const BezierCurve& piece : curve_pieces(net, "revolve")) {
+        if (is_zero_inside(piece.net, 0))
+          throw LeafKeyError("profile", "revolve: segment " + std::to_string(number) +
+                                            " of the profile comes to the axis between its ends: part it there");
+      }
+    }
+  }
+}
+
 /// The unit vector along the axis: exact where it is rational, else to 52 bits.
 RationalPoint unit_axis(const CircleFrame& frame) {
   return scaled_cosine(0, 1 / dot(frame.axis(), frame.axis())) * frame.axis();
@@ -102,6 +117,7 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const RevolveShape& shape, LeafParame
   std::vector<SampledLine> lines =
       sample(shape.profile, "revolve", [&](const BezierCurve& curve) { return boundary.inside(curve); });
   const Rational radius = check_radii(lines);
+  check_between_corners(shape.profile);
   const int turns = fineness.steps_of_turn(to_double(radius) * (1 + 1e-12), to_double(shape.degrees));
   double points = 0;
   for (const SampledLine& line : lines) points += static_cast<double>(line.points.size());

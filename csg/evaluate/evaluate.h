@@ -48,7 +48,7 @@ enum class Rows : std::uint8_t { none, kept, all };
 enum class AskedProof : std::uint8_t {
   none,
   within_budget,
-  to_the_end,  ///< with a hundred times the steps; results read back are asked about, too
+  to_the_end,  ///< with twenty times the steps; results read back are asked about, too
 };
 
 struct EvaluateOptions {

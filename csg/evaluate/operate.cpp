@@ -198,7 +198,7 @@ void require_surface(const Complex& complex, const Selector::Side& side, const s
 
 /// What is picked out of the first operand; the others are sets of points in which, or at which, it lies.
 StepOutcome selected(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate,
-                     const Transform& transform) {
+                     const NodePlace& place) {
   Criteria criteria = node.selector->criteria;
   const std::vector<Selector::Side>& sides = node.selector->sides;
   const std::size_t others = operands[0].below.size() - sides.size();
@@ -220,8 +220,15 @@ StepOutcome selected(const Complex& complex, const Node& node, std::span<const O
   criteria.touching = points(places.subspan(node.selector->inside));
   const NodeValue& of = *operands[0].value;
   if (!of.is_group()) return {select(complex, of.components(), criteria), {}, {}};
+  if (place.proven && picks_by_number(of.group(), criteria) &&
+      std::ranges::any_of(of.group().faces, [&](FaceId f) { return is_curved(complex, f); })) {
+    throw InputError(
+        "`" + operands[0].name +
+        "` has curved faces, and regions are numbered by the vertices of facets; leave out --certify, "
+        "or pick regions by leaves or places");
+  }
   if (!criteria.region_numbers.empty()) {
-    const std::vector<Component> numbers = own_numbers(complex, of.group(), transform);
+    const std::vector<Component> numbers = own_numbers(complex, of.group(), place.transform);
     const std::vector<Component> wanted = std::exchange(criteria.region_numbers, {});
     for (const Component number : wanted) {
       const auto it = std::find(numbers.begin() + 1, numbers.end(), number);
@@ -453,7 +460,7 @@ StepOutcome operate(const Complex& complex, const Node& node, const RegionMateri
         outcome.value.stands_for = operands[0].value->stands_for;
       }
       break;
-    case Operator::select: outcome = selected(complex, node, operands, validate, place.transform); break;
+    case Operator::select: outcome = selected(complex, node, operands, validate, place); break;
     case Operator::leaf: throw InvariantError("operate: `" + node.name + "` is a leaf");
   }
   apply_attributes(complex, node, material, outcome.value);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMostRounds = 24;
 constexpr std::size_t kStepsByDefault = 20'000;  // of a set of leaves, in all rounds
-constexpr std::size_t kMostSteps = 2'000'000;    // the same with --certify
+constexpr std::size_t kMostSteps = 400'000;      // the same with --certify
 constexpr std::size_t kMostLines = 400;          // of a patch, in one direction
 constexpr std::size_t kMostCells = 20'000;       // of a leaf that gets further lines
 

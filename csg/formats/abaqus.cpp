@@ -8,12 +8,14 @@
 //
 // Labels have 80 characters of few kinds, and case does not tell them apart. A line holds 16 numbers, a number 20
 // characters.
+#include <algorithm>
 #include <map>
 
 #include "csg/formats/element_plan.h"
 #include "csg/formats/formats.h"
 #include "csg/formats/group_names.h"
 #include "csg/formats/narrow_numbers.h"
+#include "csg/mesh/periodic.h"
 #include "csg/mesh/second_order.h"
 #include "csg/text/escape.h"
 
@@ -37,6 +39,7 @@ class AbaqusWriter {
       for (const std::string& x : points[p]) text_ += ", " + x;
       text_ += '\n';
     }
+    add_references();
     const bool straight = mesh_.middles.empty();
     add_elements(3, straight ? "C3D4" : "C3D10", mesh_.tetrahedra, kSecondOrderEdges);
     add_elements(2, straight ? "S3" : "STRI65", plan_.shells(), kSecondOrderTriangle);
@@ -44,6 +47,7 @@ class AbaqusWriter {
     add_elements(1, straight ? "T3D2" : "T3D3", plan_.bars(), kSecondOrderLine);
     add_elements(3, "COH3D6", mesh_.wedges, kSecondOrderPoint);
     add_sets();
+    add_equations();
     return std::move(text_);
   }
 
@@ -83,6 +87,33 @@ class AbaqusWriter {
     text_ += head + "\n";
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       text_ += std::to_string(numbers[i]) + (i + 1 == numbers.size() ? "\n" : i % 16 == 15 ? ",\n" : ", ");
+    }
+  }
+
+  /// Of a mesh that repeats, by axis: a node whose displacement is that of the far side less that of the near one.
+  std::size_t reference(std::size_t axis) const { return mesh_.points.size() + 1 + axis; }
+  void add_references() {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (mesh_.periodic[k]) text_ += std::to_string(reference(k)) + ", 0., 0., 0.\n";
+  }
+  void add_equations() {
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::string label = std::string("periodic-") + char('x' + k);
+      while (std::ranges::any_of(names_, [&](const auto& of) { return std::ranges::count(of, label) > 0; }))
+        label += '_';
+      if (mesh_.periodic[k]) add_list("*NSET, NSET=" + label, {reference(k)});
+    }
+    for (const auto& [far, near, axes] : periodic_nodes(mesh_)) {
+      std::string rest;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (axes[k]) rest += ", " + std::to_string(reference(k)) + ", %, -1.";
+      const auto terms = 2 + std::ranges::count(axes, true);
+      for (const char freedom : {'1', '2', '3'}) {
+        text_ += "*EQUATION\n" + std::to_string(terms) + "\n";
+        std::string line = std::to_string(far + 1) + ", %, 1., " + std::to_string(near + 1) + ", %, -1." + rest;
+        std::ranges::replace(line, '%', freedom);
+        text_ += line + "\n";
+      }
     }
   }
 

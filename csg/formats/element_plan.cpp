@@ -13,7 +13,7 @@ using Corners = std::array<Index, 3>;
 
 /// Something is said of the wall that is not said of the region.
 bool says_more(const Attributes& wall, const Attributes& region) {
-  if (!wall.name.empty() && wall.name != region.name) return true;
+  if (!wall.name.empty() && !wall.name.is_of_entities() && wall.name != region.name) return true;
   if (!wall.material.empty() && !(wall.material == region.material)) return true;
   return std::any_of(wall.properties.begin(), wall.properties.end(), [&](const auto& property) {
     const auto it = region.properties.find(property.first);

@@ -39,6 +39,7 @@ FileText poly_text(const ResultView& view);
 std::string msh_text(const Mesh& mesh);
 std::string msh2_text(const Mesh& mesh);
 std::string medit_text(const Mesh& mesh);
+std::string flac3d_text(const Mesh& mesh);
 std::string abaqus_text(const Mesh& mesh);
 std::string nastran_text(const Mesh& mesh);
 std::string h5m_bytes(const Mesh& mesh);

@@ -1,8 +1,10 @@
 // A mesh in VTK's XML: tetrahedra, and the triangles, quadrilaterals, segments and vertices of the result. Their
 // tags are explained in vtu.cpp.
+#include <numeric>
+
 #include "csg/formats/formats.h"
 #include "csg/formats/vtu_grid.h"
-#include "csg/mesh/mesh.h"
+#include "csg/mesh/periodic.h"
 
 namespace cnrg {
 
@@ -17,7 +19,13 @@ std::string vtu_text(const ResultView& view, const Mesh& mesh) {
     for (const auto& s : simplices)
       grid.add(cells[kind], mesh.nodes(s, edges), mesh.entities[dimension][s.entity].tags);
   });
-  return grid.text(view, mesh.points, nullptr, mesh.twins);
+  std::vector<Mesh::Index> twins = mesh.twins;
+  if (mesh.periodic != PeriodicAxes{}) {
+    twins.resize(mesh.points.size());
+    std::iota(twins.begin(), twins.end(), Mesh::Index(0));
+    for (const PeriodicNode& node : periodic_nodes(mesh)) twins[node.far] = node.near;
+  }
+  return grid.text(view, mesh.points, nullptr, twins);
 }
 
 }  // namespace cnrg

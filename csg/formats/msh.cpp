@@ -17,7 +17,7 @@
 
 #include "csg/formats/formats.h"
 #include "csg/formats/group_names.h"
-#include "csg/mesh/mesh.h"
+#include "csg/mesh/periodic.h"
 #include "csg/text/digits.h"
 #include "csg/text/escape.h"
 #include "kernel/base/error.h"
@@ -75,6 +75,7 @@ class MshWriter {
       add_nodes();
     }
     add_elements();
+    add_links();
     if (mesh_.flat && version_ == Version::four) add_parametrizations();
     add_twins();
     add_fields();
@@ -270,6 +271,23 @@ class MshWriter {
                             const auto& edges) { add_blocks(dimension, types[kind], simplices, edges, number); },
                         kGmshEdges);
     text_ += "$EndElements\n";
+  }
+
+  /// Of a mesh that repeats: pairs of entities and of their nodes, with the affine map from the second to the
+  /// first.
+  void add_links() {
+    const std::vector<PeriodicLink> links = periodic_links(mesh_);
+    if (links.empty()) return;
+    text_ += "$Periodic\n" + std::to_string(links.size()) + "\n";
+    for (const PeriodicLink& link : links) {
+      Line line(text_);
+      line << link.dimension << ' ' << link.far + 1 << ' ' << link.near + 1
+           << (version_ == Version::two ? "\nAffine" : "\n16");
+      for (std::size_t k = 0; k < 16; ++k) line << ' ' << (k % 5 == 0 ? 1 : k % 4 == 3 ? link.shift[k / 4] : 0);
+      line << '\n' << link.nodes.size() << '\n';
+      for (const auto& [far, near] : link.nodes) line << far + 1 << ' ' << near + 1 << '\n';
+    }
+    text_ += "$EndPeriodic\n";
   }
 
   /// Of a split mesh; meshio reads data of all nodes only.

@@ -42,7 +42,7 @@ std::string make(const std::string&, const ResultView&, const Mesh& mesh) {
   return text(mesh);
 }
 
-constexpr std::array<MeshFormat, 9> kMeshFormats{
+constexpr std::array<MeshFormat, 10> kMeshFormats{
     {{".msh", true, true, true, make<msh_text>},
      {".msh2", true, true, true, make<msh2_text>},
      {".mesh", false, true, false, make<medit_text>},
@@ -51,6 +51,7 @@ constexpr std::array<MeshFormat, 9> kMeshFormats{
      {".inp", true, true, true, make<abaqus_text>},
      {".bdf", true, true, false, make<nastran_text>},
      {".h5m", false, false, false, make<h5m_bytes>},
+     {".f3grid", false, true, false, make<flac3d_text>},
      {".med", true, true, false, make<med_bytes>},
      {".xdmf", true, true, false,
       [](const std::string& path, const ResultView&, const Mesh& mesh) { return xdmf_text(path, mesh); }}}};

@@ -62,8 +62,8 @@ Result read_result(const std::string& path);
 /// The same of the text of a .json; `names.result` is the name in messages.
 Result result_of_text(const std::string& json, ResultNames names);
 
-/// The formats of tetrahedra: .msh .msh2 .mesh .vtu .inp .bdf .h5m .med .xdmf. Throws InputError for any other
-/// extension; the message names `others`, which the caller writes itself (` .html`), too.
+/// The formats of tetrahedra: .msh .msh2 .mesh .vtu .inp .bdf .h5m .f3grid .med .xdmf. Throws InputError for any
+/// other extension; the message names `others`, which the caller writes itself (` .html`), too.
 void check_mesh_file_name(const std::string& path, const std::string& others = {});
 
 }  // namespace cnrg

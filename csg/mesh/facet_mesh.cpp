@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -21,12 +22,14 @@ using Vector = FacetMesh::Vector;
 
 }  // namespace
 
-FacetMesh::FacetMesh(const FlatComplex& flat, const std::vector<Vector>& xyz, const std::vector<char>& fixed)
-    : xyz_(xyz) {
+FacetMesh::FacetMesh(const FlatComplex& flat, const std::vector<Vector>& xyz, const std::vector<char>& fixed,
+                     const PeriodicAxes& periodic)
+    : xyz_(xyz), sides_(periodic, xyz), images_(matched_faces(flat, xyz, sides_)) {
   for (const Vector& p : xyz_) table_.add(p[0], p[1], p[2]);
   add_segments(flat);
   add_facets(flat);
   link();
+  tie();
   fix_thin(fixed);
 }
 
@@ -39,13 +42,16 @@ void FacetMesh::add_segments(const FlatComplex& flat) {
 }
 
 void FacetMesh::add_facets(const FlatComplex& flat) {
+  std::vector<char> is_image(flat.faces.size(), 0);
+  for (const PeriodicFaces& image : images_) is_image[image.far] = 1;
   for (Index i = 0; i < flat.faces.size(); ++i) {
     const auto& face = flat.faces[i];
     for_each_facet(face, [&](const auto&, const auto&, Index begin, Index end) {
       Vector normal{}, center{};
       for (Index t = begin; t < end; ++t) {
         const auto& [a, b, c] = face.triangles[t];
-        triangles_.push_back({{a, b, c}, {kNone, kNone, kNone}, {kNone, kNone, kNone}, Index(facets_.size())});
+        if (!is_image[i])
+          triangles_.push_back({{a, b, c}, {kNone, kNone, kNone}, {kNone, kNone, kNone}, Index(facets_.size())});
         const Vector n = cross(minus(xyz_[b], xyz_[a]), minus(xyz_[c], xyz_[a]));
         for (std::size_t j = 0; j < 3; ++j) {
           normal[j] += n[j];
@@ -104,8 +110,38 @@ void FacetMesh::link() {
   }
 }
 
+/// Ties segments that are at one place when they are moved to the near sides.
+void FacetMesh::tie() {
+  if (!sides_.any()) return;
+  std::map<std::array<Vector, 2>, Index> last;
+  for (Index s = 0; s < segments_.size(); ++s) {
+    Segment& segment = segments_[s];
+    segment.next_tied = s;
+    const PeriodicAxes along = sides_.at(sides_.far, xyz_, segment.ends);
+    std::array<Vector, 2> ends{sides_.folded(xyz_[segment.ends[0]], along),
+                               sides_.folded(xyz_[segment.ends[1]], along)};
+    segment.turned = ends[1] < ends[0];
+    if (segment.turned) std::swap(ends[0], ends[1]);
+    const auto [it, first] = last.try_emplace(ends, s);
+    if (!first) std::swap(segment.next_tied, segments_[it->second].next_tied);
+  }
+}
+
+Index FacetMesh::first_facet(Index face) const {
+  return Index(std::ranges::lower_bound(facets_, face, {}, &Facet::face) - facets_.begin());
+}
+
+void FacetMesh::fix(Index segment) {
+  for_each_tied(segment, [&](Index s) { segments_[s].fixed = true; });
+}
+
 void FacetMesh::fix_thin(const std::vector<char>& fixed) {
   for (std::size_t f = 0; f < std::min(fixed.size(), facets_.size()); ++f) facets_[f].fixed = fixed[f] != 0;
+  for (const PeriodicFaces& image : images_) {
+    const Facet& far = facets_[first_facet(image.far)];
+    for (Index f = first_facet(image.near); f < facets_.size() && facets_[f].face == image.near; ++f)
+      facets_[f].fixed |= far.fixed;
+  }
   for (const Triangle& t : triangles_) {
     Facet& facet = facets_[t.facet];
     if (turn(t.facet, t.points[0], t.points[1], t.points[2]) <= 0 || facet.normal == Vector{}) facet.fixed = true;
@@ -113,7 +149,7 @@ void FacetMesh::fix_thin(const std::vector<char>& fixed) {
   for (const Triangle& t : triangles_) {
     if (!facets_[t.facet].fixed) continue;
     for (const Index s : t.segments)
-      if (s != kNone) segments_[s].fixed = true;
+      if (s != kNone) fix(s);
   }
 }
 
@@ -252,17 +288,17 @@ Index FacetMesh::new_triangle() {
   return next_number(triangles_.size() - 1, "triangles");
 }
 
-std::optional<Index> FacetMesh::split(Index s, const Vector& at) {
-  const auto [a, b] = segments_[s].ends;
-  if (segments_[s].fixed || at == xyz_[a] || at == xyz_[b]) return std::nullopt;
-  const Index m = add_point(at);
-  const auto fan = segments_[s].fan;
-  std::vector<Index> sides, around;
-  for (const Index t : fan) {
+/// Would all parts of the triangles around a segment turn left?
+bool FacetMesh::has_room(Index s, Index m) const {
+  return std::ranges::all_of(segments_[s].fan, [&](Index t) {
     const auto& list = triangles_[t].segments;
-    sides.push_back(Index(std::find(list.begin(), list.end(), s) - list.begin()));
-    if (!is_splittable(t, sides.back(), m)) return std::nullopt;
-  }
+    return is_splittable(t, Index(std::find(list.begin(), list.end(), s) - list.begin()), m);
+  });
+}
+
+FacetMesh::Parts FacetMesh::split_one(Index s, Index m, std::vector<Index>& around) {
+  const auto [a, b] = segments_[s].ends;
+  const auto fan = segments_[s].fan;
   const Index second = next_number(segments_.size(), "segments");
   Segment part = segments_[s];
   part.ends = {m, b};
@@ -270,9 +306,10 @@ std::optional<Index> FacetMesh::split(Index s, const Vector& at) {
   segments_.push_back(std::move(part));
   segments_[s].ends = {a, m};
   segments_[s].fan = {};
-  for (std::size_t i = 0; i < fan.size(); ++i) {
-    const Index t = fan[i], other = new_triangle();
-    split_triangle(t, sides[i], m, other);
+  for (const Index t : fan) {
+    const auto& list = triangles_[t].segments;
+    const Index side = Index(std::find(list.begin(), list.end(), s) - list.begin()), other = new_triangle();
+    split_triangle(t, side, m, other);
     const bool first = triangles_[t].points[2] == a;
     triangles_[t].segments[1] = first ? s : second;
     triangles_[other].segments[2] = first ? second : s;
@@ -280,8 +317,36 @@ std::optional<Index> FacetMesh::split(Index s, const Vector& at) {
     segments_[first ? second : s].fan.push_back(other);
     around.push_back(t), around.push_back(other);
   }
-  settle(m, std::move(around));
-  return m;
+  return {s, second, m};
+}
+
+std::vector<FacetMesh::Parts> FacetMesh::split(Index segment, const Vector& at) {
+  std::vector<std::pair<Index, Index>> tied;  // and the new points
+  bool room = true;
+  for_each_tied(segment, [&](Index s) {
+    const auto& [a, b] = segments_[s].ends;
+    Vector place = at;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (xyz_[a][k] == xyz_[b][k] && place[k] != xyz_[a][k]) place[k] = xyz_[a][k];  // on another side
+    room = room && !segments_[s].fixed && place != xyz_[a] && place != xyz_[b];
+    if (room) tied.emplace_back(s, add_point(place));
+    room = room && has_room(s, tied.back().second);
+  });
+  std::vector<Parts> parts;
+  if (!room) return parts;
+  for (const auto& [s, m] : tied) {
+    std::vector<Index> around;
+    parts.push_back(split_one(s, m, around));
+    settle(m, std::move(around));
+  }
+  // Parts at the same end are tied.
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Parts &here = parts[i], &next = parts[(i + 1) % parts.size()];
+    const bool alike = segments_[here.first].turned == segments_[next.first].turned;
+    segments_[here.first].next_tied = alike ? next.first : next.second;
+    segments_[here.second].next_tied = alike ? next.second : next.first;
+  }
+  return parts;
 }
 
 bool FacetMesh::insert(Index t, const Vector& at) {
@@ -372,6 +437,32 @@ FacetMesh::Cavity FacetMesh::cavity(Index triangle, const Vector& at) const {
   auto& list = result.segments;
   sort_unique(list);
   return result;
+}
+
+std::vector<Index> FacetMesh::add_images() {
+  std::vector<Index> sources;
+  std::map<Vector, Index> known;  // points on far sides; the last where one is of no use
+  for (Index p = 0; sides_.any() && p < xyz_.size(); ++p)
+    if (sides_.at(sides_.far, xyz_, std::array{p}) != PeriodicAxes{}) known[xyz_[p]] = p;
+  std::unordered_map<Index, const PeriodicFaces*> images;  // by the near face
+  for (const PeriodicFaces& image : images_) images.emplace(image.near, &image);
+  for (Index t = 0, count = Index(triangles_.size()); t < count; ++t) {
+    const Facet& facet = facets_[triangles_[t].facet];
+    const auto found = images.find(facet.face);
+    if (found == images.end()) continue;
+    const auto& [near, far, axis] = *found->second;
+    Triangle image{triangles_[t].points, {kNone, kNone, kNone}, {kNone, kNone, kNone}, first_facet(far)};
+    for (Index& p : image.points) {
+      Vector at = xyz_[p];
+      at[axis] = sides_.far[axis];
+      const auto [it, is_new] = known.try_emplace(at, Index(xyz_.size()));
+      p = is_new ? add_point(at) : it->second;
+    }
+    if (dot(facet.normal, facets_[image.facet].normal) < 0) std::swap(image.points[1], image.points[2]);
+    triangles_.push_back(image);
+    sources.push_back(t);
+  }
+  return sources;
 }
 
 }  // namespace cnrg

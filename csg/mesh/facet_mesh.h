@@ -14,6 +14,9 @@
 // angles are those in space, areas those in the plane, in doubles, and a side turns only where these leave no
 // doubt.
 //
+// Of a model that repeats, segments on opposite sides are split together, and triangles on the far sides come
+// last, as images of those on the near ones.
+//
 // A facet whose triangles do not turn left to begin with, since it is thinner than the digits of its points, keeps
 // them as they are, and its segments their points.
 #pragma once
@@ -24,6 +27,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/mesh/periodic.h"
 #include "csg/result/flat.h"
 #include "kernel/base/short_list.h"
 #include "kernel/base/vectors.h"
@@ -48,6 +52,8 @@ class FacetMesh {
     Index edge = kNone;         ///< of the result; none between two facets of a face
     Index input = 0;            ///< the segment that it was a part of at first
     bool fixed = false;         ///< is not split
+    Index next_tied = kNone;    ///< of those that are split together, which are a ring; none: this one alone
+    bool turned = false;        ///< runs the other way than some of these
     ShortList<Index, 2> fan{};  ///< triangles
   };
   struct Facet {
@@ -58,8 +64,10 @@ class FacetMesh {
   };
 
   /// `xyz`: of the points of the flattened result, which is closed. Facets of `fixed` keep their triangles, and
-  /// their segments their points; it may be shorter than the list of facets.
-  FacetMesh(const FlatComplex& flat, const std::vector<Vector>& xyz, const std::vector<char>& fixed);
+  /// their segments their points; it may be shorter than the list of facets. Throws InputError where sides of a
+  /// model that is to repeat along `periodic` differ.
+  FacetMesh(const FlatComplex& flat, const std::vector<Vector>& xyz, const std::vector<char>& fixed,
+            const PeriodicAxes& periodic = {});
 
   const std::vector<Vector>& points() const { return xyz_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -67,13 +75,27 @@ class FacetMesh {
   const std::vector<Facet>& facets() const { return facets_; }
   /// 1 where three points turn left as the facet is seen along its axis, -1 to the right, 0 straight on; exact.
   int turn(Index facet, Index a, Index b, Index c) const;
-  void fix(Index segment) { segments_[segment].fixed = true; }
+  /// A segment is not split, nor are those tied to it.
+  void fix(Index segment);
 
   /// Turns sides until all are Delaunay but those that are segments.
   void make_delaunay();
-  /// Splits a segment at a place on it, and makes what is around it Delaunay: the first part keeps the number of
-  /// the segment, the second is the last one. Nothing, and no change, where doubles have no room for that.
-  std::optional<Index> split(Index segment, const Vector& at);
+  struct Parts {
+    Index first, second, point;  ///< the first part keeps the number of the segment
+  };
+  /// Splits a segment at a place on it, and those tied to it, and makes what is around them Delaunay. Nothing, and
+  /// no change, where doubles have no room for that.
+  std::vector<Parts> split(Index segment, const Vector& at);
+  /// Calls see(segment) for a segment and those tied to it.
+  template <class See>
+  void for_each_tied(Index segment, const See& see) const {
+    Index s = segment;
+    do {
+      const Index next = segments_[s].next_tied;
+      see(s);
+      s = next;
+    } while (s != kNone && s != segment);
+  }
   /// The place in the plane of a facet above or below another one, as the facet is seen along its axis.
   Vector on_plane(Index facet, Vector at) const;
   /// A point in a triangle, or on a side of it that is no segment; what is around it is made Delaunay. False, and
@@ -94,6 +116,9 @@ class FacetMesh {
   };
   Cavity cavity(Index triangle, const Vector& at) const;
 
+  /// Triangles on far sides, like those on near ones: of each, in order, the one that it repeats.
+  std::vector<Index> add_images();
+
   /// Triangles that were made or changed since this was asked for last; some of them more than once.
   std::vector<Index> take_changed() { return std::exchange(changed_, {}); }
 
@@ -104,6 +129,8 @@ class FacetMesh {
   std::vector<Segment> segments_;
   std::vector<Facet> facets_;
   std::vector<Index> changed_;
+  const PeriodicSides sides_;
+  std::vector<PeriodicFaces> images_;
 
   struct Across {
     Index next, segment;
@@ -111,7 +138,11 @@ class FacetMesh {
   void add_segments(const FlatComplex& flat);
   void add_facets(const FlatComplex& flat);
   void link();
+  void tie();
+  Index first_facet(Index face) const;
   void fix_thin(const std::vector<char>& fixed);
+  bool has_room(Index segment, Index point) const;
+  Parts split_one(Index segment, Index point, std::vector<Index>& around);
   Index add_point(const Vector& at);
   Index side_of(Index triangle, Index next) const;
   Across across(Index t, Index k) const { return {triangles_[t].next[k], triangles_[t].segments[k]}; }

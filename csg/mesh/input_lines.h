@@ -29,6 +29,10 @@ class InputLines {
   /// Of the segments as the result has them, none of them split.
   explicit InputLines(const FacetMesh& mesh);
 
+  /// Does its line have a small angle?
+  bool has_apex(const FacetMesh::Segment& segment) const {
+    return apexes_[segment.input] != std::array{kNone, kNone};
+  }
   /// Where a segment is to be split.
   Vector split_place(const FacetMesh& mesh, const FacetMesh::Segment& segment) const;
   /// To be told of each point that splits a segment.

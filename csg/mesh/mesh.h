@@ -24,6 +24,7 @@
 
 #include "csg/mesh/second_order.h"
 #include "csg/result/cell_tags.h"
+#include "csg/result/result.h"
 #include "csg/result/rounding.h"
 #include "kernel/base/short_list.h"
 
@@ -46,9 +47,10 @@ struct Mesh {
     Index entity = 0;
   };
 
-  std::string node;        ///< its name
-  bool one_group = false;  ///< .msh says the first group of each element alone
-  bool flat = false;       ///< entities are straight pieces and facets: the surface mesh
+  std::string node;         ///< its name
+  bool one_group = false;   ///< .msh says the first group of each element alone
+  PeriodicAxes periodic{};  ///< along which it repeats (periodic.h)
+  bool flat = false;        ///< entities are straight pieces and facets: the surface mesh
   std::vector<std::array<double, 3>> points;
   std::array<std::vector<std::string>, 4> groups;  ///< names by dimension; group g is at g - 1
   std::size_t sources = 0;  ///< how many groups of faces by their leaves there are: the last ones

@@ -9,6 +9,7 @@
 
 #include "csg/mesh/curved_mesh.h"
 #include "csg/mesh/material_field.h"
+#include "csg/mesh/periodic.h"
 #include "csg/mesh/reach.h"
 #include "csg/mesh/straight_order.h"
 #include "csg/result/join.h"
@@ -194,6 +195,12 @@ void bend(const Result& result, TetrahedralMesh& made, const Watch& watch) {
   sample_materials(view, made.mesh);
 }
 
+/// Says that a mesh repeats, once that is proven.
+void repeat(Mesh& mesh, const PeriodicAxes& periodic) {
+  mesh.periodic = periodic;
+  periodic_links(mesh), periodic_nodes(mesh);
+}
+
 /// The straight mesh that `make` makes, curved and split as asked for; names to split are looked for before.
 template <class Make>
 TetrahedralMesh finished(const Result& result, TetrahedraOptions options, const Make& make) {
@@ -201,12 +208,18 @@ TetrahedralMesh finished(const Result& result, TetrahedraOptions options, const 
     const ResultView view = result.data().view();
     require_groups(mesh_groups(view, flatten(view)).names[2], options.split);
   }
+  if (options.periodic != PeriodicAxes{}) {
+    if (options.curved || !options.split.empty())
+      throw InputError("a mesh with opposite sides alike is neither curved nor split; leave out --periodic");
+    options.surface_first = true;
+  }
   if (options.curved) options.order = 1;
   if (options.curved && options.quality == 0) options.quality = kCurvedQuality;
   const Deadline deadline(options.watch, options.seconds.value_or(0));
   TetrahedralMesh made = deadline.run([&] { return make(options, deadline); });
   if (options.curved) bend(result, made, options.watch);
   if (!options.split.empty()) made.parted = split(made.mesh, options.split, options.interfaces);
+  repeat(made.mesh, options.periodic);
   return made;
 }
 
@@ -230,6 +243,7 @@ SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& o
   SurfaceTriangles made = surface_triangles(view, options);
   add_properties(view, made.mesh);
   if (options.order == 2) add_straight_middles(made.mesh);
+  repeat(made.mesh, options.periodic);
   return made;
 }
 

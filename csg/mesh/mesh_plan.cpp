@@ -156,6 +156,7 @@ const MeshSizes& MeshPlan::said_sizes() {
 Plc MeshPlan::surface_complex() {
   SurfaceOptions asked;
   asked.watch = deadline_.watch();
+  asked.periodic = options_.periodic;
   const SurfaceNarrow narrow = rationed() ? SurfaceNarrow::left : SurfaceNarrow::rationed;
   if (sizes_.empty()) return refined_plc(flat_, points_, asked, {}, narrow);
   asked.size = [&](const Vector& p) { return kLongestEdge * sizes_.field.at(p); };

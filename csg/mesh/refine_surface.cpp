@@ -377,20 +377,30 @@ class Refiner {
     return std::min({height(p, 0), height(p, 1), height(p, 2)});
   }
 
+  /// Of segments that are split together one with a small angle says where.
+  Vector split_place(Index s) const {
+    Index by = s;
+    mesh_.for_each_tied(s, [&](Index tied) {
+      if (!lines_.has_apex(mesh_.segments()[by])) by = tied;
+    });
+    return lines_.split_place(mesh_, mesh_.segments()[lines_.has_apex(mesh_.segments()[by]) ? by : s]);
+  }
   /// False if it has to stay as it is. `rank`: of the new point.
   bool split(Index s, int rank) {
     const auto& segment = mesh_.segments()[s];
     if (segment.fixed || is_full()) return false;
     if (segment_length(s) < 2 * shortest_) return false;
-    const std::optional<Index> point = mesh_.split(s, lines_.split_place(mesh_, segment));
-    if (!point) {
+    const std::vector<FacetMesh::Parts> split = mesh_.split(s, split_place(s));
+    if (split.empty()) {
       mesh_.fix(s);
       return false;
     }
-    lines_.add_point(*point, mesh_.segments()[s]);
-    set_rank(*point, rank);
-    for (const Index part : {s, Index(mesh_.segments().size() - 1)}) {
-      if (is_too_long(part)) segments_.push(part);
+    for (const auto& [first, second, point] : split) {
+      lines_.add_point(point, mesh_.segments()[first]);
+      set_rank(point, rank);
+      for (const Index part : {first, second}) {
+        if (is_too_long(part)) segments_.push(part);
+      }
     }
     look_at_changed();
     return true;

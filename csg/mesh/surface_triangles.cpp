@@ -70,15 +70,19 @@ struct Refined {
   std::size_t kept = 0;
 };
 
-Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, const SurfaceOptions& options,
-                const SizeAt& said, SurfaceNarrow narrow = SurfaceNarrow::rationed) {
+Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, SurfaceOptions options, SizeAt said,
+                SurfaceNarrow narrow = SurfaceNarrow::rationed) {
   constexpr int kRounds = 5;
+  const PeriodicSides sides(options.periodic, rounded.xyz);
+  options.size = sides.least(options.size), said = sides.least(said);
+  const std::vector<Vector> xyz = sides.aligned(rounded.xyz);
   std::vector<char> fixed;
   for (int round = 0;; ++round) {
-    FacetMesh mesh(flat, rounded.xyz, fixed);
+    FacetMesh mesh(flat, xyz, fixed, options.periodic);
     const bool all = round == kRounds;
     for (Index s = 0; all && s < mesh.segments().size(); ++s) mesh.fix(s);
     std::vector<SmallAngle> why = refine(mesh, options, said, narrow);
+    for (const Index source : mesh.add_images()) why.push_back(why[source]);
     options.watch.begin("mesh: proof");
     const RoundedPoints points{mesh.points()};
     const Drawing drawing = drawing_by_facets(flat, mesh);
@@ -86,6 +90,10 @@ Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, const Sur
       const std::size_t kept = std::size_t(std::count(fixed.begin(), fixed.end(), 1));
       return {std::move(mesh), std::move(why), kept};
     }
+    if (all && sides.any())
+      throw InputError(
+          "--periodic: opposite sides differ in last digits, and without these something crosses; move "
+          "what nearly touches there");
     require(!all, "surface: the triangles of the result cross");
     const std::vector<char> crossed = crossed_facets(mesh, points, drawing, options.watch.stop);
     fixed.resize(crossed.size(), 0);
@@ -127,6 +135,9 @@ class SurfaceTriangulation {
   SurfaceTriangles run() {
     if (options_.quads && options_.order == 2)
       throw InputError("there are no quadrilaterals of second order; mesh without --quads, or of order 1");
+    if (options_.quads && options_.periodic != PeriodicAxes{})
+      throw InputError(
+          "quadrilaterals of opposite sides would differ; mesh without --quads, or without --periodic");
     require_off_frame(flat_, "a surface mesh");
     require_closed(flat_, "a surface mesh");
     const bool wires = std::any_of(flat_.edges.begin(), flat_.edges.end(), [](const auto& e) { return e.wire; });

@@ -138,8 +138,8 @@ class TetrahedralMesher {
                  "; it has filled the regions, and the tetrahedra are improved";
     }
     if (options_.surface_first && !refused.empty())
-      refused = without_remedy(refused) +
-                "; leave out --surface-first, give other sizes, or join what nearly touches by --join";
+      refused = without_remedy(refused) + "; leave out " + boundary_option() +
+                ", give other sizes, or join what nearly touches by --join";
     return refused;
   }
   std::string ask_in_all_ways(TetgenTask task, bool& late) {
@@ -291,11 +291,9 @@ class TetrahedralMesher {
   /// What is larger than asked for. Without new points on the boundary there may be no way to halve it.
   void tell_larger() {
     const bool kept = options_.keep_boundary || options_.surface_first;
-    const std::string why = kept
-                                ? ": without new points on faces and edges they are not divided; leave out " +
-                                      std::string(options_.keep_boundary ? "--keep-boundary" : "--surface-first") +
-                                      ", or ask for larger ones"
-                                : "";
+    const std::string why = kept ? ": without new points on faces and edges they are not divided; leave out " +
+                                       boundary_option() + ", or ask for larger ones"
+                                 : "";
     const std::string text = larger_text(result_.quality);
     if (!text.empty()) return tell(text + why);
     if (!plan_.sized()) return;
@@ -308,6 +306,13 @@ class TetrahedralMesher {
     if (n == 0) return;
     tell(counted(std::size_t(n), "tetrahedron has", "tetrahedra have") +
          " an edge of more than 1.4 times the size that is asked for" + why);
+  }
+
+  /// Who asks for a boundary that stays.
+  std::string boundary_option() const {
+    return options_.keep_boundary                ? "--keep-boundary"
+           : options_.periodic != PeriodicAxes{} ? "--periodic"
+                                                 : "--surface-first";
   }
 
   /// What the mesher returns, once it is proven.

@@ -228,18 +228,21 @@ class Parting {
     for (Index i = 0; i < block_.cells.size(); ++i) {
       const Index b = bodies_.find(i);
       if (entered.contains(b) || below_.contains(b)) continue;
-      if (proven_ && std::ranges::any_of(surface_.faces, [&](FaceId f) { return is_curved(f); })) {
-        throw InputError("`" + surface_name_ + "` does not enter a part of `" + block_name_ +
-                         "`: facets alone tell whether this is below; leave out --certify, or that part");
+      if (is_curved(surface_.faces) || is_curved(block_.faces)) {
+        refuse_facets("does not enter a part of `" + block_name_ + "`: facets alone tell whether this is below",
+                      "that part");
       }
       below_[b] = is_below(b) ? 0 : 1;  // its one piece has the color 0
       color_[pieces_.find(b)] = 0;
     }
   }
 
-  bool is_curved(FaceId f) const {
-    return std::ranges::any_of(complex_.cover(f),
-                               [&](const Cover& c) { return complex_.sources[c.source].surface != 0; });
+  bool is_curved(const std::vector<FaceId>& faces) const {
+    return std::ranges::any_of(faces, [&](FaceId f) { return cnrg::is_curved(complex_, f); });
+  }
+  /// Of what facets of curved faces tell, where that has to be proven.
+  void refuse_facets(const std::string& what, const std::string& cause) const {
+    if (proven_) throw InputError("`" + surface_name_ + "` " + what + "; leave out --certify, or " + cause);
   }
 
   int color_below(const std::vector<FaceId>& faces) {
@@ -257,6 +260,8 @@ class Parting {
                        "turn the model, or part it by a half-space");
     }
     if (agree) return *agreed;
+    if (is_curved(surface_.faces))
+      refuse_facets("has a fold in `" + block_name_ + "`: which side is below, facets alone tell", "the fold");
     for (const FaceId f : faces) {
       if (plumb_.vertical(f)) continue;
       if (const auto top = uppermost(plumb_.before(interior_point(complex_, f).rational()), faces)) {
@@ -397,6 +402,11 @@ class Parting {
 Group part_of(const Complex& complex, Side side, const Group& surface, const std::string& surface_name,
               const Group& block, const std::string& block_name, const Transform& transform, bool proven) {
   return Parting(complex, surface, surface_name, block, block_name, transform, proven).run(side);
+}
+
+bool is_curved(const Complex& complex, FaceId f) {
+  return std::ranges::any_of(complex.cover(f),
+                             [&](const Cover& c) { return complex.sources[c.source].surface != 0; });
 }
 
 }  // namespace cnrg

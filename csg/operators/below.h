@@ -25,4 +25,7 @@ enum class Side : std::uint8_t { below, above };
 Group part_of(const Complex& complex, Side side, const Group& surface, const std::string& surface_name,
               const Group& block, const std::string& block_name, const Transform& transform, bool proven);
 
+/// A source of the face is a facet of a curved surface.
+bool is_curved(const Complex& complex, FaceId f);
+
 }  // namespace cnrg

@@ -215,6 +215,16 @@ class PickedPlaces {
 
 }  // namespace
 
+bool picks_by_number(const Group& group, const Criteria& criteria) {
+  if (!criteria.region_numbers.empty()) return group.regions.size() > 1;
+  return std::ranges::any_of(group.regions, [&](const RegionAttributes& region) {
+    const std::string& name = region.name.text();
+    const auto wanted = [&](const auto& names) { return std::ranges::find(names, name) != names.end(); };
+    return std::ranges::any_of(region.name.parts(), [](const NamePart& part) { return part.ordinal != 0; }) &&
+           (wanted(criteria.names) || wanted(criteria.regions) || std::ranges::any_of(criteria.between, wanted));
+  });
+}
+
 Group select(const Complex& complex, const Group& group, const Criteria& criteria) {
   const Picker picker(complex, group, criteria);
   const GroupSources sources(complex, group);

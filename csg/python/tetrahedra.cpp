@@ -31,7 +31,8 @@ MeshObject<Mesh, Arrays> made(const OneResult& r, const Options& asked, const py
 
 TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double quality, bool keep_boundary,
                                 const std::optional<int>& seconds, bool curved, int order, double size,
-                                double growth, bool surface_first, const py::object& progress) {
+                                double growth, bool surface_first, const PeriodicAxes& periodic,
+                                const py::object& progress) {
   TetrahedraOptions options;
   options.max_volume = max_volume;
   options.quality = quality;
@@ -41,18 +42,20 @@ TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double qu
   options.size = size;
   options.growth = growth;
   options.surface_first = surface_first;
+  options.periodic = periodic;
   options.curved = curved;
   return made<TetrahedralResult, TetrahedraArrays>(r, options, progress);
 }
 
 SurfaceObject mesh_surface(const OneResult& r, double size, double growth, std::size_t max_points, int seconds,
-                           int order, bool quads, const py::object& progress) {
+                           int order, bool quads, const PeriodicAxes& periodic, const py::object& progress) {
   SurfaceOptions options{.overall = size,
                          .growth = growth,
                          .max_points = max_points,
                          .seconds = seconds,
                          .order = order,
-                         .quads = quads};
+                         .quads = quads,
+                         .periodic = periodic};
   return made<SurfaceMeshResult, SurfaceArrays>(r, options, progress);
 }
 
@@ -141,10 +144,11 @@ void bind_tetrahedra(py::module_& module) {
       .def("expected", [](const TetrahedraObject& object) { return object.mesh.expected(); });
   bind_mesh<SurfaceObject>(module, "SurfaceMesh");
   module.def("mesh_surface", &mesh_surface, py::arg("result"), py::arg("size"), py::arg("growth"),
-             py::arg("max_points"), py::arg("seconds"), py::arg("order"), py::arg("quads"), py::arg("progress"));
+             py::arg("max_points"), py::arg("seconds"), py::arg("order"), py::arg("quads"), py::arg("periodic"),
+             py::arg("progress"));
   module.def("tetrahedralize", &tetrahedralize, py::arg("result"), py::arg("max_volume"), py::arg("quality"),
              py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("order"), py::arg("size"),
-             py::arg("growth"), py::arg("surface_first"), py::arg("progress"));
+             py::arg("growth"), py::arg("surface_first"), py::arg("periodic"), py::arg("progress"));
 }
 
 }  // namespace cnrg::python

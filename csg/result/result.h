@@ -116,6 +116,9 @@ struct MeshForecast {
   double for_shapes = 0;
 };
 
+/// Some of x, y, z.
+using PeriodicAxes = std::array<bool, 3>;
+
 /// What is asked of the tetrahedra that fill a result.
 struct TetrahedraOptions {
   double max_volume = 0;       ///< no tetrahedron is larger (cubic units); 0: no bound
@@ -137,6 +140,7 @@ struct TetrahedraOptions {
   /// Groups of faces whose sides get nodes of their own (csg/mesh/split.h), with wedges between them.
   std::vector<std::string> split{};
   bool interfaces = false;
+  PeriodicAxes periodic{};  ///< opposite sides are alike (csg/mesh/periodic.h), as with `surface_first`
   /// Told what the mesh will be, before it is made, where that can be told.
   std::function<void(const MeshForecast&)> foretold{};
   Watch watch{};  ///< told of the stages, and may stop them (throws Stopped)
@@ -160,8 +164,9 @@ struct SurfaceOptions {
   double overall = 0, growth = 0.3;
   std::size_t max_points = 1'000'000;  ///< no points are added beyond these
   int seconds = 0;                     ///< by the clock, for all of the work; 0: no bound
-  int order = 1;       ///< of the elements; 2: with a node in the middle of each side, not with quads
-  bool quads = false;  ///< triangles are merged by pairs where these are good
+  int order = 1;            ///< of the elements; 2: with a node in the middle of each side, not with quads
+  bool quads = false;       ///< triangles are merged by pairs where these are good
+  PeriodicAxes periodic{};  ///< opposite sides get the same triangles (csg/mesh/periodic.h)
   Watch watch{};
 };
 

@@ -56,9 +56,8 @@ Transform read_matrix(const Value& value) {
   return out;
 }
 
-/// Of an attribute that moves a node. Throws TreeError for what is singular or has no direction.
-Transform read_transform(const Value::Entry& e) {
-  if (e.key == "translate") return Transform::translation(e.value.point("`translate`"));
+Transform read_transform(const Value::Entry& e, const Rational& times) {
+  if (e.key == "translate") return Transform::translation(times * e.value.point("`translate`"));
   if (e.key == "matrix") return read_matrix(e.value);
   if (e.key == "scale") {
     RationalPoint factors;
@@ -79,7 +78,7 @@ Transform read_transform(const Value::Entry& e) {
     Rational degrees;
     f.read("axis", along, "degrees", degrees, "center", through);
     if (is_zero(along)) f.at("axis").fail("`axis` of rotate has no direction; write one such as [0, 0, 1]");
-    return Transform::rotation(along, degrees, through);
+    return Transform::rotation(along, times * degrees, through);
   }
   if (!e.value.is_map()) e.value.fail_type("`mirror`", "a map, such as {normal: [1, 0, 0], point: [0, 0, 0]}");
   const Fields f(e.value, form("mirror"));
@@ -119,9 +118,13 @@ void read_attribute(Node& node, const Value::Entry& e, const LeafContext& contex
   } else if (e.key == "blend") {
     read_blend(node, e);
   } else {
-    const Transform step = read_transform(e);
-    node.transform = node.transform ? step * *node.transform : step;
+    move(node, e);
   }
+}
+
+void move(Node& node, const Value::Entry& e, const Rational& times) {
+  const Transform step = read_transform(e, times);
+  node.transform = node.transform ? step * *node.transform : step;
 }
 
 void check_blend(const Node& node, const std::vector<Value::Entry>& entries) {

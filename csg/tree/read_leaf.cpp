@@ -309,8 +309,9 @@ Shape read_group(const Value& value, const LeafContext& context) {
 }
 
 /// Files of results that hold doubles; any other name may be that of an exact one.
-constexpr std::array<std::string_view, 13> kRoundedFiles{
-    ".msh", ".msh2", ".mesh", ".inp", ".bdf", ".h5m", ".med", ".poly", ".smesh", ".xdmf", ".glb", ".3mf", ".svg"};
+constexpr std::array<std::string_view, 14> kRoundedFiles{".msh",  ".msh2",   ".mesh", ".inp",  ".bdf",
+                                                         ".h5m",  ".f3grid", ".med",  ".poly", ".smesh",
+                                                         ".xdmf", ".glb",    ".3mf",  ".svg"};
 
 Shape read_result(const Value& value, const LeafContext& context) {
   const std::string name = value.text("`cnrg`, the file of a result,"), extension = extension_of(name);

@@ -170,9 +170,25 @@ class TreeReader {
                (hint.empty() ? "; add it to `nodes` or use another name" : hint));
   }
 
-  /// `{of: {...}, count: N, index: NAME}`: the node is read anew for each copy and may name the number of that.
+  /// Copy k of a node is turned k times, then moved k times.
+  void read_steps(NodeId id, const Fields& f) {
+    const Value& of = f.at("of");
+    int copies = 0;
+    f.read("count", copies);
+    for (int copy = 0; copy < copies; ++copy) {
+      const NodeId moved = add_node(tree_.nodes[id].name + "/" + std::to_string(copy + 1), true, of.at());
+      dag_.add_operand(id, moved, of.at());
+      tree_.nodes[moved].op = Operator::simplify;
+      read_operand(moved, of, 1);
+      for (const char* key : {"rotate", "translate"})
+        if (copy > 0 && f.has(key)) move(tree_.nodes[moved], *f.entry(key), copy);
+    }
+  }
+
+  /// With an index the node is read anew for each copy, and may name the number of that.
   void read_repeat(NodeId id, const Value& value) {
     const Fields f(value, form("repeat"));
+    if (!f.has("index")) return read_steps(id, f);
     const Value& of = f.at("of");
     if (!of.is_map())
       of.fail_type(f.name("of"), "a node {...}, such as {simplify: NODE, translate: [\"${i}\", 0, 0]}");

@@ -69,7 +69,7 @@ void refuse_others(const std::string& path) {
   std::string remedy;
   if (is({".ifc"})) remedy = "convert it to .step or .obj, such as by IfcConvert";
   if (is({".dxf", ".dwg", ".igs", ".iges", ".sat", ".x_t"})) remedy = "export it as .step";
-  if (is({".msh2", ".mesh", ".smesh", ".poly", ".inp", ".bdf", ".h5m", ".med", ".xdmf", ".gltf"}))
+  if (is({".msh2", ".mesh", ".smesh", ".poly", ".inp", ".bdf", ".h5m", ".f3grid", ".med", ".xdmf", ".gltf"}))
     remedy = "write a result as .json, which is exact, or a surface as .stl, .ply or .vtu";
   if (!remedy.empty()) throw TreeError(path, {}, "a " + extension + " file is not read; " + remedy);
 }

@@ -223,6 +223,15 @@ TEST_CASE("sweeps that cannot be are refused") {
   CHECK_THAT(error_of(turn), Catch::Contains("the profile crosses the axis, at [-1, 0]"));
   turn.profile.lines = {polygon({{0, 0, 0}, {0, 0, 1}, {0, 0, 2}})};
   CHECK_THAT(error_of(turn), Catch::Contains("lies on the axis"));
+  for (const auto& [control, fault] :
+       {std::pair{-201, true}, {-200, true}, {-199, false}}) {  // r = 2 where it is drawn
+    turn.profile.lines = {polygon({{2, 0, 2}, {2, 0, 0}, {4, 0, 0}, {4, 0, 2}})};
+    turn.profile.lines[0].segments[0].points.insert(turn.profile.lines[0].segments[0].points.begin() + 1,
+                                                    {fraction(control, 100), 0, 1});
+    turn.tessellation.segments = 13;
+    CHECK((error_of(turn).find("segment 1 of the profile comes to the axis between its ends") !=
+           std::string::npos) == fault);
+  }
   turn.profile.lines = {polygon({{0, 0, 0}, {1, 0, 1}, {1, 0, 2}})};
   CHECK(error_of(turn) == "");
   turn.tessellation.segments = 8192;

@@ -66,6 +66,10 @@ TEST_CASE("meshes in their programs: .bdf, in Gmsh and meshio", "[ecosystem][mes
 TEST_CASE("meshes in their programs: .inp, in CalculiX and meshio", "[ecosystem][meshes]") {
   check_script("mesh_programs.py", "abaqus");
   check_script("mesh_programs.py", "faults");
+  check_script("mesh_programs.py", "periodic");
+}
+TEST_CASE("meshes in their programs: .f3grid, in meshio", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "flac3d");
 }
 TEST_CASE("meshes in their programs: .med, in Gmsh and meshio", "[ecosystem][meshes]") {
   check_script("mesh_programs.py", "med");

@@ -160,6 +160,14 @@ TEST_CASE("repeat is the union of its copies, written out", "[tree]") {
     return out.str();
   };
   CHECK(text(repeated) == text(written));
+  CHECK(
+      text(tree_of(
+          "  pegs: {repeat: {of: peg, count: 3, rotate: {axis: [0, 0, 1], degrees: 40}, translate: [3, 0, 0]}}\n" +
+          outer)) ==
+      text(tree_of("  pegs: {union: [{simplify: peg}, {simplify: peg, rotate: {axis: [0, 0, 1], degrees: 40}, "
+                   "translate: [3, "
+                   "0, 0]}, {simplify: peg, rotate: {axis: [0, 0, 1], degrees: 80}, translate: [6, 0, 0]}]}\n" +
+                   outer)));
   const auto fault = [&](const std::string& nodes) {
     try {
       tree_of("  all: " + nodes + "\n");
@@ -168,6 +176,9 @@ TEST_CASE("repeat is the union of its copies, written out", "[tree]") {
     }
     return std::string();
   };
+  CHECK_THAT(fault("{repeat: {of: peg, count: 2}}"), Contains("index"));
+  CHECK_THAT(fault("{repeat: {of: peg, count: 2, index: i, translate: [1, 0, 0]}}"), Contains("translate"));
+  CHECK_THAT(fault("{repeat: {of: peg, count: 2, translate: [1, 0]}}"), Contains("translate"));
   CHECK_THAT(fault("{repeat: {of: peg, count: 2, index: i}}"),
              Contains("t.yaml:5:22: error: `of` of repeat must be a node"));
   CHECK_THAT(fault("{repeat: {of: {simplify: peg}, count: 2, index: n}}"), Contains("that no parameter has"));

@@ -205,7 +205,7 @@ def evaluate(
     threads: 0 for one per core. rows: counts and volumes of all nodes; without them only of those that are asked for.
     raw: cells stay as the refinement has them, nothing is simplified. validate: checks all invariants, slowly.
     certify: facets get finer where it is not proven that surfaces meet as they do, see `Evaluation.certificate`; True:
-    with a hundred times the steps, False: not at all.
+    with twenty times the steps, False: not at all.
     weld: what is nearer than that is made to coincide, in all leaves together (units of the model).
     progress: None, True for a bar, or a function f(stage, done, total).
 

@@ -40,6 +40,13 @@ _LETTERS = "vefr"
 _MOST_DRAWN = 20_000  # faces, in a notebook without being asked: some seconds
 
 
+def axes_of(letters: str) -> list[bool]:
+    """Of `periodic`: "xz" or "x,z"."""
+    if not isinstance(letters, str) or not set(letters) <= set("xyz,"):
+        raise InputError(f"periodic: some of the letters x, y, z are wanted, not {letters!r}")
+    return [axis in letters for axis in "xyz"]
+
+
 class Places(NamedTuple):
     """Where points lie, n of them."""
 
@@ -367,7 +374,7 @@ class Result(Operand, Sizes, Exported):
     def tetrahedralize(self, *, max_volume: Number = 0, quality: Number = 0, keep_boundary: bool = False,
                        seconds: int | None = None, curved: bool = False, order: int = 1,
                        size: Number = 0, growth: Number = 0.3,
-                       surface_first: bool = False, progress: Progress = None) -> Tetrahedra:
+                       surface_first: bool = False, periodic: str = "", progress: Progress = None) -> Tetrahedra:
         """Fills the regions with tetrahedra that conform to every wall, sheet, wire and point, proven exactly.
 
         max_volume: no tetrahedron is larger (cubic units), 0: no bound. quality: the largest ratio of circumradius to
@@ -379,7 +386,8 @@ class Result(Operand, Sizes, Exported):
         size: how long edges are to be where neither a node's `size` nor short edges and small facets of the model ask
         for shorter ones (units of the model), 0: no bound. growth: how much longer they may be per unit of distance
         from there, 0.05 to 2. surface_first: faces are meshed as by `mesh_surface` before, and these triangles are the
-        boundary; neither with keep_boundary nor with curved.
+        boundary; neither with keep_boundary nor with curved. periodic: axes, as "xy", along which opposite sides get the
+        same triangles; as surface_first.
 
         InputError for a result that is not closed and bounded, has no region, or is broken by rounding (`snap()`
         helps), where no mesh is proven, and where seconds are over before there is one. Where TetGen makes none, a warning (cnrg.Notice) says so: they are
@@ -401,24 +409,25 @@ class Result(Operand, Sizes, Exported):
             raise InputError(f"seconds: a whole number from 0 is wanted, not {seconds}")
         if order not in (1, 2):
             raise InputError(f"order: 1 or 2 is wanted, not {order}")
-        if surface_first and (keep_boundary or curved):
-            raise InputError("surface_first: neither with keep_boundary nor with curved")
+        if (surface_first or periodic) and (keep_boundary or curved):
+            raise InputError("surface_first and periodic: neither with keep_boundary nor with curved")
         with Shown(progress) as shown, self._placed():
             mesh = _cnrg.tetrahedralize(self._result, max_volume, quality, bool(keep_boundary), seconds, bool(curved),
-                                        order, size, growth, bool(surface_first), shown)
+                                        order, size, growth, bool(surface_first), axes_of(periodic), shown)
         if notice := mesh.notice():
             warnings.warn_explicit(notice, Notice, *site_of_caller())
         return Tetrahedra(mesh, self)
 
     def mesh_surface(self, *, size: Number = 0, growth: Number = 0.3, max_points: int = 1_000_000, seconds: int = 0,
-                     order: int = 1, quads: bool = False, progress: Progress = None) -> SurfaceMesh:
+                     order: int = 1, quads: bool = False, periodic: str = "",
+                     progress: Progress = None) -> SurfaceMesh:
         """Triangles on all faces and segments on all edges and wires, without volumes (ruppert1995, ungor2004): what
         meets shares points, and no angle is below 25 degrees where the result allows that.
 
         size, growth: as of `tetrahedralize`; no side is longer than 1.4 times the size in its middle. max_points: no
         points are added beyond so many. seconds: for all of it, 0: no bound. order: 1, or 2 with a node in the middle
         of each straight side. quads: triangles of a face are merged by pairs into convex quadrilaterals with angles from
-        30 to 150 degrees (remacle2012), as many as can be; of order 1 only.
+        30 to 150 degrees (remacle2012), as many as can be; of order 1 only. periodic: as of `tetrahedralize`; without quads.
 
         InputError for a result that is not closed, or has neither faces nor wires, or is broken by rounding (`snap()`
         helps), and where the size asked for takes more points or time than there may be.
@@ -436,7 +445,8 @@ class Result(Operand, Sizes, Exported):
         if order not in (1, 2):
             raise InputError(f"order: 1 or 2 is wanted, not {order}")
         with Shown(progress) as shown, self._placed():
-            mesh = _cnrg.mesh_surface(self._result, size, growth, max_points, seconds, order, bool(quads), shown)
+            mesh = _cnrg.mesh_surface(self._result, size, growth, max_points, seconds, order, bool(quads), axes_of(periodic),
+                                      shown)
         return SurfaceMesh(mesh, self)
 
     # --- files

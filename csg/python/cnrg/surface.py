@@ -69,7 +69,7 @@ class SurfaceMesh(Mesh):
                 (2, convert.QUAD, self.quads)]
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes .msh .msh2 .vtu .inp .bdf .med .xdmf, .mesh unless it is of second order, and .h5m if it is of first order
+        """Writes .msh .msh2 .vtu .inp .bdf .med .xdmf, .mesh .f3grid unless it is of second order, and .h5m if it is of first order
         without quadrilaterals. InputError for another extension; FileError."""
         self._mesh.write(os.fspath(path))
 

@@ -136,7 +136,7 @@ class Tetrahedra(Mesh):
         return [(d, convert.curved_kind(d, self.curved), of) for d, of in enumerate(simplices)]
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes .msh .msh2 .vtu .inp .bdf .med .xdmf, and .mesh and .h5m if it is of first order. InputError for another
+        """Writes .msh .msh2 .vtu .inp .bdf .med .xdmf, and .mesh .h5m .f3grid if it is of first order. InputError for another
         extension; FileError."""
         self._mesh.write(os.fspath(path))
 
