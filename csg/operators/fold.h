@@ -1,6 +1,6 @@
 // ((a op b) op c) op ... of values in parts, at the cost of what the operands touch.
 //
-// Boxes tell first which parts of all operands may meet (clusters.h). Each cluster goes through the engine of the
+// Boxes tell first which parts of all operands may meet. Each cluster goes through the engine of the
 // tables by itself: what a step does there depends on nothing outside. A part that meets none is carried over or
 // dropped as a whole: what is outside of the other operand, a row keeps always or removes always.
 #pragma once
