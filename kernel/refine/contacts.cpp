@@ -14,7 +14,6 @@
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/box_pairs.h"
 #include "kernel/refine/fans.h"
-#include "kernel/refine/large_fans.h"
 #include "kernel/refine/pair_tester.h"
 
 namespace cnrg {

@@ -11,7 +11,6 @@
 #include "kernel/refine/box_pairs.h"
 #include "kernel/refine/box_tree.h"
 #include "kernel/refine/fans.h"
-#include "kernel/refine/large_fans.h"
 #include "tests/catch.h"
 #include "tests/scenes/seeds.h"
 
