@@ -18,7 +18,7 @@
 // Attributes (cavalcanti1997: a region gets its material by itself): a component of the result has those of the
 // component of the operand with the greater dominance; with equal dominance the left one's, what it lacks from the
 // other, names joined by ` & `. What differs under equal dominance is reported with the cells. The dominance is
-// the larger one. What is said of a cell (said.h) goes by the same dominance, cell by cell.
+// the larger one. What is said of a cell (origins.h) goes by the same dominance, cell by cell.
 #pragma once
 
 #include <optional>

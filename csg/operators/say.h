@@ -1,5 +1,5 @@
 // Attributes of a leaf or a node, put on all that has attributes in its value: on its regions or components, and
-// on what stands for itself in lower dimensions (said.h).
+// on what stands for itself in lower dimensions (origins.h).
 #pragma once
 
 #include "csg/operators/components.h"
@@ -11,7 +11,7 @@ namespace cnrg {
 enum class Saying : std::uint8_t { fills_in, replaces, replaces_standing };
 
 /// Says `what` of all sheets, wires and isolated vertices of the group, and of the cells of which something is
-/// said already (said.h); its regions stay as they are.
+/// said already (origins.h); its regions stay as they are.
 void say(const Complex& complex, const Attributes& what, Saying saying, Group& group);
 
 /// The same for components. A face stands for itself if it has the same component, or none, on both sides, and is

@@ -22,8 +22,8 @@ namespace cnrg {
 
 class Tally {
  public:
-  /// Of what is held now. References are kept. No cell has attributes of its own (said.h), now or in later steps,
-  /// and the complex has no frame.
+  /// Of what is held now. References are kept. No cell has attributes of its own (origins.h), now or in later
+  /// steps, and the complex has no frame.
   Tally(const Complex& complex, const OfEntities<EntityMarks>& marks, const LeafUnions& sets,
         const HeldRegions& regions, std::span<const Group* const> held);
 
