@@ -5,7 +5,7 @@
 //             -> families                     contacts of meridians, exactly; a sphere has every axis through its
 //             centre
 //             -> directions and meridians     family.h; turns.h, meridians.h; of families
-//             that touch nested_turns.h, common_circles.h, shared_balls.h
+//             that touch family.h, common_circles.h, shared_balls.h
 //             -> leaves
 #include "csg/carriers/revolved_families.h"
 
@@ -19,7 +19,6 @@
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/family.h"
 #include "csg/carriers/near_surfaces.h"
-#include "csg/carriers/nested_turns.h"
 #include "csg/carriers/sectors.h"
 #include "csg/carriers/shared_balls.h"
 #include "csg/curves/surface_placed.h"

@@ -4,7 +4,7 @@
 // chords must be edges of it: those that are not are halved, for all leaves about their axis.
 //
 // A ball that touches a hull from inside or outside of it cannot rely on rows and columns to stay apart from it.
-// As with tubes (nested_turns.h) a similarity about the point of contact does it: the larger ball has the corners
+// As with tubes (family.h) a similarity about the point of contact does it: the larger ball has the corners
 // of the smaller one as that takes them to its own sphere, and a ring of points around the contact, nearer to it
 // than any of these, so that the two hulls have this one point in common.
 #pragma once

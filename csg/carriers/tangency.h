@@ -24,7 +24,7 @@ struct TangencyMarks {
   bool needed = false;                    ///< some are no vertices of the leaf as it is
 };
 
-/// A leaf that touches another one from inside, about another axis that is parallel: see nested_turns.h. The unit
+/// A leaf that touches another one from inside, about another axis that is parallel: see family.h. The unit
 /// vector `direction` points from both axes to the contact. One of them is no ball.
 struct Inside {
   std::uint32_t inner = 0, outer = 0;
