@@ -12,7 +12,6 @@
 #include <iterator>
 #include <set>
 
-#include "csg/text/draft.h"
 #include "kernel/base/error.h"
 #include "tests/catch.h"
 
