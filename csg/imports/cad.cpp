@@ -28,7 +28,6 @@
 #include "csg/imports/cad_model.h"
 #include "csg/imports/cad_near.h"
 #include "csg/imports/cad_round.h"
-#include "csg/imports/cad_weld.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "csg/text/table.h"
