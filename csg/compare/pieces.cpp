@@ -37,28 +37,17 @@ class CellPlaces {
 };
 
 /// f(cell) for each larger cell whose boundary the cell lies in.
-template <class F>
-void for_star(const Complex& complex, FaceId f, F visit) {
-  for (const RegionId r : complex.face_regions[f]) visit(r);
-}
-template <class F>
-void for_star(const Complex& complex, EdgeId e, F visit) {
-  std::vector<FaceId> faces;
+template <class IdT, class F>
+void for_star(const Complex& complex, IdT cell, F visit) {
+  if constexpr (std::is_same_v<IdT, VertexId>) std::ranges::for_each(complex.vertex_edges[cell], visit);
+  if constexpr (!std::is_same_v<IdT, FaceId>) {
+    std::vector<FaceId> faces;
+    complex.star_faces(cell, faces);
+    std::ranges::for_each(faces, visit);
+  }
   std::vector<RegionId> regions;
-  complex.star_faces(e, faces);
-  complex.star_regions(e, regions);
-  for (const FaceId f : faces) visit(f);
-  for (const RegionId r : regions) visit(r);
-}
-template <class F>
-void for_star(const Complex& complex, VertexId v, F visit) {
-  std::vector<FaceId> faces;
-  std::vector<RegionId> regions;
-  complex.star_faces(v, faces);
-  complex.star_regions(v, regions);
-  for (const EdgeId e : complex.vertex_edges[v]) visit(e);
-  for (const FaceId f : faces) visit(f);
-  for (const RegionId r : regions) visit(r);
+  complex.star_regions(cell, regions);
+  std::ranges::for_each(regions, visit);
 }
 
 /// Points in pieces, found by trial and decided by location, which is exact.
@@ -101,9 +90,7 @@ class PiecePoints {
   }
 
   void corners(FaceId f, std::vector<VertexId>& out) const {
-    for (const LoopId l : complex_.face_loops[f]) {
-      for (const HalfEdge h : complex_.loop[l]) out.push_back(complex_.origin(h));
-    }
+    for (const HalfEdge h : complex_.half_edges(f)) out.push_back(complex_.origin(h));
   }
   void corners(RegionId r, std::vector<VertexId>& out) const {
     for (const HalfFace h : complex_.region_faces[r]) corners(h.face(), out);

@@ -83,13 +83,11 @@ class Plumb {
   /// Is the point in the face, both seen from above? Sides are half open, as in any count of crossings.
   bool covers(FaceId f, const RationalPoint& p) {
     bool inside = false;
-    for (const LoopId l : complex_.face_loops[f]) {
-      for (const HalfEdge h : complex_.loop[l]) {
-        const RationalPoint &a = point(complex_.origin(h)), &b = point(complex_.target(h));
-        if ((a[1] > p[1]) == (b[1] > p[1])) continue;
-        const Rational turn = (b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1]);
-        if (turn != 0 && (b[1] > a[1]) == (turn > 0)) inside = !inside;
-      }
+    for (const HalfEdge h : complex_.half_edges(f)) {
+      const RationalPoint &a = point(complex_.origin(h)), &b = point(complex_.target(h));
+      if ((a[1] > p[1]) == (b[1] > p[1])) continue;
+      const Rational turn = (b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1]);
+      if (turn != 0 && (b[1] > a[1]) == (turn > 0)) inside = !inside;
     }
     return inside;
   }
@@ -353,13 +351,11 @@ class Parting {
     Marks<VertexId> vertices(complex_.points.size()), sheet_vertices(complex_.points.size());
     for (const FaceId f : out.faces) {
       const bool of_surface = of_surface_.get(f) != 0;
-      for (const LoopId l : complex_.face_loops[f]) {
-        for (const HalfEdge h : complex_.loop[l]) {
-          if (!complex_.on_frame(h.edge())) edges[h.edge()] = 1;
-          const VertexId v = complex_.origin(h);
-          if (!complex_.on_frame(v)) vertices[v] = 1;
-          if (of_surface) sheet_edges[h.edge()] = 1, sheet_vertices[v] = 1;
-        }
+      for (const HalfEdge h : complex_.half_edges(f)) {
+        if (!complex_.on_frame(h.edge())) edges[h.edge()] = 1;
+        const VertexId v = complex_.origin(h);
+        if (!complex_.on_frame(v)) vertices[v] = 1;
+        if (of_surface) sheet_edges[h.edge()] = 1, sheet_vertices[v] = 1;
       }
       for (const VertexId v : complex_.face_vertices[f]) {
         vertices[v] = 1;

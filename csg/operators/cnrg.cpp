@@ -231,43 +231,26 @@ class NearbyOrigins {
   NearbyOrigins(const Complex& complex, const Components& x, std::span<const LeafId> below, LeafSets& sets)
       : complex_(complex), x_(x), below_(below), sets_(sets), map_(x.origins.sets, sets) {}
 
-  LeafSetId of(VertexId v) {
-    begin();
-    for (const EdgeId e : complex_.vertex_edges[v]) add(x_.selection.edges, x_.origins.edges, e);
-    return from_star(v);
-  }
-  LeafSetId of(EdgeId e) {
-    begin();
-    return from_star(e);
-  }
-  LeafSetId of(FaceId f) {
-    begin();
-    regions_.assign(complex_.face_regions[f].begin(), complex_.face_regions[f].end());
-    return end(f);
-  }
   LeafSetId of(RegionId) { return LeafSetId(0); }
-
- private:
-  void begin() {
-    out_ = LeafSetId(0);
-    regions_.clear();
-  }
   template <class IdT>
-  LeafSetId end(IdT cell) {
+  LeafSetId of(IdT cell) {
+    out_ = LeafSetId(0);
+    if constexpr (std::is_same_v<IdT, VertexId>) {
+      for (const EdgeId e : complex_.vertex_edges[cell]) add(x_.selection.edges, x_.origins.edges, e);
+    }
+    if constexpr (!std::is_same_v<IdT, FaceId>) {
+      complex_.star_faces(cell, faces_);
+      for (const FaceId f : faces_) add(x_.selection.faces, x_.origins.faces, f);
+    }
+    complex_.star_regions(cell, regions_);
     for (const RegionId r : regions_) add(x_.selection.regions, x_.origins.regions, r);
     for (const LeafCell& at : leaf_cells(complex_, cell, below_)) {
       if (at.dimension < 3) out_ = sets_.unite(out_, sets_.intern(at.leaf));
     }
     return out_;
   }
-  template <class IdT>
-  LeafSetId from_star(IdT cell) {
-    faces_.clear();
-    complex_.star_faces(cell, faces_);
-    for (const FaceId f : faces_) add(x_.selection.faces, x_.origins.faces, f);
-    complex_.star_regions(cell, regions_);
-    return end(cell);
-  }
+
+ private:
   template <class List, class IdT>
   void add(const List& list, const std::vector<LeafSetId>& origins, IdT id) {
     const std::size_t k = place_in(list, id);

@@ -45,34 +45,20 @@ class Entities {
       cell_origins.push_back(origins[k]);
     }
   }
-  template <class List, class IdT>
-  static bool is(const List& list, IdT id, Component component) {
-    const std::size_t k = place_in(list, id);
-    return k != list.size() && list[k].second == component;
-  }
-  bool faces_and_regions(Component c) const {
-    return std::all_of(faces_.begin(), faces_.end(), [&](FaceId f) { return is(x_.selection.faces, f, c); }) &&
-           std::all_of(regions_.begin(), regions_.end(),
-                       [&](RegionId r) { return is(x_.selection.regions, r, c); });
-  }
-  bool inside(FaceId f, Component c) {
-    faces_.clear();
-    regions_.assign(complex_.face_regions[f].begin(), complex_.face_regions[f].end());
-    return faces_and_regions(c);
-  }
-  bool inside(EdgeId e, Component c) {
-    faces_.clear(), regions_.clear();
-    complex_.star_faces(e, faces_);
-    complex_.star_regions(e, regions_);
-    return faces_and_regions(c);
-  }
-  bool inside(VertexId v, Component c) {
-    faces_.clear(), regions_.clear();
-    complex_.star_faces(v, faces_);
-    complex_.star_regions(v, regions_);
-    const auto edges = complex_.vertex_edges[v];
-    return faces_and_regions(c) &&
-           std::all_of(edges.begin(), edges.end(), [&](EdgeId e) { return is(x_.selection.edges, e, c); });
+  template <class IdT>
+  bool inside(IdT cell, Component c) {
+    const auto all = [&](const auto& cells) {
+      return std::ranges::all_of(cells,
+                                 [&](auto of) { return component_in(list_for(x_.selection, of), of) == c; });
+    };
+    complex_.star_regions(cell, regions_);
+    if (!all(regions_)) return false;
+    if constexpr (std::is_same_v<IdT, FaceId>) return true;
+    else complex_.star_faces(cell, faces_);
+    if constexpr (std::is_same_v<IdT, VertexId>) {
+      if (!all(complex_.vertex_edges[cell])) return false;
+    }
+    return all(faces_);
   }
 
   const Complex& complex_;

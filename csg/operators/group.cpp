@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "csg/operators/component_lists.h"
 #include "kernel/complex/by_dimension.h"
 #include "kernel/selection/scratch.h"
 
@@ -19,11 +20,7 @@ void merge_tail(List& list, std::size_t sorted) {
 
 }  // namespace
 
-std::uint32_t Group::region_of(RegionId r) const {
-  const auto it = std::lower_bound(cells.begin(), cells.end(), r,
-                                   [](const auto& cell, RegionId id) { return cell.first < id; });
-  return it != cells.end() && it->first == r ? it->second : 0;
-}
+std::uint32_t Group::region_of(RegionId r) const { return component_in(cells, r); }
 
 bool Group::has(FaceId f) const { return std::binary_search(faces.begin(), faces.end(), f); }
 bool Group::has(EdgeId e) const { return std::binary_search(edges.begin(), edges.end(), e); }
@@ -43,28 +40,15 @@ Selection selection_of(const Complex& complex, const Group& group) {
   for_each_entity(add_entities, group, seen, out);
 
   // Cells in the interior of a region: reached from its 3-cells, and no entities.
-  const auto add = [&](auto cell, Component c) {
-    if (list_for(seen, cell)[cell] || complex.on_frame(cell)) return false;
+  const auto add = [&](const auto& self, auto cell, Component c) {
+    if (list_for(seen, cell)[cell] || complex.on_frame(cell)) return;
     list_for(seen, cell)[cell] = 1;
     list_for(out, cell).push_back({cell, c});
-    return true;
+    if constexpr (!std::is_same_v<decltype(cell), VertexId>)
+      for_each_bounding(complex, cell, [&](auto of) { self(self, of, c); });
   };
-  const auto add_edge = [&](EdgeId e, Component c) {
-    if (!add(e, c)) return;
-    for (VertexId v : complex.edge_ends[e]) add(v, c);
-  };
-  for (const auto& [cell, region] : group.cells) {
-    for (HalfFace h : complex.region_faces[cell]) {
-      const FaceId f = h.face();
-      if (!add(f, region)) continue;
-      for (LoopId l : complex.face_loops[f]) {
-        for (HalfEdge e : complex.loop[l]) add_edge(e.edge(), region);
-      }
-      for (VertexId v : complex.face_vertices[f]) add(v, region);
-    }
-    for (EdgeId e : complex.region_wires[cell]) add_edge(e, region);
-    for (VertexId v : complex.region_vertices[cell]) add(v, region);
-  }
+  for (const auto& [cell, region] : group.cells)
+    for_each_bounding(complex, cell, [&](auto of) { add(add, of, region); });
   for_each_entity([](auto& list, const auto& cells) { merge_tail(list, cells.size()); }, out, group);
   return out;
 }

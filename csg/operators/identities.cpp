@@ -102,7 +102,6 @@ std::string check_group(const Complex& complex, const Group& g) {
   // Around a lower cell that is no entity.
   std::vector<RegionId> around;
   const auto one_region = [&](auto cell) {
-    around.clear();
     complex.star_regions(cell, around);
     return std::all_of(around.begin(), around.end(), [&](RegionId r) { return region[r] == region[around[0]]; });
   };

@@ -19,15 +19,6 @@ namespace {
 
 const Rational& level_of(const RegionAttributes& region) { return region.material.dominance(); }
 
-template <class IdT>
-void regions_around(const Complex& complex, IdT cell, std::vector<RegionId>& out) {
-  if constexpr (std::is_same_v<IdT, FaceId>) {
-    out.assign(complex.face_regions[cell].begin(), complex.face_regions[cell].end());
-  } else {
-    complex.star_regions(cell, out);
-  }
-}
-
 /// What is said of a sheet, a wire or a point is said of its closure. An entity has a material of its own if that
 /// is said of a thing of its dimension, or if it bounds nothing of the group.
 bool bounds_nothing(const Complex&, const Group&, FaceId) { return true; }
@@ -55,7 +46,7 @@ const RegionMaterial* own_material(const Complex& complex, const Group& g, IdT c
 template <class IdT>
 Rational greatest_level(const Complex& complex, const Group& g, IdT cell) {
   std::vector<RegionId> around;
-  regions_around(complex, cell, around);
+  complex.star_regions(cell, around);
   std::optional<Rational> out;
   if (const RegionMaterial* own = own_material(complex, g, cell)) out = own->dominance();
   for (const RegionId r : around) {

@@ -24,17 +24,14 @@ bool empty(const Group& g) { return g.cells.empty() && !g.has_entities(); }
 
 bool reaches_frame(const Complex& complex, const Group& g) {
   if (!complex.frame.valid()) return false;
-  for (FaceId f : g.faces) {
-    for (LoopId l : complex.face_loops[f]) {
-      for (HalfEdge h : complex.loop[l]) {
-        if (complex.on_frame(complex.origin(h))) return true;
-      }
-    }
-  }
-  return std::any_of(g.edges.begin(), g.edges.end(), [&](EdgeId e) {
-    const auto& ends = complex.edge_ends[e];
-    return complex.on_frame(ends[0]) || complex.on_frame(ends[1]);
-  });
+  const auto on_frame = [&](VertexId v) { return complex.on_frame(v); };
+  return std::ranges::any_of(g.faces,
+                             [&](FaceId f) {
+                               return std::ranges::any_of(complex.half_edges(f), on_frame,
+                                                          [&](HalfEdge h) { return complex.origin(h); });
+                             }) ||
+         std::ranges::any_of(g.edges,
+                             [&](EdgeId e) { return std::ranges::any_of(complex.edge_ends[e], on_frame); });
 }
 
 float rounded_down(double x) {

@@ -66,13 +66,10 @@ class Speaker {
   static constexpr std::uint8_t kOfWall = 1, kOfSheet = 2, kOfWire = 4, kBounds = 8;
 
   void mark(FaceId f, std::uint8_t as) {
-    for (const LoopId l : complex_.face_loops[f]) {
-      for (const HalfEdge h : complex_.loop[l]) {
-        edges_[h.edge()] |= as;
-        vertices_[complex_.origin(h)] |= as;
-      }
-    }
-    for (const VertexId v : complex_.face_vertices[f]) vertices_[v] |= as;
+    for_each_bounding(complex_, f, [&](auto cell) {
+      if constexpr (std::is_same_v<decltype(cell), EdgeId>) edges_[cell] |= as;
+      else vertices_[cell] |= as;
+    });
   }
 
   bool say_of(LeafSetId& origin, int dimension) {
@@ -139,7 +136,6 @@ void say(const Complex& complex, const Attributes& what, Saying saying, Componen
   std::vector<RegionId> around;
   const auto stands_out = [&](const auto& list) {
     return [&](std::size_t i) {
-      around.clear();
       complex.star_regions(list[i].first, around);
       return std::none_of(around.begin(), around.end(),
                           [&](RegionId r) { return region.get(r) == list[i].second; });

@@ -131,19 +131,14 @@ class Picker {
   template <class IdT>
   std::vector<Component> components_around(IdT cell) const {
     std::vector<RegionId> cells;
-    add_star(cell, cells);
+    if constexpr (std::is_same_v<IdT, RegionId>) cells = {cell};
+    else complex_.star_regions(cell, cells);
     std::vector<Component> components;
     components.reserve(cells.size());
     for (const RegionId r : cells) components.push_back(component_at(value_, r));
     sort_unique(components);
     return components;
   }
-  static void add_star(RegionId r, std::vector<RegionId>& out) { out = {r}; }
-  void add_star(FaceId f, std::vector<RegionId>& out) const {
-    out.assign(complex_.face_regions[f].begin(), complex_.face_regions[f].end());
-  }
-  void add_star(EdgeId e, std::vector<RegionId>& out) const { complex_.star_regions(e, out); }
-  void add_star(VertexId v, std::vector<RegionId>& out) const { complex_.star_regions(v, out); }
 
   bool is(Component component, const SideName& side) const {
     if (component == 0 || !side) return component == 0 && !side;
@@ -256,9 +251,7 @@ Group select(const Complex& complex, const Group& group, const Criteria& criteri
     regions.push_back(group.regions[region - 1]);
     number[region] = static_cast<Component>(regions.size());
     for (const RegionId cell : cells_of[region - 1]) {
-      for (const HalfFace h : complex.region_faces[cell]) wanted.add(h.face());
-      for (const EdgeId e : complex.region_wires[cell]) wanted.add(e);
-      for (const VertexId v : complex.region_vertices[cell]) wanted.add(v);
+      for_each_bounding(complex, cell, [&](auto of) { wanted.add(of); });
     }
   }
 

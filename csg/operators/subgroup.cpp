@@ -3,22 +3,6 @@
 
 namespace cnrg {
 
-void WantedEntities::add(FaceId f) {
-  wanted_.faces[f] = 1;
-  for (const LoopId l : complex_.face_loops[f]) {
-    for (const HalfEdge h : complex_.loop[l]) {
-      wanted_.edges[h.edge()] = 1;
-      wanted_.vertices[complex_.origin(h)] = 1;
-    }
-  }
-  for (const VertexId v : complex_.face_vertices[f]) wanted_.vertices[v] = 1;
-}
-
-void WantedEntities::add(EdgeId e) {
-  wanted_.edges[e] = 1;
-  for (const VertexId v : complex_.edge_ends[e]) wanted_.vertices[v] = 1;
-}
-
 Group WantedEntities::of(const Group& g) const {
   Group out;
   LeafSetMap map(g.origins.sets, out.origins.sets);

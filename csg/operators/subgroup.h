@@ -11,9 +11,12 @@ namespace cnrg {
 class WantedEntities {
  public:
   explicit WantedEntities(const Complex& complex) : complex_(complex), wanted_(complex) {}
-  void add(FaceId f);
-  void add(EdgeId e);
-  void add(VertexId v) { wanted_.vertices[v] = 1; }
+  template <class IdT>
+  void add(IdT cell) {
+    const auto want = [&](auto of) { list_for(wanted_, of)[of] = 1; };
+    want(cell);
+    if constexpr (!std::is_same_v<IdT, VertexId>) for_each_bounding(complex_, cell, want);
+  }
 
   /// Those of `g` that are wanted, with their features and origins: a group without regions, with the dominance of
   /// `g`.

@@ -152,23 +152,18 @@ class TableEngine::State {
 
   // Entities of held in the closure of a 3-cell of next that are none of next are inside of its region.
   void ask_inside(RegionId cell) {
+    const auto ask = [&](auto of) { list_for(marks_, of).ask(of); };
     for (const HalfFace h : complex_.region_faces[cell]) {
       const FaceId f = h.face();
       if (h.side() != 0 || marks_.faces.has(f, kNext)) continue;  // inside: the same region on both sides
-      marks_.faces.ask(f);
-      for (const LoopId l : complex_.face_loops[f]) {
-        for (const HalfEdge e : complex_.loop[l]) {
-          marks_.edges.ask(e.edge());
-          marks_.vertices.ask(complex_.origin(e));
-        }
-      }
-      for (const VertexId v : complex_.face_vertices[f]) marks_.vertices.ask(v);
+      ask(f);
+      for_each_bounding(complex_, f, ask);
     }
     for (const EdgeId e : complex_.region_wires[cell]) {
-      marks_.edges.ask(e);
-      for (const VertexId v : complex_.edge_ends[e]) marks_.vertices.ask(v);
+      ask(e);
+      for_each_bounding(complex_, e, ask);
     }
-    for (const VertexId v : complex_.region_vertices[cell]) marks_.vertices.ask(v);
+    for (const VertexId v : complex_.region_vertices[cell]) ask(v);
   }
 
   // --- the rows
@@ -256,7 +251,6 @@ class TableEngine::State {
     template <class F>
     bool all_around(F f) const {
       std::vector<RegionId>& around = state_.around_;
-      around.clear();
       state_.complex_.star_regions(cell_, around);
       return std::all_of(around.begin(), around.end(), f);
     }
@@ -320,13 +314,7 @@ class TableEngine::State {
     for (const Group* part : next) {
       for (const FaceId f : part->faces) {
         if (marks_.faces.has(f, kHeld | kRemoved)) continue;
-        for (const LoopId l : complex_.face_loops[f]) {
-          for (const HalfEdge h : complex_.loop[l]) {
-            marks_.edges.flags[h.edge()] |= kBorder;
-            marks_.vertices.flags[complex_.origin(h)] |= kBorder;
-          }
-        }
-        for (const VertexId v : complex_.face_vertices[f]) marks_.vertices.flags[v] |= kBorder;
+        for_each_bounding(complex_, f, [&](auto cell) { list_for(marks_, cell).flags[cell] |= kBorder; });
       }
     }
   }

@@ -20,27 +20,13 @@ class Closure {
  public:
   explicit Closure(const Complex& complex) : complex_(complex), listed_(complex) {}
 
-  void add(VertexId v) {
-    if (std::exchange(listed_.vertices[v], 1) == 0) cells_.vertices.push_back(v);
-  }
-  void add(EdgeId e) {
-    if (std::exchange(listed_.edges[e], 1) != 0) return;
-    cells_.edges.push_back(e);
-    for (const VertexId v : complex_.edge_ends[e]) add(v);
-  }
-  void add(FaceId f) {
-    if (std::exchange(listed_.faces[f], 1) != 0) return;
-    cells_.faces.push_back(f);
-    for (const LoopId l : complex_.face_loops[f]) {
-      for (const HalfEdge h : complex_.loop[l]) add(h.edge());
+  template <class IdT>
+  void add(IdT cell) {
+    if constexpr (!std::is_same_v<IdT, RegionId>) {
+      if (std::exchange(list_for(listed_, cell)[cell], 1) != 0) return;
     }
-    for (const VertexId v : complex_.face_vertices[f]) add(v);
-  }
-  void add(RegionId r) {
-    cells_.regions.push_back(r);
-    for (const HalfFace h : complex_.region_faces[r]) add(h.face());
-    for (const EdgeId e : complex_.region_wires[r]) add(e);
-    for (const VertexId v : complex_.region_vertices[r]) add(v);
+    list_for(cells_, cell).push_back(cell);
+    if constexpr (!std::is_same_v<IdT, VertexId>) for_each_bounding(complex_, cell, [&](auto of) { add(of); });
   }
   const CellSet& cells() const { return cells_; }
 

@@ -125,9 +125,7 @@ class Cutter {
   /// -1: kept, 0: in the plane, 1: cut away. A cell has no corners on both sides.
   int side(FaceId f) const {
     int out = 0;
-    for (const LoopId l : complex_->face_loops[f]) {
-      for (const HalfEdge h : complex_->loop[l]) out = out != 0 ? out : side_[complex_->origin(h)];
-    }
+    for (const HalfEdge h : complex_->half_edges(f)) out = out != 0 ? out : side_[complex_->origin(h)];
     return out;
   }
 

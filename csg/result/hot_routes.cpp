@@ -85,8 +85,7 @@ class Router {
 
   Box box_of(FaceId f) const {
     Box box;
-    for (const LoopId l : complex_.face_loops[f])
-      for (const HalfEdge h : complex_.loop[l]) extend(box, complex_.origin(h));
+    for (const HalfEdge h : complex_.half_edges(f)) extend(box, complex_.origin(h));
     return box;
   }
   Box box_of(EdgeId e) const {
@@ -117,10 +116,8 @@ class Router {
   bool is_crossed(FaceId f, const std::vector<char>& settled) const {
     const auto isolated = complex_.face_vertices[f];
     return std::any_of(isolated.begin(), isolated.end(), [&](VertexId v) { return !settled[v.index()]; }) ||
-           std::ranges::any_of(complex_.face_loops[f], [&](LoopId l) {
-             return std::ranges::any_of(complex_.loop[l],
-                                        [&](HalfEdge h) { return !settled[complex_.origin(h).index()]; });
-           });
+           std::ranges::any_of(complex_.half_edges(f),
+                               [&](HalfEdge h) { return !settled[complex_.origin(h).index()]; });
   }
   bool is_near_broken(const Box& box) const {
     if (everywhere_) return true;

@@ -36,11 +36,8 @@ bool unbounded(const Complex& complex, const CellSet& set) {
   };
   const auto any = [](const auto& cells, auto test) { return std::any_of(cells.begin(), cells.end(), test); };
   return any(set.regions, [&](RegionId r) { return complex.unbounded(r); }) || any(set.edges, reaches) ||
-         any(set.faces, [&](FaceId f) {
-           return any(complex.face_loops[f], [&](LoopId l) {
-             return any(complex.loop[l], [&](HalfEdge h) { return reaches(h.edge()); });
-           });
-         });
+         any(set.faces,
+             [&](FaceId f) { return any(complex.half_edges(f), [&](HalfEdge h) { return reaches(h.edge()); }); });
 }
 
 template <class IdT>

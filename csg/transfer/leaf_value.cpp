@@ -161,13 +161,10 @@ class LeafValue {
       const FaceId f = s.faces[i].first;
       if (!speaks(piece(f), 2)) continue;
       const LeafSetId set = out_.origins.faces[i] = told(piece(f));
-      for (const LoopId l : complex_.face_loops[f]) {
-        for (const HalfEdge h : complex_.loop[l]) {
-          bound(at_edge, h.edge(), set);
-          bound(at_vertex, complex_.origin(h), set);
-        }
-      }
-      for (const VertexId v : complex_.face_vertices[f]) bound(at_vertex, v, set);
+      for_each_bounding(complex_, f, [&](auto cell) {
+        if constexpr (std::is_same_v<decltype(cell), EdgeId>) bound(at_edge, cell, set);
+        else bound(at_vertex, cell, set);
+      });
     }
     for (std::size_t i = 0; i < s.edges.size(); ++i) {
       const EdgeId e = s.edges[i].first;

@@ -133,9 +133,7 @@ void ComplexBuilder::take_attributes() {
 void ComplexBuilder::find_uses() {
   c_.edge_uses = Csr<EdgeId, FaceUse>::counted(c_.edge_count(), [&](const auto& take) {
     for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
-      for (const LoopId loop : std::as_const(c_.face_loops)[f]) {
-        for (const HalfEdge h : std::as_const(c_.loop)[loop]) take(h.edge(), FaceUse{f, h});
-      }
+      for (const HalfEdge h : c_.half_edges(f)) take(h.edge(), FaceUse{f, h});
     }
   });
   drop_unused_edges();
@@ -227,11 +225,9 @@ void ComplexBuilder::mark_frame() {
       continue;
     }
     c_.frame_faces_[f] = 1;
-    for (const LoopId loop : std::as_const(c_.face_loops)[f]) {
-      for (const HalfEdge h : std::as_const(c_.loop)[loop]) {
-        c_.frame_edges_[h.edge()] = 1;
-        c_.frame_vertices_[c_.origin(h)] = 1;
-      }
+    for (const HalfEdge h : c_.half_edges(f)) {
+      c_.frame_edges_[h.edge()] = 1;
+      c_.frame_vertices_[c_.origin(h)] = 1;
     }
   }
 }

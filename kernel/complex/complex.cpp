@@ -60,9 +60,7 @@ void Complex::star_regions(VertexId v, std::vector<RegionId>& out) const {
 
 void Complex::closure_edges(FaceId f, std::vector<EdgeId>& out) const {
   out.clear();
-  for (const LoopId l : face_loops[f]) {
-    for (const HalfEdge h : loop[l]) out.push_back(h.edge());
-  }
+  for (const HalfEdge h : half_edges(f)) out.push_back(h.edge());
   sort_unique(out);
 }
 
@@ -104,15 +102,13 @@ ExactPoint interior_point(const Complex& complex, FaceId f) {
   const auto across = [&](const RationalPoint& p) -> Rational {
     return du * (at(p, v) - mv) - dv * (at(p, u) - mu);
   };
-  for (const LoopId l : complex.face_loops[f]) {
-    for (const HalfEdge h : complex.loop[l]) {
-      if (h.edge() == outer[0].edge()) continue;
-      const RationalPoint p = t.rational(complex.origin(h)), q = t.rational(complex.target(h));
-      const Rational cp = across(p), cq = across(q);
-      if (sgn(cp) == 0) consider(along(p));
-      if (sgn(cq) == 0) consider(along(q));
-      if (sgn(cp) * sgn(cq) < 0) consider((along(p) * cq - along(q) * cp) / (cq - cp));
-    }
+  for (const HalfEdge h : complex.half_edges(f)) {
+    if (h.edge() == outer[0].edge()) continue;
+    const RationalPoint p = t.rational(complex.origin(h)), q = t.rational(complex.target(h));
+    const Rational cp = across(p), cq = across(q);
+    if (sgn(cp) == 0) consider(along(p));
+    if (sgn(cq) == 0) consider(along(q));
+    if (sgn(cp) * sgn(cq) < 0) consider((along(p) * cq - along(q) * cp) / (cq - cp));
   }
   for (const VertexId x : complex.face_vertices[f]) {
     const RationalPoint p = t.rational(x);

@@ -151,6 +151,13 @@ class Complex {
   RegionId region(HalfFace h) const { return face_regions[h.face()][h.side()]; }
   PlaneId plane(FaceId f) const { return sheet_plane[face_sheet[f]]; }
   std::span<const Cover> cover(FaceId f) const { return covers[face_cover[f]]; }
+  /// All half-edges of its loops, loop by loop: these are numbered face by face.
+  std::span<const HalfEdge> half_edges(FaceId f) const {
+    const auto loops = face_loops[f];
+    if (loops.empty()) return {};
+    const auto last = loop[loops.back()];
+    return {loop[loops.front()].data(), last.data() + last.size()};
+  }
   std::span<const Label> labels(RegionId r) const { return label_sets[region_labels[r]]; }
 
   /// One region next to the cell: every cell has one; all of them for a cell off every face.
@@ -161,9 +168,12 @@ class Complex {
   /// The faces in the star of a vertex or an edge, ascending and unique.
   void star_faces(VertexId v, std::vector<FaceId>& out) const;
   void star_faces(EdgeId e, std::vector<FaceId>& out) const;
-  /// The regions in the star of a cell, ascending and unique.
+  /// The regions in the star of a cell, ascending and unique; of a face those on its front and on its back.
   void star_regions(VertexId v, std::vector<RegionId>& out) const;
   void star_regions(EdgeId e, std::vector<RegionId>& out) const;
+  void star_regions(FaceId f, std::vector<RegionId>& out) const {
+    out.assign(face_regions[f].begin(), face_regions[f].end());
+  }
   /// The edges in the closure of a face: loops and slits; ascending and unique.
   void closure_edges(FaceId f, std::vector<EdgeId>& out) const;
 
@@ -175,6 +185,25 @@ class Complex {
   IdVector<VertexId, char> frame_vertices_;
   IdVector<RegionId, char> frame_regions_;
 };
+
+/// Calls `see` for each cell that bounds another one, as often as it does: the faces of a region, and the wires
+/// and isolated vertices in it; the edges along a face, each with its origin, and the isolated vertices in it; the
+/// ends of an edge.
+template <class See>
+void for_each_bounding(const Complex& complex, RegionId r, const See& see) {
+  for (const HalfFace h : complex.region_faces[r]) see(h.face());
+  for (const EdgeId e : complex.region_wires[r]) see(e);
+  for (const VertexId v : complex.region_vertices[r]) see(v);
+}
+template <class See>
+void for_each_bounding(const Complex& complex, FaceId f, const See& see) {
+  for (const HalfEdge h : complex.half_edges(f)) see(h.edge()), see(complex.origin(h));
+  for (const VertexId v : complex.face_vertices[f]) see(v);
+}
+template <class See>
+void for_each_bounding(const Complex& complex, EdgeId e, const See& see) {
+  for (const VertexId v : complex.edge_ends[e]) see(v);
+}
 
 /// Refines the soup and builds its complex, labels included; the soup may go then. Throws InputError for a face
 /// that is not planar and for sides that contradict each other (the message names leaf and faces as `leaf i, face

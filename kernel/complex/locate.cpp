@@ -44,14 +44,12 @@ bool on_line(const PointView& a, const PointView& b, const PointView& p) {
 bool in_face(const Complex& c, FaceId f, const PointView& p) {
   const Projection axes = c.sheet_projection[c.face_sheet[f]];
   bool inside = false;
-  for (const LoopId l : c.face_loops[f]) {
-    for (const HalfEdge h : c.loop[l]) {
-      const PointView a = c.points.view(c.origin(h)), b = c.points.view(c.target(h));
-      const int ca = compare(axes.v, a, p), cb = compare(axes.v, b, p);
-      if ((ca <= 0) == (cb <= 0)) continue;
-      const int o = ca < cb ? orient2d(axes, a, b, p) : orient2d(axes, b, a, p);
-      if (o > 0) inside = !inside;
-    }
+  for (const HalfEdge h : c.half_edges(f)) {
+    const PointView a = c.points.view(c.origin(h)), b = c.points.view(c.target(h));
+    const int ca = compare(axes.v, a, p), cb = compare(axes.v, b, p);
+    if ((ca <= 0) == (cb <= 0)) continue;
+    const int o = ca < cb ? orient2d(axes, a, b, p) : orient2d(axes, b, a, p);
+    if (o > 0) inside = !inside;
   }
   return inside;
 }

@@ -185,10 +185,8 @@ class Validator {
       // d d = 0: every edge is met by the region's boundary as often forward as backward.
       std::map<EdgeId, int> boundary;
       for (const HalfFace h : list) {
-        for (const LoopId l : c_.face_loops[h.face()]) {
-          for (const HalfEdge g : c_.loop[l])
-            boundary[g.edge()] += (g.direction() == 0) == (h.side() == 0) ? 1 : -1;
-        }
+        for (const HalfEdge g : c_.half_edges(h.face()))
+          boundary[g.edge()] += (g.direction() == 0) == (h.side() == 0) ? 1 : -1;
       }
       for (const auto& [e, n] : boundary) {
         if (n != 0) fail(name("R", r.value()) + ": its boundary is not closed at " + name("e", e.value()));

@@ -87,12 +87,6 @@ void sort_by_coordinates(const PointTable& table, std::vector<VertexId>& points)
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = bounds[i].v;
 }
 
-void for_each_half_edge(const Complex& complex, FaceId f, auto visit) {
-  for (const LoopId loop : complex.face_loops[f]) {
-    for (const HalfEdge h : complex.loop[loop]) visit(h);
-  }
-}
-
 enum class Inside : std::uint8_t {
   no,    // on the border of the simplified face
   bend,  // between two of its facets
@@ -131,11 +125,11 @@ IdVector<VertexId, Bends> bends_of(const Complex& complex, const SimplifiedCompl
     if (is_flat(complex, face)) continue;
     if (bends.empty()) bends.assign(complex.points.size(), {});
     for (const HalfFace cell : face.cells) {
-      for_each_half_edge(complex, cell.face(), [&](HalfEdge h) {
-        if (inside_of(complex, s, cell.face(), h.edge()) != Inside::bend) return;
+      for (const HalfEdge h : complex.half_edges(cell.face())) {
+        if (inside_of(complex, s, cell.face(), h.edge()) != Inside::bend) continue;
         bends[complex.origin(h)].add(complex.target(h));
         bends[complex.target(h)].add(complex.origin(h));
-      });
+      }
     }
   }
   return bends;
@@ -329,7 +323,7 @@ class Ordering {
       if (is_flat(complex_, face)) return;
       std::vector<Index> numbers;
       for (const HalfFace cell : face.cells) {
-        for_each_half_edge(complex_, cell.face(), [&](HalfEdge h) { add(complex_.origin(h), numbers); });
+        for (const HalfEdge h : complex_.half_edges(cell.face())) add(complex_.origin(h), numbers);
       }
       sort_unique(numbers);
       inside = Numbers(numbers.begin(), numbers.end());

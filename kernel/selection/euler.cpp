@@ -27,30 +27,14 @@ struct Numbering {
   std::size_t edges, faces, regions, size;
 };
 
-// Joins a face (and an edge) with its boundary.
-void join_boundary(const Complex& complex, const Numbering& number, FaceId f, UnionFind& sets) {
-  for (LoopId l : complex.face_loops[f]) {
-    for (HalfEdge h : complex.loop[l]) {
-      sets.unite(number(f), number(h.edge()));
-      sets.unite(number(f), number(complex.origin(h)));
-    }
-  }
-  for (VertexId v : complex.face_vertices[f]) sets.unite(number(f), number(v));
-}
-void join_boundary(const Complex& complex, const Numbering& number, EdgeId e, UnionFind& sets) {
-  for (VertexId v : complex.edge_ends[e]) sets.unite(number(e), number(v));
-}
-
 std::int64_t count_pieces(const Complex& complex, const CellSet& set) {
   const Numbering number(complex);
   UnionFind sets(number.size);
-  for (EdgeId e : set.edges) join_boundary(complex, number, e, sets);
-  for (FaceId f : set.faces) join_boundary(complex, number, f, sets);
-  for (RegionId r : set.regions) {
-    for (HalfFace h : complex.region_faces[r]) sets.unite(number(r), number(h.face()));
-    for (EdgeId e : complex.region_wires[r]) sets.unite(number(r), number(e));
-    for (VertexId v : complex.region_vertices[r]) sets.unite(number(r), number(v));
-  }
+  const auto join_boundaries = [&](const auto& cells) {
+    for (auto cell : cells)
+      for_each_bounding(complex, cell, [&](auto other) { sets.unite(number(cell), number(other)); });
+  };
+  join_boundaries(set.edges), join_boundaries(set.faces), join_boundaries(set.regions);
   std::int64_t count = 0;
   const auto add = [&](const auto& cells) {
     for (auto cell : cells) count += sets.find(number(cell)) == number(cell);
@@ -79,13 +63,8 @@ std::int64_t count_cavities(const Complex& complex, const CellSet& set) {
 
 std::int64_t boundary_pieces(const Complex& complex, RegionId r) {
   CellSet boundary;
-  for (HalfFace h : complex.region_faces[r]) boundary.faces.push_back(h.face());
-  std::sort(boundary.faces.begin(), boundary.faces.end());
-  boundary.faces.erase(std::unique(boundary.faces.begin(), boundary.faces.end()), boundary.faces.end());
-  const auto wires = complex.region_wires[r];
-  const auto vertices = complex.region_vertices[r];
-  boundary.edges.assign(wires.begin(), wires.end());
-  boundary.vertices.assign(vertices.begin(), vertices.end());
+  for_each_bounding(complex, r, [&](auto cell) { list_for(boundary, cell).push_back(cell); });
+  sort_unique(boundary.faces);
   return count_pieces(complex, closure(complex, boundary));
 }
 
@@ -105,10 +84,8 @@ std::string check_boundaries(const Complex& complex, const CellSet& set) {
   for (RegionId r : set.regions) {
     boundary.clear();
     for (HalfFace hf : complex.region_faces[r]) {
-      for (LoopId l : complex.face_loops[hf.face()]) {
-        for (HalfEdge h : complex.loop[l]) {
-          boundary.emplace_back(h.edge(), (h.direction() == 0) == (hf.side() == 0) ? 1 : -1);
-        }
+      for (const HalfEdge h : complex.half_edges(hf.face())) {
+        boundary.emplace_back(h.edge(), (h.direction() == 0) == (hf.side() == 0) ? 1 : -1);
       }
     }
     std::sort(boundary.begin(), boundary.end());
@@ -131,9 +108,7 @@ std::size_t count_cycles(const Complex& complex, const std::vector<FaceId>& face
   std::vector<EdgeId> difference;
   for (FaceId f : faces) {
     std::vector<EdgeId> column;
-    for (LoopId l : complex.face_loops[f]) {
-      for (HalfEdge h : complex.loop[l]) column.push_back(h.edge());
-    }
+    for (const HalfEdge h : complex.half_edges(f)) column.push_back(h.edge());
     std::sort(column.begin(), column.end());
     // An edge that is walked twice is no boundary mod 2.
     std::vector<EdgeId> odd;

@@ -66,34 +66,18 @@ struct BettiCounter::Members {
 
 namespace {
 
-/// The boundary of regions, faces and edges, with what lies on the frame.
-struct FullClosure {
-  std::vector<FaceId> faces;
-  std::vector<EdgeId> edges;
-  std::vector<VertexId> vertices;
-};
-
-FullClosure full_closure(const Complex& complex, const CellSet& set) {
-  FullClosure out{set.faces, set.edges, set.vertices};
-  for (RegionId r : set.regions) {
-    for (HalfFace h : complex.region_faces[r]) out.faces.push_back(h.face());
-    const auto wires = complex.region_wires[r];
-    const auto points = complex.region_vertices[r];
-    out.edges.insert(out.edges.end(), wires.begin(), wires.end());
-    out.vertices.insert(out.vertices.end(), points.begin(), points.end());
-  }
+/// The regions, faces and edges with their boundary, also where that lies on the frame.
+CellSet full_closure(const Complex& complex, const CellSet& set) {
+  CellSet out = set;
+  const auto add = [&](auto cell) { list_for(out, cell).push_back(cell); };
+  for (RegionId r : set.regions) for_each_bounding(complex, r, add);
   sort_unique(out.faces);
   for (FaceId f : out.faces) {
-    for (LoopId l : complex.face_loops[f]) {
-      for (HalfEdge h : complex.loop[l]) out.edges.push_back(h.edge());
-    }
-    const auto points = complex.face_vertices[f];
-    out.vertices.insert(out.vertices.end(), points.begin(), points.end());
+    for (const HalfEdge h : complex.half_edges(f)) add(h.edge());
+    for (VertexId v : complex.face_vertices[f]) add(v);
   }
   sort_unique(out.edges);
-  for (EdgeId e : out.edges) {
-    out.vertices.insert(out.vertices.end(), complex.edge_ends[e].begin(), complex.edge_ends[e].end());
-  }
+  for (EdgeId e : out.edges) for_each_bounding(complex, e, add);
   sort_unique(out.vertices);
   return out;
 }
@@ -198,9 +182,7 @@ class Counting {
   std::int64_t weight(FaceId f) const {
     if (!has(f)) return 0;
     std::int64_t w = 1 - ring_count(complex_, f);
-    for (LoopId l : complex_.face_loops[f]) {
-      for (HalfEdge h : complex_.loop[l]) w -= weight(h.edge()) + (has(complex_.target(h)) ? 1 : 0);
-    }
+    for (const HalfEdge h : complex_.half_edges(f)) w -= weight(h.edge()) + (has(complex_.target(h)) ? 1 : 0);
     return w;
   }
 
@@ -271,7 +253,7 @@ class Counting {
   const CellSet& set_;
   Neighbourhoods& neighbourhoods_;
   const Members& in_;
-  const FullClosure closure_;
+  const CellSet closure_;
   Neighbourhood around_;
   Frontier frontier_;
   std::int64_t surfaces_ = 0;  // twice the first terms of w(R)
@@ -322,7 +304,7 @@ std::vector<std::int64_t> inner_surfaces(const Complex& complex, const std::vect
   };
   CellSet set;
   set.regions = regions;
-  const FullClosure boundary = full_closure(complex, set);
+  const CellSet boundary = full_closure(complex, set);
   for (FaceId f : boundary.faces) {
     for (RegionId r : complex.face_regions[f]) add(r, 1 - ring_count(complex, f));
   }

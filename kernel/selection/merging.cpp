@@ -111,9 +111,7 @@ void Merging::collect_domain(const Selection& selection, const Features& feature
   for (const auto& [e, c] : selection.edges) add_edge(e);
   for (EdgeId e : features.edges) add_edge(e);
   for_each_of(domain_.faces, [&](FaceId f) {
-    for (LoopId l : complex_.face_loops[f]) {
-      for (HalfEdge h : complex_.loop[l]) add_edge(h.edge());
-    }
+    for (const HalfEdge h : complex_.half_edges(f)) add_edge(h.edge());
     for (VertexId v : complex_.face_vertices[f]) add_vertex(v);
   });
   domain_.edges = edge_fate_.ids();

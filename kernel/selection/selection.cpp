@@ -83,43 +83,32 @@ struct MarkedSet : OfCells<Marks> {
   }
 };
 
-// Calls `edge`, `face` and `region` for the cells of the open star of a cell, but for those on the frame.
-template <class Edge, class Face, class Region>
+// Calls `see` for the cells of the open star of a cell, but for those on the frame.
+template <class See>
 class StarWalk {
  public:
-  StarWalk(const Complex& complex, Edge edge, Face face, Region region)
-      : complex_(complex), edge_(edge), face_(face), region_(region) {}
-  void of(VertexId v) {
-    for (EdgeId e : complex_.vertex_edges[v]) {
-      if (!complex_.on_frame(e)) edge_(e);
+  StarWalk(const Complex& complex, See see) : complex_(complex), see_(see) {}
+  template <class IdT>
+  void of(IdT cell) {
+    if constexpr (std::is_same_v<IdT, VertexId>) visit(complex_.vertex_edges[cell]);
+    if constexpr (!std::is_same_v<IdT, FaceId>) {
+      complex_.star_faces(cell, faces_);
+      visit(faces_);
     }
-    visit_faces_and_regions(v);
-  }
-  void of(EdgeId e) { visit_faces_and_regions(e); }
-  void of(FaceId f) {
-    for (RegionId r : complex_.face_regions[f]) {
-      if (!complex_.outside_frame(r)) region_(r);
+    complex_.star_regions(cell, regions_);
+    for (RegionId r : regions_) {
+      if (!complex_.outside_frame(r)) see_(r);
     }
   }
 
  private:
-  template <class IdT>
-  void visit_faces_and_regions(IdT cell) {
-    faces_.clear();
-    complex_.star_faces(cell, faces_);
-    for (FaceId f : faces_) {
-      if (!complex_.on_frame(f)) face_(f);
-    }
-    regions_.clear();
-    complex_.star_regions(cell, regions_);
-    for (RegionId r : regions_) {
-      if (!complex_.outside_frame(r)) region_(r);
+  void visit(const auto& cells) {
+    for (auto cell : cells) {
+      if (!complex_.on_frame(cell)) see_(cell);
     }
   }
   const Complex& complex_;
-  Edge edge_;
-  Face face_;
-  Region region_;
+  See see_;
   std::vector<FaceId> faces_;
   std::vector<RegionId> regions_;
 };
@@ -164,9 +153,7 @@ CellSet subtract(const CellSet& a, const CellSet& b) {
 
 CellSet star(const Complex& complex, const CellSet& set) {
   CellSet out = set;
-  StarWalk walk(
-      complex, [&](EdgeId e) { out.edges.push_back(e); }, [&](FaceId f) { out.faces.push_back(f); },
-      [&](RegionId r) { out.regions.push_back(r); });
+  StarWalk walk(complex, [&](auto cell) { list_for(out, cell).push_back(cell); });
   const auto walk_all = [&](const auto& cells) {
     for (const auto cell : cells) walk.of(cell);
   };
@@ -177,34 +164,17 @@ CellSet star(const Complex& complex, const CellSet& set) {
 
 CellSet closure(const Complex& complex, const CellSet& set) {
   CellSet out = set;
-  for (RegionId r : set.regions) {
-    for (HalfFace h : complex.region_faces[r]) {
-      if (!complex.on_frame(h.face())) out.faces.push_back(h.face());
-    }
-    for (EdgeId e : complex.region_wires[r]) {
-      if (!complex.on_frame(e)) out.edges.push_back(e);
-    }
-    for (VertexId v : complex.region_vertices[r]) {
-      if (!complex.on_frame(v)) out.vertices.push_back(v);
-    }
-  }
+  const auto add = [&](auto cell) {
+    if (!complex.on_frame(cell)) list_for(out, cell).push_back(cell);
+  };
+  for (RegionId r : set.regions) for_each_bounding(complex, r, add);
   sort_unique(out.faces);
   for (FaceId f : out.faces) {
-    for (LoopId l : complex.face_loops[f]) {
-      for (HalfEdge h : complex.loop[l]) {
-        if (!complex.on_frame(h.edge())) out.edges.push_back(h.edge());
-      }
-    }
-    for (VertexId v : complex.face_vertices[f]) {
-      if (!complex.on_frame(v)) out.vertices.push_back(v);
-    }
+    for (const HalfEdge h : complex.half_edges(f)) add(h.edge());
+    for (VertexId v : complex.face_vertices[f]) add(v);
   }
   sort_unique(out.edges);
-  for (EdgeId e : out.edges) {
-    for (VertexId v : complex.edge_ends[e]) {
-      if (!complex.on_frame(v)) out.vertices.push_back(v);
-    }
-  }
+  for (EdgeId e : out.edges) for_each_bounding(complex, e, add);
   sort_unique(out.vertices);
   return out;
 }
@@ -212,10 +182,7 @@ CellSet closure(const Complex& complex, const CellSet& set) {
 CellSet interior(const Complex& complex, const CellSet& set) {
   const MarkedSet marked(complex, set);
   bool whole = true;
-  StarWalk walk(
-      complex, [&](EdgeId e) { whole = whole && marked.edges[e]; },
-      [&](FaceId f) { whole = whole && marked.faces[f]; },
-      [&](RegionId r) { whole = whole && marked.regions[r]; });
+  StarWalk walk(complex, [&](auto cell) { whole = whole && list_for(marked, cell)[cell]; });
   const auto keep = [&](const auto& from, auto& to) {
     for (auto id : from) {
       whole = true;

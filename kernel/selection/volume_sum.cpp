@@ -58,24 +58,19 @@ VolumeSum::VolumeSum(const Complex& complex)
 
 void VolumeSum::add(FaceId f, int outward) {
   bool doubles = true;
-  for (const LoopId l : complex_.face_loops[f]) {
-    for (const HalfEdge h : complex_.loop[l]) doubles = doubles && complex_.points.is_double(complex_.origin(h));
-  }
+  for (const HalfEdge h : complex_.half_edges(f))
+    doubles = doubles && complex_.points.is_double(complex_.origin(h));
   if (!doubles) return add_corners(f, outward);
   double_faces_.emplace_back(f, outward);
-  for (const LoopId l : complex_.face_loops[f]) {
-    for (const HalfEdge h : complex_.loop[l]) number(complex_.origin(h));
-  }
+  for (const HalfEdge h : complex_.half_edges(f)) number(complex_.origin(h));
 }
 
 void VolumeSum::add_corners(FaceId f, int outward) {
   const std::uint64_t plane = std::uint64_t{complex_.plane(f).value()} << 32;
-  for (const LoopId l : complex_.face_loops[f]) {
-    for (const HalfEdge h : complex_.loop[l]) {
-      const std::uint64_t line = plane | std::ranges::min(complex_.edge_segments[h.edge()]).value();
-      corners_.push_back({line, complex_.target(h), outward});
-      corners_.push_back({line, complex_.origin(h), -outward});
-    }
+  for (const HalfEdge h : complex_.half_edges(f)) {
+    const std::uint64_t line = plane | std::ranges::min(complex_.edge_segments[h.edge()]).value();
+    corners_.push_back({line, complex_.target(h), outward});
+    corners_.push_back({line, complex_.origin(h), -outward});
   }
 }
 
@@ -153,11 +148,9 @@ Integer VolumeSum::sum_of_doubles() {
   const auto place = [&](VertexId v) -> std::size_t { return place_.get(v) - 1; };
   const auto add_face = [&](FaceId f, bool plus, DeterminantSum& sum) {
     const VertexId r = complex_.origin(complex_.loop[complex_.face_loops[f][0]][0]);
-    for (const LoopId l : complex_.face_loops[f]) {
-      for (const HalfEdge h : complex_.loop[l]) {
-        const VertexId p = complex_.origin(h), q = complex_.target(h);
-        if (p != r && q != r) sum.add(place(r), place(p), place(q), plus);
-      }
+    for (const HalfEdge h : complex_.half_edges(f)) {
+      const VertexId p = complex_.origin(h), q = complex_.target(h);
+      if (p != r && q != r) sum.add(place(r), place(p), place(q), plus);
     }
   };
   using Range = tbb::blocked_range<std::size_t>;
