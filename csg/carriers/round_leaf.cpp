@@ -76,11 +76,7 @@ bool Flat::polygon_meets(const RationalPoint& p, const RationalPoint& q) const {
   };
   // A ray from p along the plane, across a direction that no corner lies in, would do; here it is counted how
   // often the loops wind around p, along the largest two axes of the plane.
-  std::size_t x = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    if (abs(normal[k]) > abs(normal[x])) x = k;
-  }
-  const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+  const std::size_t x = steepest_axis(normal), y = (x + 1) % 3, z = (x + 2) % 3;
   bool odd = false;
   for (const auto& loop : loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {

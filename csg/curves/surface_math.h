@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "csg/curves/surface.h"
+#include "kernel/base/products.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg::surface_math {
@@ -54,14 +55,7 @@ template <class N>
 Vector3<N> scaled(const N& s, const Vector3<N>& a) {
   return {s * a[0], s * a[1], s * a[2]};
 }
-template <class N>
-Vector3<N> cross(const Vector3<N>& a, const Vector3<N>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <class N>
-N dot(const Vector3<N>& a, const Vector3<N>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using cnrg::cross, cnrg::dot;
 
 /// Radians of a turn.
 template <class N>

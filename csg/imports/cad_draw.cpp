@@ -336,13 +336,7 @@ class Drawer {
       const Point3 part = cross(minus(old_.points[t[1]], a), minus(old_.points[t[2]], a));
       for (std::size_t k = 0; k < 3; ++k) normal[k] += part[k];
     }
-    std::size_t axis = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
-    }
-    Projection axes{static_cast<std::uint8_t>((axis + 1) % 3), static_cast<std::uint8_t>((axis + 2) % 3)};
-    if (normal[axis] < 0) std::swap(axes.u, axes.v);
-    return axes;
+    return seen_along(normal);
   }
 
   const CadModel& old_;

@@ -21,6 +21,7 @@
 #include "kernel/base/counts.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
@@ -178,20 +179,17 @@ class MeshLeaf {
   }
 
   std::vector<Polygon> triangulate(Polygon polygon) const {
-    double normal[3] = {0, 0, 0};  // Newell
+    DoubleVector normal{0, 0, 0};  // Newell
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const double *p = points_.xyz(polygon[i]), *q = points_.xyz(polygon[(i + 1) % polygon.size()]);
       for (int k = 0; k < 3; ++k)
         normal[k] += (p[(k + 1) % 3] - q[(k + 1) % 3]) * (p[(k + 2) % 3] + q[(k + 2) % 3]);
     }
-    int axis = 0;
-    for (int k = 1; k < 3; ++k) {
-      if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
-    }
+    const std::size_t axis = steepest_axis(normal);
     const double sign = normal[axis] < 0 ? -1 : 1;
     const auto turn = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
       const double *p = points_.xyz(i), *q = points_.xyz(j), *r = points_.xyz(k);
-      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
       return sign * ((q[u] - p[u]) * (r[v] - p[v]) - (q[v] - p[v]) * (r[u] - p[u]));
     };
     const auto is_ear = [&](std::size_t i) {

@@ -23,10 +23,7 @@ class Cell {
     require(corners.size() == 3 || corners.size() == 4, "parameters: a cell has three corners or four");
     RationalPoint normal = cross(point(1) - point(0), point(2) - point(0));
     if (is_zero(normal)) normal = cross(point(2) - point(0), point(corners.size() - 1) - point(0));
-    std::size_t axis = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      if (abs(normal[k]) > abs(normal[axis])) axis = k;
-    }
+    const std::size_t axis = steepest_axis(normal);
     require(normal[axis] != 0, "parameters: the corners of a cell lie on one line");
     x_ = (axis + 1) % 3;
     y_ = (axis + 2) % 3;

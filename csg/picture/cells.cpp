@@ -79,11 +79,7 @@ class Cutter {
 
   /// A parallelogram in the plane, over the box of all points along the plane's steepest axis, and a little more.
   std::vector<RationalPoint> knife() const {
-    std::size_t axis = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      if (abs(normal_[k]) > abs(normal_[axis])) axis = k;
-    }
-    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const std::size_t axis = steepest_axis(normal_), u = (axis + 1) % 3, v = (axis + 2) % 3;
     RationalPoint low = cells_.points.front(), high = low;
     for (const RationalPoint& p : cells_.points) {
       for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);

@@ -18,17 +18,14 @@ double square_distance_to_segment(const Vector& a, const Vector& b, const Vector
 }
 
 /// The two coordinates that a projection along the largest component of the normal keeps.
-std::array<int, 2> kept(const Vector& normal) {
-  int axis = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
-  }
+std::array<std::size_t, 2> kept(const Vector& normal) {
+  const std::size_t axis = steepest_axis(normal);
   return {(axis + 1) % 3, (axis + 2) % 3};
 }
 
 /// True if a side of the first loop parts the two, but for a strip.
-bool parts(const std::vector<Index>& a, const std::vector<Index>& b, const std::vector<Vector>& points, int u,
-           int v, double d) {
+bool parts(const std::vector<Index>& a, const std::vector<Index>& b, const std::vector<Vector>& points,
+           std::size_t u, std::size_t v, double d) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Vector &from = points[a[i]], &to = points[a[i + 1 < a.size() ? i + 1 : 0]];
     const double x = to[v] - from[v], y = from[u] - to[u], length = hypotenuse(x, y);

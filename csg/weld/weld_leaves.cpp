@@ -234,15 +234,8 @@ class LeafWelder {
         walk.push_back(it->second);
       }
     }
-    const RationalPoint normal = area_vector(outer);
-    std::size_t axis = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      if (abs(normal[k]) > abs(normal[axis])) axis = k;
-    }
-    Projection axes{static_cast<std::uint8_t>((axis + 1) % 3), static_cast<std::uint8_t>((axis + 2) % 3)};
-    if (normal[axis] < 0) std::swap(axes.u, axes.v);
     std::vector<Polygon> result;
-    for (const auto& triangle : triangulate(table, axes, walks)) {
+    for (const auto& triangle : triangulate(table, seen_along(area_vector(outer)), walks)) {
       std::vector<RationalPoint> ring;
       ring.reserve(3);
       for (const VertexId v : triangle) ring.push_back(moved(i, point[v.index()]));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <compare>
 
+#include "kernel/base/products.h"
 #include "kernel/exact/cross_filter.h"
 #include "kernel/exact/points.h"
 
@@ -67,11 +68,7 @@ inline Interval3 operator-(const Interval3& a, const Interval3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-inline Interval3 cross(const Interval3& a, const Interval3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-inline Interval dot(const Interval3& a, const Interval3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using cnrg::cross, cnrg::dot;
 
 /// (b - a) x (c - a)
 inline Interval3 normal(const PointView& a, const PointView& b, const PointView& c) {

@@ -1,6 +1,7 @@
 // Vectors of exact numbers.
 #pragma once
 
+#include "kernel/base/products.h"
 #include "kernel/exact/integers.h"
 
 namespace cnrg {
@@ -13,12 +14,6 @@ inline RationalPoint operator-(const RationalPoint& a, const RationalPoint& b) {
 }
 inline RationalPoint operator*(const Rational& s, const RationalPoint& a) {
   return {s * a[0], s * a[1], s * a[2]};
-}
-inline Rational dot(const RationalPoint& a, const RationalPoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 inline bool is_zero(const RationalPoint& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 inline bool collinear(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {

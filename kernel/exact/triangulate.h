@@ -6,10 +6,19 @@
 #include <span>
 #include <vector>
 
+#include "kernel/base/products.h"
 #include "kernel/exact/points.h"
 #include "kernel/exact/predicates.h"
 
 namespace cnrg {
+
+/// Along the steepest axis of a normal, which points to who looks.
+template <class N>
+Projection seen_along(const std::array<N, 3>& normal) {
+  const std::size_t axis = steepest_axis(normal);
+  const Projection axes{static_cast<std::uint8_t>((axis + 1) % 3), static_cast<std::uint8_t>((axis + 2) % 3)};
+  return normal[axis] < 0 ? Projection{axes.v, axes.u} : axes;
+}
 
 /// Triangulates the planar region that closed loops of points enclose, as seen along `axes`.
 ///

@@ -14,6 +14,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
+#include "kernel/base/products.h"
 
 namespace cnrg {
 namespace {
@@ -21,13 +22,9 @@ namespace {
 using Index = Neighbourhood::Index;
 using Vector = std::array<Integer, 3>;
 
-Vector integer_cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Integer integer_dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 int sign(const Integer& x) { return sgn(x); }
 /// Sign of the determinant: positive if c is counter-clockwise from b as seen from the tip of a.
-int turn(const Vector& a, const Vector& b, const Vector& c) { return sign(integer_dot(a, integer_cross(b, c))); }
+int turn(const Vector& a, const Vector& b, const Vector& c) { return sign(dot(a, cross(b, c))); }
 Vector combine(const Integer& s, const Vector& a, const Integer& t, const Vector& b) {
   return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
 }
@@ -98,12 +95,12 @@ class Nesting {
     const Vector& normal = normals_[k];
     if (arc.full_circle()) {
       const Vector axis = sgn(normal[0]) != 0 ? Vector{0, 1, 0} : Vector{1, 0, 0};
-      return integer_cross(normal, axis);
+      return cross(normal, axis);
     }
     const Vector &a = nodes_[arc.nodes[0]], &b = nodes_[arc.nodes[1]];
     const int bend = turn(normal, a, b);
     if (bend != 0) return combine(bend, a, bend, b);
-    if (sign(integer_dot(a, b)) < 0) return integer_cross(normal, a);
+    if (sign(dot(a, b)) < 0) return cross(normal, a);
     return {-a[0], -a[1], -a[2]};
   }
 
@@ -115,22 +112,22 @@ class Nesting {
     const int bend = turn(normal, a, b);
     if (bend > 0) return turn(normal, a, x) > 0 && turn(normal, x, b) > 0;
     if (bend < 0) return !(turn(normal, b, x) > 0 && turn(normal, x, a) > 0);
-    return sign(integer_dot(a, b)) > 0 || turn(normal, a, x) > 0;
+    return sign(dot(a, b)) > 0 || turn(normal, a, x) > 0;
   }
 
   /// The arcs that the leg from a to b (less than half a great circle) crosses, in order; nothing if it is not in
   /// general position. Arcs whose plane holds a or b are met there, if at all.
   std::optional<std::vector<Crossing>> leg(const Start& from, const Vector& to, bool backwards) const {
     const Vector &a = from.at, &b = to;
-    const Vector normal = integer_cross(a, b);
-    if (sign(integer_dot(normal, normal)) == 0) return std::nullopt;
+    const Vector normal = cross(a, b);
+    if (sign(dot(normal, normal)) == 0) return std::nullopt;
     for (Index i = 0; i < nodes_.size(); ++i) {
-      if (i == from.node || sign(integer_dot(normal, nodes_[i])) != 0) continue;
+      if (i == from.node || sign(dot(normal, nodes_[i])) != 0) continue;
       if (turn(normal, a, nodes_[i]) >= 0 && turn(normal, nodes_[i], b) >= 0) return std::nullopt;
     }
     std::vector<Crossing> out;
     for (Index k = 0; k < n_.arcs.size(); ++k) {
-      const Integer here = integer_dot(normals_[k], a), there = integer_dot(normals_[k], b);
+      const Integer here = dot(normals_[k], a), there = dot(normals_[k], b);
       if (sign(there) == 0) return std::nullopt;
       if (sign(here) * sign(there) >= 0) continue;
       if (!on_arc(k, combine(abs(there), a, abs(here), b))) continue;
@@ -147,7 +144,7 @@ class Nesting {
   /// The circle on which a path leaves its start towards `to`.
   Index circle_at(const Start& start, const Vector& to) const {
     if (start.arc == Neighbourhood::kNone) return circle_of_wire_[start.node];
-    return circle_of_side_[start.arc * 2 + (sign(integer_dot(normals_[start.arc], to)) > 0 ? 0 : 1)];
+    return circle_of_side_[start.arc * 2 + (sign(dot(normals_[start.arc], to)) > 0 ? 0 : 1)];
   }
 
   bool try_path(const Start& from, const Start& to, const Vector& over, UnionFind& circles) const {
