@@ -131,8 +131,7 @@ EntitiesAround around(const Complex& complex, const Group& group, const Location
     sort_unique(out.bounded);
   }
   sort_unique(all);
-  std::set_difference(all.begin(), all.end(), out.bounded.begin(), out.bounded.end(),
-                      std::back_inserter(out.within));
+  out.within = in_first_alone(all, out.bounded);
   return out;
 }
 

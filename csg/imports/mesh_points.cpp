@@ -5,6 +5,7 @@
 
 #include "kernel/base/number_table.h"
 #include "kernel/base/point_hash.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/coplanar.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -35,12 +36,7 @@ MeshPoints::MeshPoints(const MeshData& mesh) {
   }
 }
 
-const RationalPoint* MeshPoints::exact(std::uint32_t p) const {
-  if (exact_.empty()) return nullptr;
-  const auto found = std::lower_bound(exact_.begin(), exact_.end(), p,
-                                      [](const auto& entry, std::uint32_t id) { return entry.first < id; });
-  return found != exact_.end() && found->first == p ? &found->second : nullptr;
-}
+const RationalPoint* MeshPoints::exact(std::uint32_t p) const { return value_of_key(exact_, p); }
 
 RationalPoint MeshPoints::value(std::uint32_t p) const {
   if (const RationalPoint* value = exact(p)) return *value;

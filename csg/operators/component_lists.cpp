@@ -69,20 +69,11 @@ std::vector<CellSet> supports(const Components& x) {
 }
 
 Features unite(const Features& a, const Features& b) {
-  Features out;
-  std::set_union(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), std::back_inserter(out.edges));
-  std::set_union(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
-                 std::back_inserter(out.vertices));
-  return out;
+  return {in_either(a.edges, b.edges), in_either(a.vertices, b.vertices)};
 }
 
 Features among_entities(const Group& group, const Features& features) {
-  Features out;
-  std::set_intersection(features.edges.begin(), features.edges.end(), group.edges.begin(), group.edges.end(),
-                        std::back_inserter(out.edges));
-  std::set_intersection(features.vertices.begin(), features.vertices.end(), group.vertices.begin(),
-                        group.vertices.end(), std::back_inserter(out.vertices));
-  return out;
+  return {in_common(features.edges, group.edges), in_common(features.vertices, group.vertices)};
 }
 
 Features active(const Selection& selection, const Features& features) {

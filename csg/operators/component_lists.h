@@ -22,8 +22,8 @@ std::size_t place_in(const std::vector<std::pair<IdT, Component>>& list, IdT id)
 /// The component of a cell in such a list; 0 when it is not there.
 template <class IdT>
 Component component_in(const std::vector<std::pair<IdT, Component>>& list, IdT id) {
-  const std::size_t k = place_in(list, id);
-  return k == list.size() ? 0 : list[k].second;
+  const Component* const component = value_of_key(list, id);
+  return component != nullptr ? *component : 0;
 }
 
 /// The largest dimension of the cells of each component, by component - 1; -1 for one without cells.

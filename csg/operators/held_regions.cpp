@@ -79,10 +79,7 @@ bool HeldRegions::same_in_held(RegionId a, RegionId b) {
     merge_runs(walls);
     told_apart_ = detect_regions(complex_, cells(), walls);
   }
-  const auto number = [&](RegionId cell) {
-    return std::ranges::lower_bound(told_apart_, cell, {}, &std::pair<RegionId, std::uint32_t>::first)->second;
-  };
-  return number(a) == number(b);
+  return *value_of_key(told_apart_, a) == *value_of_key(told_apart_, b);
 }
 
 void HeldRegions::update(Roles roles, std::span<const Group* const> next, Conflicts& conflicts) {

@@ -10,6 +10,7 @@
 
 #include "csg/operators/component_lists.h"
 #include "csg/operators/detect_regions.h"
+#include "kernel/base/sorted.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/scratch.h"
 #include "kernel/selection/selection.h"
@@ -134,10 +135,8 @@ std::string check_point_set(const Complex& complex, BooleanOp op, const Group& a
 std::string check_volumes(const Complex& complex, BooleanOp op, const Group& a, const Group& b,
                           const Group& result) {
   const std::vector<RegionId> in_a = cells_of(a), in_b = cells_of(b);
-  std::vector<RegionId> common;
-  std::set_intersection(in_a.begin(), in_a.end(), in_b.begin(), in_b.end(), std::back_inserter(common));
   const auto volume_a = volume(complex, in_a), volume_b = volume(complex, in_b);
-  const auto volume_common = volume(complex, common);
+  const auto volume_common = volume(complex, in_common(in_a, in_b));
   if (!volume_a || !volume_b || !volume_common) return "";
   // The result region by region.
   std::map<std::uint32_t, std::vector<RegionId>> regions;

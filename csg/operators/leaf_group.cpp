@@ -326,13 +326,7 @@ class LeafGroups {
     const auto& [a, b] = ends.at;
     if (ends.count == 0) return false;
     const std::span<const LeafId> own(&leaf, 1);
-    return ends.count != 2 || !(share_segment(a, b) || one_curve(complex_, v, {a, own}, {b, own}));
-  }
-
-  // Pieces of one input segment are on one line: no arithmetic with the point that cuts it.
-  bool share_segment(EdgeId a, EdgeId b) const {
-    const auto at_a = complex_.edge_segments[a], at_b = complex_.edge_segments[b];
-    return std::find_first_of(at_a.begin(), at_a.end(), at_b.begin(), at_b.end()) != at_a.end();
+    return ends.count != 2 || !(share_segment(complex_, a, b) || one_curve(complex_, v, {a, own}, {b, own}));
   }
 
   using Labelled = std::vector<std::pair<RegionId, std::uint32_t>>;  // 3-cells and labels of one leaf

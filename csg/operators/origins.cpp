@@ -127,11 +127,7 @@ LeafSetId LeafSets::unite(LeafSetId a, LeafSetId b, Dominance dominance) {
   if (a == b || b == LeafSetId(0)) return a;
   if (a == LeafSetId(0)) return b;
   const auto [it, fresh] = united_.try_emplace(union_key(a, b, said(a), said(b), dominance));
-  if (fresh) {
-    std::vector<LeafId> both;
-    std::set_union(sets_[a].begin(), sets_[a].end(), sets_[b].begin(), sets_[b].end(), std::back_inserter(both));
-    it->second = intern(both, merged(said(a), said(b), dominance));
-  }
+  if (fresh) it->second = intern(in_either(sets_[a], sets_[b]), merged(said(a), said(b), dominance));
   return it->second;
 }
 

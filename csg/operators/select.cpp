@@ -91,10 +91,7 @@ class Picker {
   template <class IdT>
   bool comes_from(IdT cell, std::span<const LeafId> leaves) const {
     if (criteria_.source_faces.empty()) return from(leaves);
-    std::vector<LeafId> wanted;
-    std::set_intersection(leaves.begin(), leaves.end(), criteria_.leaves.begin(), criteria_.leaves.end(),
-                          std::back_inserter(wanted));
-    const std::vector<LeafCell> cells = leaf_cells(complex_, cell, wanted);
+    const std::vector<LeafCell> cells = leaf_cells(complex_, cell, in_common(leaves, criteria_.leaves));
     return std::any_of(cells.begin(), cells.end(), [&](const LeafCell& of) {
       return of.dimension == 2 && one_of(criteria_.source_faces, of.number);
     });

@@ -17,6 +17,7 @@
 #include "csg/text/table.h"
 #include "kernel/base/limits.h"
 #include "kernel/base/part_watch.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/distance.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/integers.h"
@@ -195,10 +196,7 @@ class Planner {
   Rank rank_of_point(Index p) const { return rank(facets_of_[p]); }
   Rank rank_of_segment(Index s) const {
     const auto& [a, b] = parts_.segments()[s].ends;
-    std::vector<Index> both;
-    std::set_intersection(facets_of_[a].begin(), facets_of_[a].end(), facets_of_[b].begin(), facets_of_[b].end(),
-                          std::back_inserter(both));
-    return rank(both);
+    return rank(in_common(facets_of_[a], facets_of_[b]));
   }
   Rank rank_of_part(const NearPair& pair) const {
     return pair.kind == Near::point_facet ? rank({pair.b}) : rank_of_segment(pair.b);

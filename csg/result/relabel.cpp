@@ -21,13 +21,6 @@ namespace {
 
 using Index = FlatComplex::Index;
 
-/// What is in `a` more often than in `b`, as many times as it is more. Both are ascending.
-std::vector<Index> difference(const std::vector<Index>& a, const std::vector<Index>& b) {
-  std::vector<Index> rest;
-  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
-  return rest;
-}
-
 /// What cells of the result a new cell comes from.
 struct Sources {
   std::vector<LeafId> leaves;
@@ -165,7 +158,8 @@ class Labeller {
         continue;
       }
       for (auto& list : named) std::sort(list.begin(), list.end());
-      sides_[f] = {difference(named[0], named[1]), difference(named[1], named[0])};
+      // What is in one list more often than in the other, as many times as it is more.
+      sides_[f] = {in_first_alone(named[0], named[1]), in_first_alone(named[1], named[0])};
     }
   }
 

@@ -206,9 +206,7 @@ std::vector<Index> closed_cells(const Parts& parts, const Parts::Cell& cell) {
   return out;
 }
 bool touching(const Parts& parts, const Parts::Cell& a, const Parts::Cell& b) {
-  std::vector<Index> common;
-  std::ranges::set_intersection(closed_cells(parts, a), closed_cells(parts, b), std::back_inserter(common));
-  return !common.empty();
+  return !in_common(closed_cells(parts, a), closed_cells(parts, b)).empty();
 }
 
 }  // namespace

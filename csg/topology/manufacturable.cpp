@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "kernel/base/sorted.h"
+
 namespace cnrg {
 namespace {
 
@@ -76,10 +78,8 @@ void add_touches(const Complex& complex, const SimplifiedComplex& s, Component c
   if (m.manifold()) return;
   std::map<std::pair<int, std::string>, std::vector<std::string>> found;  // edges first
   const auto look = [&](const auto& shapes, auto cell, int order, const std::string& name) {
-    const auto at = std::lower_bound(shapes.begin(), shapes.end(), cell,
-                                     [](const auto& entry, auto id) { return entry.first < id; });
-    if (at == shapes.end() || at->first != cell || at->second.reason.empty()) return;
-    found[{order, at->second.reason}].push_back(name);
+    const LocalShape* const shape = value_of_key(shapes, cell);
+    if (shape != nullptr && !shape->reason.empty()) found[{order, shape->reason}].push_back(name);
   };
   for (std::uint32_t i = 0; i < s.edges.size(); ++i)
     look(m.edges, s.edges[i].chain.front().edge(), -1, cell_name(1, i));

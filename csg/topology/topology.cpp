@@ -165,12 +165,11 @@ struct Shapes {
   template <class IdT>
   bool count(const std::vector<std::pair<IdT, LocalShape>>& shapes, IdT cell, Counts& counts, int order,
              const std::string& name, bool of_the_set) {
-    const auto at = std::lower_bound(shapes.begin(), shapes.end(), cell,
-                                     [](const auto& entry, IdT id) { return entry.first < id; });
-    if (at == shapes.end() || at->first != cell) return false;  // not in the closure of the set
-    ++counts[of_the_set ? static_cast<std::size_t>(at->second.form) : kMissing];
-    if (at->second.reason.empty()) return false;
-    reasons[{order, at->second.reason}].push_back(name);
+    const LocalShape* const shape = value_of_key(shapes, cell);
+    if (shape == nullptr) return false;  // not in the closure of the set
+    ++counts[of_the_set ? static_cast<std::size_t>(shape->form) : kMissing];
+    if (shape->reason.empty()) return false;
+    reasons[{order, shape->reason}].push_back(name);
     return true;
   }
 };

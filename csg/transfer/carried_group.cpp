@@ -10,6 +10,7 @@
 #include "csg/transfer/marked_cells.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
+#include "kernel/selection/curve.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
@@ -177,13 +178,9 @@ class CarriedGroup::Maker {
     std::vector<LeafCell> carried;
     std::vector<FaceId> faces;
     std::vector<RegionId> regions;
-    if constexpr (std::is_same_v<IdT, FaceId>) {
-      faces = {cell};
-      regions = {complex_.face_regions[cell][0], complex_.face_regions[cell][1]};
-    } else {
-      complex_.star_faces(cell, faces);
-      complex_.star_regions(cell, regions);
-    }
+    if constexpr (std::is_same_v<IdT, FaceId>) faces = {cell};
+    else complex_.star_faces(cell, faces);
+    complex_.star_regions(cell, regions);
     if constexpr (std::is_same_v<IdT, EdgeId>) add_wires(cell, carried);
     if constexpr (std::is_same_v<IdT, VertexId>) {
       for (const EdgeId e : complex_.vertex_edges[cell]) add_wires(e, carried);
@@ -195,9 +192,7 @@ class CarriedGroup::Maker {
       for (const Label& label : complex_.labels(r)) carried.push_back({label.leaf, 3, label.region});
     }
     sort_unique(carried);
-    const std::vector<LeafCell> held = leaf_cells(complex_, cell, all_);
-    std::vector<LeafCell> gone;
-    std::set_difference(held.begin(), held.end(), carried.begin(), carried.end(), std::back_inserter(gone));
+    std::vector<LeafCell> gone = in_first_alone(leaf_cells(complex_, cell, all_), carried);
     const auto [number, fresh] = lists_of_gone_(gone);
     if (fresh) out_.gone_.push_back(std::move(gone));
     return number;
@@ -310,11 +305,6 @@ class CarriedGroup::Maker {
     return point_[v];
   }
 
-  bool share_segment(EdgeId a, EdgeId b) const {
-    const auto at_a = complex_.edge_segments[a], at_b = complex_.edge_segments[b];
-    return std::find_first_of(at_a.begin(), at_a.end(), at_b.begin(), at_b.end()) != at_a.end();
-  }
-
   /// A vertex between two pieces of one segment that differ in nothing is needed no more.
   void drop_vertices() {
     for (const auto& edge : simple_.edges) {
@@ -322,7 +312,7 @@ class CarriedGroup::Maker {
         if (i + 1 == edge.chain.size() && !edge.closed) break;
         const HalfEdge h = edge.chain[i], next = edge.chain[(i + 1) % edge.chain.size()];
         const bool alike = edge_key_[h.edge()] == edge_key_[next.edge()] && h.edge() != next.edge();
-        if (alike && share_segment(h.edge(), next.edge())) dropped_[complex_.target(h)] = 1;
+        if (alike && share_segment(complex_, h.edge(), next.edge())) dropped_[complex_.target(h)] = 1;
       }
     }
     walked_by_.assign(complex_.edge_count(), kNone);

@@ -286,13 +286,6 @@ bool is_bounded(const FlatComplex& flat) {
                                                   [](const auto& r) { return r.component == 0 || r.bounded; });
 }
 
-template <class IdT>
-const LocalShape* shape_of(const std::vector<std::pair<IdT, LocalShape>>& shapes, IdT cell) {
-  const auto at = std::lower_bound(shapes.begin(), shapes.end(), cell,
-                                   [](const auto& entry, IdT id) { return entry.first < id; });
-  return at == shapes.end() || at->first != cell ? nullptr : &at->second;
-}
-
 /// Euler-Poincare term by term, Betti numbers, and what the set looks like around vertices and edges.
 void add_topology(const Evaluation& evaluation, const KeptValue& kept, const FlatComplex& flat, PageTables& tables,
                   Json& out) {
@@ -322,9 +315,9 @@ void add_topology(const Evaluation& evaluation, const KeptValue& kept, const Fla
     return number_in(tables.words, shape->reason.empty() ? form : form + ": " + shape->reason) + 1;
   };
   Numbers vertices, edges;
-  for (const auto& v : kept.simplified->vertices) vertices.push_back(word(shape_of(shapes.vertices, v.cell)));
+  for (const auto& v : kept.simplified->vertices) vertices.push_back(word(value_of_key(shapes.vertices, v.cell)));
   for (const auto& e : kept.simplified->edges) {
-    edges.push_back(word(shape_of(shapes.edges, e.chain.front().edge())));
+    edges.push_back(word(value_of_key(shapes.edges, e.chain.front().edge())));
   }
   out["shapes"] = {{"vertices", packed(vertices)}, {"edges", packed(edges)}};
 }
@@ -436,9 +429,7 @@ void join_classes(const Complex& complex, const SimplifiedComplex& classes, cons
   out["faces"]["front"] = packed(sides[0]);
   out["faces"]["back"] = packed(sides[1]);
   const auto fate_of = [](const auto& list, auto cell, Numbers& into) {
-    const auto at = std::lower_bound(list.begin(), list.end(), cell,
-                                     [](const auto& entry, auto id) { return entry.first < id; });
-    if (at != list.end() && at->first == cell) into.push_back(at->second);
+    if (const Component* const fate = value_of_key(list, cell)) into.push_back(*fate);
   };
   const auto add = [&](const char* kind, const auto& cells, auto pieces) {
     Lists lists;

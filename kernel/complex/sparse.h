@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/base/counts.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 
@@ -59,10 +60,8 @@ class SparseVector {
   /// From (id, value) pairs that are sorted by id, one for an id.
   explicit SparseVector(std::vector<std::pair<IdT, T>> pairs) : pairs_(std::move(pairs)) {}
   T operator[](IdT id) const {
-    if (pairs_.empty()) return T();
-    const auto it =
-        std::lower_bound(pairs_.begin(), pairs_.end(), id, [](const auto& p, IdT x) { return p.first < x; });
-    return it != pairs_.end() && it->first == id ? it->second : T();
+    const T* const value = value_of_key(pairs_, id);
+    return value != nullptr ? *value : T();
   }
   friend bool operator==(const SparseVector&, const SparseVector&) = default;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 
@@ -82,11 +83,7 @@ void Soup::set_plane(const std::array<PointId, 3>& points) {
   planes_.emplace_back(SourceId(faces_.size() - 1), points);
 }
 
-const std::array<PointId, 3>* Soup::plane(SourceId f) const {
-  const auto found = std::lower_bound(planes_.begin(), planes_.end(), f,
-                                      [](const auto& entry, SourceId id) { return entry.first < id; });
-  return found != planes_.end() && found->first == f ? &found->second : nullptr;
-}
+const std::array<PointId, 3>* Soup::plane(SourceId f) const { return value_of_key(planes_, f); }
 
 WireId Soup::add_wire(LeafId leaf, PointId a, PointId b, std::uint32_t leaf_edge) {
   require(leaf.valid() && leaf.index() < fills_.size(), "soup: wire of an unknown leaf");
@@ -123,10 +120,6 @@ void Soup::set_frame(LeafId frame, PointId seed, std::vector<std::pair<LeafId, s
   seed_regions_ = std::move(seed_regions);
 }
 
-const RationalPoint* Soup::rational(PointId p) const {
-  const auto found = std::lower_bound(rationals_.begin(), rationals_.end(), p,
-                                      [](const auto& entry, PointId id) { return entry.first < id; });
-  return found != rationals_.end() && found->first == p ? &found->second : nullptr;
-}
+const RationalPoint* Soup::rational(PointId p) const { return value_of_key(rationals_, p); }
 
 }  // namespace cnrg

@@ -109,13 +109,6 @@ Surroundings collect(const Complex& complex, const PieceOfCurve& at) {
   return out;
 }
 
-template <class T>
-std::vector<T> common(const std::vector<T>& a, const std::vector<T>& b) {
-  std::vector<T> out;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
-  return out;
-}
-
 // One of these surfaces has facets of more than one sheet there.
 bool bends(const Surroundings& a, const Surroundings& b, const std::vector<Surface>& surfaces) {
   std::vector<std::pair<Surface, SheetId>> facets;
@@ -131,13 +124,18 @@ bool bends(const Surroundings& a, const Surroundings& b, const std::vector<Surfa
 
 // A leaf along both says that its curves end in the vertex.
 bool ends(const Complex& complex, VertexId v, const Surroundings& a, const Surroundings& b) {
-  const std::vector<LeafId> along = common(a.leaves, b.leaves);
+  const std::vector<LeafId> along = in_common(a.leaves, b.leaves);
   const auto of = complex.curve_ends[v];
   return std::any_of(of.begin(), of.end(),
                      [&](LeafId leaf) { return std::binary_search(along.begin(), along.end(), leaf); });
 }
 
 }  // namespace
+
+bool share_segment(const Complex& complex, EdgeId a, EdgeId b) {
+  return std::ranges::find_first_of(complex.edge_segments[a], complex.edge_segments[b]) !=
+         complex.edge_segments[a].end();
+}
 
 bool straight(const Complex& complex, VertexId v, EdgeId a, EdgeId b) {
   return collinear(complex.points, other_end(complex, a, v), v, other_end(complex, b, v));
@@ -147,8 +145,8 @@ bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const 
   const Surroundings at_a = collect(complex, a), at_b = collect(complex, b);
   if (straight(complex, v, a.edge, b.edge)) {
     const auto flat = [](const Surface& surface) { return surface.first == Kind::plane; };
-    const auto in_both = common(at_a.wires, at_b.wires);
-    const bool exact = std::ranges::count_if(common(at_a.surfaces, at_b.surfaces), flat) > 1 ||
+    const auto in_both = in_common(at_a.wires, at_b.wires);
+    const bool exact = std::ranges::count_if(in_common(at_a.surfaces, at_b.surfaces), flat) > 1 ||
                        !std::ranges::includes(at_a.bent, in_both);
     return exact || (at_a.bent == at_b.bent &&
                      std::ranges::equal(std::ranges::find_if_not(at_a.surfaces, flat), at_a.surfaces.end(),
@@ -162,10 +160,10 @@ bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const 
   if (!cut) return alike;
   const Surroundings all_a = collect(complex, {a.edge}), all_b = collect(complex, {b.edge});
   if (ends(complex, v, all_a, all_b)) return false;
-  const std::vector<Surface> on = common(all_a.surfaces, all_b.surfaces);
+  const std::vector<Surface> on = in_common(all_a.surfaces, all_b.surfaces);
   if (on.size() > 1 && bends(all_a, all_b, on)) return true;
-  if (!common(all_a.sides, all_b.sides).empty()) return true;
-  if (all_a.surfaces == all_b.surfaces && !common(all_a.wires, all_b.wires).empty()) return true;
+  if (!in_common(all_a.sides, all_b.sides).empty()) return true;
+  if (all_a.surfaces == all_b.surfaces && !in_common(all_a.wires, all_b.wires).empty()) return true;
   return alike && (on == all_a.surfaces || on == all_b.surfaces);  // no two leaves have cut at an angle
 }
 

@@ -26,6 +26,9 @@ using LeavesThere = std::optional<std::span<const LeafId>>;
 /// True if a and b, two different edges at v, lie on one line (exact).
 bool straight(const Complex& complex, VertexId v, EdgeId a, EdgeId b);
 
+/// True if both are pieces of one input segment, which is on one line: no arithmetic with the point that cuts it.
+bool share_segment(const Complex& complex, EdgeId a, EdgeId b);
+
 /// An edge and what counts there.
 struct PieceOfCurve {
   EdgeId edge;

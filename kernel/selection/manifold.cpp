@@ -11,6 +11,7 @@
 #include <map>
 
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 #include "kernel/complex/by_dimension.h"
 #include "kernel/selection/merging.h"
@@ -218,9 +219,7 @@ Manifoldness manifoldness(const Complex& complex, const CellSet& set, Neighbourh
     shapes.clear();
     for (const auto& node : around.nodes) {
       if (!closed.edges[node.edge.edge()]) continue;
-      const auto at = std::lower_bound(out.edges.begin(), out.edges.end(), node.edge.edge(),
-                                       [](const auto& entry, EdgeId e) { return entry.first < e; });
-      shapes.push_back(at->second);
+      shapes.push_back(*value_of_key(out.edges, node.edge.edge()));
     }
     out.vertices.emplace_back(v, VertexShape(closed, around, shapes).run());
   }

@@ -27,10 +27,8 @@ Integer product(const std::vector<Integer>& weights, std::span<const std::uint32
 }
 
 PoleSum joined(const std::vector<Integer>& weights, PoleSum a, PoleSum b) {
-  std::vector<std::uint32_t> shared, all;
-  std::ranges::set_intersection(a.poles, b.poles, std::back_inserter(shared));
-  std::ranges::set_union(a.poles, b.poles, std::back_inserter(all));
-  const Integer common = product(weights, shared);
+  std::vector<std::uint32_t> all = in_either(a.poles, b.poles);
+  const Integer common = product(weights, in_common(a.poles, b.poles));
   mpz_divexact(b.denominator.get_mpz_t(), b.denominator.get_mpz_t(), common.get_mpz_t());
   a.numerator *= b.denominator;
   b.denominator *= a.denominator;
