@@ -6,7 +6,7 @@
 #include "kernel/refine/box_pairs.h"
 #include "kernel/refine/box_tree.h"
 #include "kernel/refine/contacts.h"
-#include "kernel/refine/identity.h"
+#include "kernel/refine/keyed_points.h"
 #include "kernel/refine/refine.h"
 #include "kernel/refine/subdivision.h"
 

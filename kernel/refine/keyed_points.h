@@ -2,7 +2,7 @@
 //
 // The same key is found again and again, by threads, in an order of chance. Here every key is taken once and in
 // the order of keys, so that the numbers of the new vertices are those of every run. Different keys may still be
-// one point (where four planes meet, any three of them name it): coordinates decide that (identity.h), and asking
+// one point (where four planes meet, any three of them name it): coordinates decide that (below), and asking
 // for a key gives the one vertex that stands for its point.
 #pragma once
 
@@ -11,9 +11,17 @@
 #include "kernel/base/error.h"
 #include "kernel/base/number_table.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/points.h"
 #include "kernel/refine/point_key.h"
 
 namespace cnrg {
+
+// Which constructed points are one: symbols first (equal keys), then enclosures, and exact equality only where
+// enclosures overlap.
+
+/// Unites all vertices of `table` from `first_new` on with every vertex that has the same coordinates, among
+/// themselves and among the earlier ones. The representative of a set is its smallest id.
+void unite_coincident(const PointTable& table, VertexId first_new, UnionFind& identity);
 
 class KeyedPoints {
  public:
