@@ -10,7 +10,6 @@
 #include "kernel/refine/box.h"
 
 namespace cnrg {
-
 namespace {
 
 /// The loops of a face: calls `visit(i, j)` for each side from corner i to corner j.
