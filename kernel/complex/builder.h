@@ -50,7 +50,7 @@ class ComplexBuilder {
   std::vector<EdgeId> wires_;                   // edges with no face, ascending
   std::vector<EdgeId> junctions_;               // edges with faces, but not with two uses
   std::vector<VertexId> loose_;                 // vertices on no edge and in no face, ascending
-  IdVector<FaceId, std::uint32_t> front_side_;  // 2 * patch + side of the front of each face (patches.h)
+  IdVector<FaceId, std::uint32_t> front_side_;  // 2 * patch + side of the front of each face (shells.cpp)
   std::vector<ShellId> side_shell_;             // the shell of each side of a patch; numbered by first half-faces
   std::size_t shell_count_ = 0;
   UnionFind space_;  // shells, then infinity, then `wires_`, then `loose_`
