@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "csg/text/number.h"
-#include "csg/tree/read_properties.h"
+#include "csg/tree/read_attribute.h"
 
 namespace cnrg {
 namespace {
