@@ -22,7 +22,6 @@
 #include "csg/tree/read_attribute.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
-#include "csg/tree/read_openscad.h"
 #include "csg/tree/read_parameters.h"
 #include "csg/tree/read_selector.h"
 #include "csg/tree/selector.h"

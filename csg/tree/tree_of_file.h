@@ -18,4 +18,8 @@ Tree tree_of_file(const std::string& path, const ReadOptions& options = {});
 /// A tree with one node, that leaf.
 Tree tree_of_leaf(const std::string& file, const std::string& name, const std::string& key, Shape shape);
 
+/// OpenSCAD's `.csg` files as trees (csg/FORMATS.md#openscad): as `parse_tree`, of the text of such a file; places
+/// are those of that file.
+Tree parse_openscad(const std::string& text, const std::string& file, const ReadOptions& options = {});
+
 }  // namespace cnrg

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/tree/read_openscad.h"
+#include "csg/tree/tree_of_file.h"
 #include "tests/catch.h"
 
 namespace cnrg {
