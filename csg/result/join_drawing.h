@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "csg/result/moved_drawing.h"
+#include "csg/result/flat_drawing.h"
 #include "csg/result/near.h"
 
 namespace cnrg {

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "csg/result/flat.h"
-#include "csg/result/moved_drawing.h"
+#include "csg/result/flat_drawing.h"
 #include "csg/result/result.h"
 #include "kernel/base/progress.h"
 

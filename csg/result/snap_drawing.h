@@ -28,7 +28,7 @@
 // do, so no point of the drawing moves farther than the largest moves of all rounds together.
 #pragma once
 
-#include "csg/result/moved_drawing.h"
+#include "csg/result/flat_drawing.h"
 #include "kernel/base/progress.h"
 
 namespace cnrg {
