@@ -6,6 +6,7 @@
 
 #include "csg/curves/revolved.h"
 #include "csg/geometry/transform.h"
+#include "kernel/exact/rational.h"
 
 namespace cnrg {
 
@@ -50,5 +51,17 @@ struct Ball {
 };
 /// A sphere about `axis`, its poles on it.
 RevolvedForm sphere_about(const Ball& ball, const RationalPoint& axis, const RevolvedForm& like);
+
+// Parts of a turn, between two directions across an axis, compared exactly.
+
+/// Counter-clockwise about the axis, its ends included; a whole turn has no ends.
+struct Sector {
+  RationalPoint from, to;
+  bool whole = true;
+};
+bool same_ray(const RationalPoint& a, const RationalPoint& b);
+bool meet(const Sector& a, const Sector& b, const RationalPoint& axis);
+/// True if they have more than ends in common.
+bool overlap(const Sector& a, const Sector& b, const RationalPoint& axis);
 
 }  // namespace cnrg

@@ -9,7 +9,6 @@
 
 #include "csg/carriers/axes.h"
 #include "csg/carriers/bands.h"
-#include "csg/carriers/sectors.h"
 #include "kernel/base/leaf_words.h"
 
 namespace cnrg {

@@ -13,7 +13,6 @@
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/meridians.h"
 #include "csg/carriers/revolved_families.h"
-#include "csg/carriers/sectors.h"
 #include "csg/carriers/turns.h"
 
 namespace cnrg {

@@ -5,7 +5,7 @@
 //             -> families                     contacts of meridians, exactly; a sphere has every axis through its
 //             centre
 //             -> directions and meridians     family.h; turns.h, meridians.h; of families
-//             that touch family.h, common_circles.h, shared_balls.h
+//             that touch family.h, shared_balls.h
 //             -> leaves
 #include "csg/carriers/revolved_families.h"
 
@@ -13,13 +13,12 @@
 #include <cmath>
 #include <memory>
 
+#include "csg/carriers/axes.h"
 #include "csg/carriers/ball_hull.h"
 #include "csg/carriers/banded_leaves.h"
-#include "csg/carriers/common_circles.h"
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/family.h"
 #include "csg/carriers/near_surfaces.h"
-#include "csg/carriers/sectors.h"
 #include "csg/carriers/shared_balls.h"
 #include "csg/curves/surface_placed.h"
 #include "csg/geometry/placement.h"

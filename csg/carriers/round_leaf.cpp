@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/carriers/axes.h"
 #include "csg/carriers/meridians.h"
-#include "csg/carriers/sectors.h"
 #include "csg/curves/surface_math.h"
 #include "kernel/base/hypotenuse.h"
 #include "kernel/base/vectors.h"
