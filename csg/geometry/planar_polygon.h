@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,13 @@ RationalPoint check_polygon(const std::vector<std::vector<RationalPoint>>& loops
 
 /// Twice the area vector of a closed loop (Newell), exact.
 RationalPoint area_vector(const std::vector<RationalPoint>& loop);
+
+// The plane that fits points best, exactly.
+
+/// A normal of the plane through the mean of the points that has the least sum of squared distances, of all planes
+/// that are near the one along `start`: distances are measured along `start`, which is off by the square of the
+/// angle between both. A rotation of the points rotates it, their order is all the same. `start` where the points
+/// lie on a line along it.
+RationalPoint least_squares_normal(std::span<const RationalPoint> points, const RationalPoint& start);
 
 }  // namespace cnrg

@@ -5,9 +5,9 @@
 #include <numeric>
 
 #include "csg/text/table.h"
-#include "csg/weld/inside.h"
 #include "csg/weld/near_sets.h"
 #include "csg/weld/order.h"
+#include "csg/weld/planes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/exact_vectors.h"
