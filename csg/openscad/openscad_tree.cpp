@@ -13,7 +13,7 @@
 
 #include "csg/imports/mesh_file.h"
 #include "csg/leaves/leaf.h"
-#include "csg/openscad/arguments.h"
+#include "csg/openscad/statement.h"
 #include "csg/openscad/value.h"
 #include "csg/text/escape.h"
 #include "csg/text/file.h"
