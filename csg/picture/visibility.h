@@ -14,7 +14,7 @@
 
 namespace cnrg {
 
-/// What is seen of a scene whose points are in the camera's space (camera.h): x to the right, y up, z to the
+/// What is seen of a scene whose points are in the camera's space: x to the right, y up, z to the
 /// front. Numbers are those of the scene; places those of its points, as doubles.
 struct SeenScene {
   using Index = Scene::Index;
