@@ -36,6 +36,24 @@ constexpr double kLargest = kLargestFiltered;
 
 StageCounts& counts() { return PerThread<StageCounts>::own(); }
 
+/// A sign by the first stage that decides it: a filter's, or else that of intervals, or else the exact one.
+template <class Enclosed, class Exact>
+int in_stages(int filtered, const Enclosed& enclosed, const Exact& exact) {
+  if (filtered != kUndecided) {
+    ++counts().filter;
+    return filtered;
+  }
+  {
+    RoundOutward round;
+    if (const int s = enclosed(); s != kUndecided) {
+      ++counts().interval;
+      return s;
+    }
+  }
+  ++counts().exact;
+  return exact();
+}
+
 inline double max_abs(double a, double b, double c) {
   return std::max(std::fabs(a), std::max(std::fabs(b), std::fabs(c)));
 }
@@ -119,21 +137,12 @@ int exact_cross(Projection axes, const ExactPoint& a, const ExactPoint& b, const
 
 int orient3d(const PointView& a, const PointView& b, const PointView& c, const PointView& d) {
   const double w = std::max(std::max(width(a), width(b)), std::max(width(c), width(d)));
-  if (const int s = filtered_orient3d(a.lo.data(), b.lo.data(), c.lo.data(), d.lo.data(), w); s != kUndecided) {
-    ++counts().filter;
-    return s;
-  }
-  {
-    RoundOutward round;
+  const auto enclosed = [&] {
     const Interval3 o = of(a);
-    const int s = sign_of(dot(of(d) - o, cross(of(b) - o, of(c) - o)));
-    if (s != kUndecided) {
-      ++counts().interval;
-      return s;
-    }
-  }
-  ++counts().exact;
-  return exact_orient3d(a.exact(), b.exact(), c.exact(), d.exact());
+    return sign_of(dot(of(d) - o, cross(of(b) - o, of(c) - o)));
+  };
+  return in_stages(filtered_orient3d(a.lo.data(), b.lo.data(), c.lo.data(), d.lo.data(), w), enclosed,
+                   [&] { return exact_orient3d(a.exact(), b.exact(), c.exact(), d.exact()); });
 }
 
 int orient3d(const PointTable& t, VertexId a, VertexId b, VertexId c, VertexId d) {
@@ -175,24 +184,16 @@ int side_of_plane(const PointTable& t, PlaneId plane, VertexId p) { return side_
 int orient2d(Projection axes, const PointView& a, const PointView& b, const PointView& c) {
   const int u = axes.u, v = axes.v;
   const double w = std::max(width(a, u, v), std::max(width(b, u, v), width(c, u, v)));
-  if (const int s = filtered_cross(b.lo[u] - a.lo[u], b.lo[v] - a.lo[v], c.lo[u] - a.lo[u], c.lo[v] - a.lo[v], w);
-      s != kUndecided) {
-    ++counts().filter;
-    return s;
-  }
-  {
-    RoundOutward round;
+  const int filtered =
+      filtered_cross(b.lo[u] - a.lo[u], b.lo[v] - a.lo[v], c.lo[u] - a.lo[u], c.lo[v] - a.lo[v], w);
+  const auto enclosed = [&] {
     const Interval ax(a.lo[u], a.hi[u]), ay(a.lo[v], a.hi[v]);
     const Interval bx(b.lo[u], b.hi[u]), by(b.lo[v], b.hi[v]);
     const Interval cx(c.lo[u], c.hi[u]), cy(c.lo[v], c.hi[v]);
-    const int s = sign_of((bx - ax) * (cy - ay) - (by - ay) * (cx - ax));
-    if (s != kUndecided) {
-      ++counts().interval;
-      return s;
-    }
-  }
-  ++counts().exact;
-  return exact_cross(axes, a.exact(), b.exact(), a.exact(), c.exact());
+    return sign_of((bx - ax) * (cy - ay) - (by - ay) * (cx - ax));
+  };
+  return in_stages(filtered, enclosed,
+                   [&] { return exact_cross(axes, a.exact(), b.exact(), a.exact(), c.exact()); });
 }
 
 int orient2d(const PointTable& t, Projection axes, VertexId a, VertexId b, VertexId c) {
@@ -217,24 +218,15 @@ int orient2d_vectors(const PointTable& t, Projection axes, VertexId a, VertexId 
   // The bound of orient2d: it does not use that the two differences share a point.
   const double w =
       std::max(std::max(width(pa, u, v), width(pb, u, v)), std::max(width(pc, u, v), width(pd, u, v)));
-  if (const int s =
-          filtered_cross(pb.lo[u] - pa.lo[u], pb.lo[v] - pa.lo[v], pd.lo[u] - pc.lo[u], pd.lo[v] - pc.lo[v], w);
-      s != kUndecided) {
-    ++counts().filter;
-    return s;
-  }
-  {
-    RoundOutward round;
+  const int filtered =
+      filtered_cross(pb.lo[u] - pa.lo[u], pb.lo[v] - pa.lo[v], pd.lo[u] - pc.lo[u], pd.lo[v] - pc.lo[v], w);
+  const auto enclosed = [&] {
     const auto at = [](const PointView& p, int k) { return Interval(p.lo[k], p.hi[k]); };
-    const int s = sign_of((at(pb, u) - at(pa, u)) * (at(pd, v) - at(pc, v)) -
-                          (at(pb, v) - at(pa, v)) * (at(pd, u) - at(pc, u)));
-    if (s != kUndecided) {
-      ++counts().interval;
-      return s;
-    }
-  }
-  ++counts().exact;
-  return exact_cross(axes, pa.exact(), pb.exact(), pc.exact(), pd.exact());
+    return sign_of((at(pb, u) - at(pa, u)) * (at(pd, v) - at(pc, v)) -
+                   (at(pb, v) - at(pa, v)) * (at(pd, u) - at(pc, u)));
+  };
+  return in_stages(filtered, enclosed,
+                   [&] { return exact_cross(axes, pa.exact(), pb.exact(), pc.exact(), pd.exact()); });
 }
 
 int compare(int axis, const PointView& a, const PointView& b) {
@@ -291,43 +283,34 @@ bool collinear(const PointTable& t, VertexId a, VertexId b, VertexId c) {
 
 int cross_normal_sign(const PointTable& t, PlaneId p, PlaneId q, int k) {
   const int i = (k + 1) % 3, j = (k + 2) % 3;
-  {
+  const auto enclosed = [&] {
     const auto [pa, pb, pc] = t.plane_points(p);
     const auto [qa, qb, qc] = t.plane_points(q);
-    RoundOutward round;
     const Interval3 m = enclosure::normal(t.view(pa), t.view(pb), t.view(pc));
     const Interval3 n = enclosure::normal(t.view(qa), t.view(qb), t.view(qc));
-    const int s = sign_of(m[i] * n[j] - m[j] * n[i]);
-    if (s != kUndecided) {
-      ++counts().interval;
-      return s;
-    }
-  }
-  ++counts().exact;
-  const ExactPlane &m = t.exact_plane(p), &n = t.exact_plane(q);
-  const Integer* mm[3] = {&m.a, &m.b, &m.c};
-  const Integer* nn[3] = {&n.a, &n.b, &n.c};
-  const Integer component = *mm[i] * *nn[j] - *mm[j] * *nn[i];
-  return sgn(component);
+    return sign_of(m[i] * n[j] - m[j] * n[i]);
+  };
+  return in_stages(kUndecided, enclosed, [&] {
+    const ExactPlane &m = t.exact_plane(p), &n = t.exact_plane(q);
+    const Integer* mm[3] = {&m.a, &m.b, &m.c};
+    const Integer* nn[3] = {&n.a, &n.b, &n.c};
+    const Integer component = *mm[i] * *nn[j] - *mm[j] * *nn[i];
+    return sgn(component);
+  });
 }
 
 int normal_dot_sign(const PointTable& t, PlaneId p, const std::array<double, 3>& direction) {
-  {
+  const auto enclosed = [&] {
     const auto [a, b, c] = t.plane_points(p);
-    RoundOutward round;
     const Interval3 n = enclosure::normal(t.view(a), t.view(b), t.view(c));
-    const int s =
-        sign_of(dot(n, Interval3{Interval(direction[0]), Interval(direction[1]), Interval(direction[2])}));
-    if (s != kUndecided) {
-      ++counts().interval;
-      return s;
-    }
-  }
-  ++counts().exact;
-  const ExactPlane& e = t.exact_plane(p);
-  const Rational value = Rational(e.a) * from_double(direction[0]) + Rational(e.b) * from_double(direction[1]) +
-                         Rational(e.c) * from_double(direction[2]);
-  return sgn(value);
+    return sign_of(dot(n, Interval3{Interval(direction[0]), Interval(direction[1]), Interval(direction[2])}));
+  };
+  return in_stages(kUndecided, enclosed, [&] {
+    const ExactPlane& e = t.exact_plane(p);
+    const Rational value = Rational(e.a) * from_double(direction[0]) + Rational(e.b) * from_double(direction[1]) +
+                           Rational(e.c) * from_double(direction[2]);
+    return sgn(value);
+  });
 }
 
 int normal_sign(const PointTable& t, PlaneId p, int k) {
