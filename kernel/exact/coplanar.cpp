@@ -14,10 +14,13 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+
+#include "kernel/base/products.h"
 
 namespace cnrg {
 namespace {
@@ -71,14 +74,6 @@ struct Residue {
   }
 };
 
-struct ResidueVector {
-  Residue x, y, z;
-  ResidueVector(const double* from, const double* to, int grid)
-      : x(Residue(to[0], grid) - Residue(from[0], grid)),
-        y(Residue(to[1], grid) - Residue(from[1], grid)),
-        z(Residue(to[2], grid) - Residue(from[2], grid)) {}
-};
-
 /// x / 2^grid, an integer.
 mpz_class scaled(double x, int grid) {
   mpz_class value;
@@ -95,52 +90,43 @@ mpz_class scaled(double x, int grid) {
 /// Differences of at most 41 bits on the grid, whose determinant fits into 128.
 struct ShortVector {
   __extension__ using Value = __int128;
-  Value x = 0, y = 0, z = 0;
+  std::array<Value, 3> parts{};
   bool fits = true;
   ShortVector(const double* from, const double* to, int grid) {
-    Value* const parts[3] = {&x, &y, &z};
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
       const double a = std::ldexp(from[k], -grid), b = std::ldexp(to[k], -grid);  // exact, or too large
       if (!(std::abs(a) < 0x1p53 && std::abs(b) < 0x1p53 && std::abs(b - a) < 0x1p41)) {
         fits = false;
         return;
       }
-      *parts[k] = static_cast<std::int64_t>(b) - static_cast<std::int64_t>(a);
+      parts[k] = static_cast<std::int64_t>(b) - static_cast<std::int64_t>(a);
     }
   }
 };
 
-struct IntegerVector {
-  mpz_class x, y, z;
-  IntegerVector(const double* from, const double* to, int grid)
-      : x(scaled(to[0], grid) - scaled(from[0], grid)),
-        y(scaled(to[1], grid) - scaled(from[1], grid)),
-        z(scaled(to[2], grid) - scaled(from[2], grid)) {}
-};
+/// From one point to another, in the numbers that `number` makes of coordinates.
+template <class Number>
+auto way(const double* from, const double* to, const Number& number) {
+  using N = decltype(number(0.0));
+  return std::array<N, 3>{N(number(to[0]) - number(from[0])), N(number(to[1]) - number(from[1])),
+                          N(number(to[2]) - number(from[2]))};
+}
+double as_it_is(double x) { return x; }
 
 }  // namespace
 
 bool maybe_coplanar(const double* a, const double* b, const double* c, const double* d) {
-  const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
-  const double vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
-  const double wx = d[0] - a[0], wy = d[1] - a[1], wz = d[2] - a[2];
-  const double determinant = ux * (vy * wz - vz * wy) - uy * (vx * wz - vz * wx) + uz * (vx * wy - vy * wx);
-  const double m = largest({a, b, c, d});
-  const double extent = std::max({std::abs(ux), std::abs(uy), std::abs(uz), std::abs(vx), std::abs(vy),
-                                  std::abs(vz), std::abs(wx), std::abs(wy), std::abs(wz)});
+  const std::array<double, 3> u = way(a, b, as_it_is), v = way(a, c, as_it_is), w = way(a, d, as_it_is);
+  const double determinant = dot(u, cross(v, w)), m = largest({a, b, c, d}),
+               extent = largest({u.data(), v.data(), w.data()});
   const double bound = 256 * kUnit * m * extent * extent;
   return !(std::abs(determinant) > bound && bound > 1e-280 && std::isfinite(determinant));
 }
 
 bool maybe_collinear(const double* a, const double* b, const double* c) {
-  const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
-  const double vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
-  const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-  const double m = largest({a, b, c});
-  const double extent =
-      std::max({std::abs(ux), std::abs(uy), std::abs(uz), std::abs(vx), std::abs(vy), std::abs(vz)});
-  const double bound = 64 * kUnit * m * extent;
-  const double size = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  const std::array<double, 3> u = way(a, b, as_it_is), v = way(a, c, as_it_is), normal = cross(u, v);
+  const double bound = 64 * kUnit * largest({a, b, c}) * largest({u.data(), v.data()});
+  const double size = largest({normal.data()});
   return !(size > bound && bound > 1e-280 && std::isfinite(size));
 }
 
@@ -150,25 +136,19 @@ bool coplanar(const double* a, const double* b, const double* c, const double* d
   }
   if (!maybe_coplanar(a, b, c, d)) return false;
   const int grid = grid_exponent({a, b, c, d});
-  const ResidueVector p(a, b, grid), q(a, c, grid), r(a, d, grid);
-  const Residue residue =
-      p.x * (q.y * r.z - q.z * r.y) - p.y * (q.x * r.z - q.z * r.x) + p.z * (q.x * r.y - q.y * r.x);
-  if (residue.value != 0) return false;
+  const auto residue = [grid](double x) { return Residue(x, grid); };
+  if (dot(way(a, b, residue), cross(way(a, c, residue), way(a, d, residue))).value != 0) return false;
   const ShortVector s(a, b, grid), t(a, c, grid), n(a, d, grid);
-  if (s.fits && t.fits && n.fits) {
-    return s.x * (t.y * n.z - t.z * n.y) - s.y * (t.x * n.z - t.z * n.x) + s.z * (t.x * n.y - t.y * n.x) == 0;
-  }
-  const IntegerVector u(a, b, grid), v(a, c, grid), w(a, d, grid);
-  const mpz_class determinant =
-      u.x * (v.y * w.z - v.z * w.y) - u.y * (v.x * w.z - v.z * w.x) + u.z * (v.x * w.y - v.y * w.x);
-  return determinant == 0;
+  if (s.fits && t.fits && n.fits) return dot(s.parts, cross(t.parts, n.parts)) == 0;
+  const auto integer = [grid](double x) { return scaled(x, grid); };
+  return dot(way(a, b, integer), cross(way(a, c, integer), way(a, d, integer))) == 0;
 }
 
 bool collinear(const double* a, const double* b, const double* c) {
   if (!maybe_collinear(a, b, c)) return false;
   const int grid = grid_exponent({a, b, c});
-  const IntegerVector u(a, b, grid), v(a, c, grid);
-  return u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
+  const auto integer = [grid](double x) { return scaled(x, grid); };
+  return cross(way(a, b, integer), way(a, c, integer)) == std::array<mpz_class, 3>{0, 0, 0};
 }
 
 }  // namespace cnrg

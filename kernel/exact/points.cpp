@@ -19,19 +19,10 @@ namespace {
 
 /// Divides by the gcd and makes w positive.
 void canonicalize(ExactPoint& p) {
-  if (sgn(p.w) < 0) {
-    p.x = -p.x;
-    p.y = -p.y;
-    p.z = -p.z;
-    p.w = -p.w;
-  }
   Integer g = gcd(gcd(p.x, p.y), gcd(p.z, p.w));
-  if (g != 1) {
-    mpz_divexact(p.x.get_mpz_t(), p.x.get_mpz_t(), g.get_mpz_t());
-    mpz_divexact(p.y.get_mpz_t(), p.y.get_mpz_t(), g.get_mpz_t());
-    mpz_divexact(p.z.get_mpz_t(), p.z.get_mpz_t(), g.get_mpz_t());
-    mpz_divexact(p.w.get_mpz_t(), p.w.get_mpz_t(), g.get_mpz_t());
-  }
+  if (sgn(p.w) < 0) g = -g;
+  if (g == 1) return;
+  for (Integer* const c : {&p.x, &p.y, &p.z, &p.w}) mpz_divexact(c->get_mpz_t(), c->get_mpz_t(), g.get_mpz_t());
 }
 
 /// The point of three doubles over a common power of two.
@@ -62,18 +53,18 @@ ExactPoint from_doubles(const double* c) {
 
 Integer at(const ExactPlane& e, const ExactPoint& p) { return e.a * p.x + e.b * p.y + e.c * p.z + e.d * p.w; }
 
+/// A positive multiple of b - a, where w of both is positive.
+std::array<Integer, 3> way_between(const ExactPoint& a, const ExactPoint& b) {
+  return {b.x * a.w - a.x * b.w, b.y * a.w - a.y * b.w, b.z * a.w - a.z * b.w};
+}
+/// The plane through a with a normal.
+ExactPlane plane_at(const ExactPoint& a, const std::array<Integer, 3>& n) {
+  return {n[0] * a.w, n[1] * a.w, n[2] * a.w, -(n[0] * a.x + n[1] * a.y + n[2] * a.z)};
+}
+
 /// The plane through three points, w of each positive: normal (b-a) x (c-a).
 ExactPlane plane_through(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
-  const Integer ux = b.x * a.w - a.x * b.w, uy = b.y * a.w - a.y * b.w, uz = b.z * a.w - a.z * b.w;
-  const Integer vx = c.x * a.w - a.x * c.w, vy = c.y * a.w - a.y * c.w, vz = c.z * a.w - a.z * c.w;
-  ExactPlane e;
-  e.a = uy * vz - uz * vy;
-  e.b = uz * vx - ux * vz;
-  e.c = ux * vy - uy * vx;
-  e.d = -(e.a * a.x + e.b * a.y + e.c * a.z);
-  e.a *= a.w;
-  e.b *= a.w;
-  e.c *= a.w;
+  ExactPlane e = plane_at(a, cross(way_between(a, b), way_between(a, c)));
   const Integer g = gcd(gcd(e.a, e.b), gcd(e.c, e.d));
   if (sgn(g) != 0 && g != 1) {
     e.a /= g;
@@ -86,12 +77,7 @@ ExactPlane plane_through(const ExactPoint& a, const ExactPoint& b, const ExactPo
 
 ExactPoint line_plane(const ExactPoint& a, const ExactPoint& b, const ExactPlane& e) {
   const Integer sa = at(e, a), sb = at(e, b);
-  ExactPoint p;
-  p.x = sb * a.x - sa * b.x;
-  p.y = sb * a.y - sa * b.y;
-  p.z = sb * a.z - sa * b.z;
-  p.w = sb * a.w - sa * b.w;
-  return p;
+  return {sb * a.x - sa * b.x, sb * a.y - sa * b.y, sb * a.z - sa * b.z, sb * a.w - sa * b.w};
 }
 
 /// Minor of the columns i, j, k of three planes.
@@ -104,33 +90,25 @@ Integer minor(const std::array<const Integer*, 4>& r0, const std::array<const In
 ExactPoint three_planes(const ExactPlane& p, const ExactPlane& q, const ExactPlane& r) {
   const std::array<const Integer*, 4> rows[3] = {
       {&p.a, &p.b, &p.c, &p.d}, {&q.a, &q.b, &q.c, &q.d}, {&r.a, &r.b, &r.c, &r.d}};
-  ExactPoint x;
-  x.x = minor(rows[0], rows[1], rows[2], 1, 2, 3);
-  x.y = -minor(rows[0], rows[1], rows[2], 0, 2, 3);
-  x.z = minor(rows[0], rows[1], rows[2], 0, 1, 3);
-  x.w = -minor(rows[0], rows[1], rows[2], 0, 1, 2);
-  return x;
+  const auto of = [&](int i, int j, int k) { return minor(rows[0], rows[1], rows[2], i, j, k); };
+  return {of(1, 2, 3), -of(0, 2, 3), of(0, 1, 3), -of(0, 1, 2)};
 }
 
 /// The plane that holds the line cd and the direction of axis k.
 ExactPlane plane_along_axis(const ExactPoint& c, const ExactPoint& d, int k) {
-  const Integer ux = d.x * c.w - c.x * d.w, uy = d.y * c.w - c.y * d.w, uz = d.z * c.w - c.z * d.w;
-  ExactPlane e;
-  if (k == 0) {
-    e.b = uz;
-    e.c = -uy;
-  } else if (k == 1) {
-    e.a = -uz;
-    e.c = ux;
-  } else {
-    e.a = uy;
-    e.b = -ux;
-  }
-  e.d = -(e.a * c.x + e.b * c.y + e.c * c.z);
-  e.a *= c.w;
-  e.b *= c.w;
-  e.c *= c.w;
-  return e;
+  std::array<Integer, 3> axis{0, 0, 0};
+  axis[static_cast<std::size_t>(k)] = 1;
+  return plane_at(c, cross(way_between(c, d), axis));
+}
+
+/// The nearest doubles that are not above a number, and not below it.
+std::array<double, 2> bounds_of(const Rational& x) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double d = to_double(x);
+  if (d == kInfinity) return {std::numeric_limits<double>::max(), kInfinity};
+  if (d == -kInfinity) return {-kInfinity, std::numeric_limits<double>::lowest()};
+  const int order = cmp(from_double(d), x);
+  return {order > 0 ? std::nextafter(d, -kInfinity) : d, order < 0 ? std::nextafter(d, kInfinity) : d};
 }
 
 /// Values by key, each made on first use and never moved; threads may ask at any time.
@@ -240,16 +218,9 @@ VertexId PointTable::add(double x, double y, double z) {
 VertexId PointTable::add(const RationalPoint& p) {
   std::array<double, 3> lo, hi;
   bool doubles = true;
-  for (int k = 0; k < 3; ++k) {
-    lo[k] = hi[k] = to_double(p[k]);
-    if (std::isfinite(lo[k])) {
-      const int order = cmp(from_double(lo[k]), p[k]);
-      if (order > 0) lo[k] = std::nextafter(lo[k], -std::numeric_limits<double>::infinity());
-      if (order < 0) hi[k] = std::nextafter(hi[k], std::numeric_limits<double>::infinity());
-    } else {
-      lo[k] = sgn(p[k]) > 0 ? std::numeric_limits<double>::max() : -std::numeric_limits<double>::infinity();
-      hi[k] = sgn(p[k]) > 0 ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::lowest();
-    }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [low, high] = bounds_of(p[k]);
+    lo[k] = low, hi[k] = high;
     doubles = doubles && lo[k] == hi[k];
   }
   if (doubles) return add(lo[0], lo[1], lo[2]);
@@ -421,17 +392,9 @@ const ExactPoint& PointView::exact() const { return value != nullptr ? *value : 
 PointView view_of(const ExactPoint& value) {
   PointView p{{}, {}, nullptr, VertexId::none(), &value};
   const RationalPoint r = value.rational();
-  for (int k = 0; k < 3; ++k) {
-    const double d = to_double(r[k]);
-    const double infinity = std::numeric_limits<double>::infinity();
-    if (!std::isfinite(d)) {
-      p.lo[k] = d > 0 ? std::numeric_limits<double>::max() : -infinity;
-      p.hi[k] = d > 0 ? infinity : std::numeric_limits<double>::lowest();
-      continue;
-    }
-    const int order = cmp(from_double(d), r[k]);
-    p.lo[k] = order > 0 ? std::nextafter(d, -infinity) : d;
-    p.hi[k] = order < 0 ? std::nextafter(d, infinity) : d;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [low, high] = bounds_of(r[k]);
+    p.lo[k] = low, p.hi[k] = high;
   }
   return p;
 }

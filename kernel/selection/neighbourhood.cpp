@@ -13,8 +13,8 @@
 #include <optional>
 
 #include "kernel/base/error.h"
-#include "kernel/base/union_find.h"
 #include "kernel/base/products.h"
+#include "kernel/base/union_find.h"
 
 namespace cnrg {
 namespace {
