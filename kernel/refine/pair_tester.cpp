@@ -306,18 +306,16 @@ void PairTester::wire_face(SegmentId s, SourceId f) {
     list.kinds[1] += copies(f);
     return;
   }
-  const VertexId v = side[0] == 0 ? ends[0] : ends[1];
-  if (has_corner(f, v)) return;
-  if (locate_in_face(in_, f, projection_of(t_, plane), t_.view(v)) == 0) return;
-  list.on_face.push_back({f, PointKey::vertex(v)});
-  list.kinds[2] += copies(f);
+  point_in_plane(side[0] == 0 ? ends[0] : ends[1], f);
 }
 
 void PairTester::point_face(VertexId p, SourceId f) {
+  if (!has_corner(f, p) && side_of_plane(t_, RefineInput::plane(f), p) == 0) point_in_plane(p, f);
+}
+
+void PairTester::point_in_plane(VertexId p, SourceId f) {
   if (has_corner(f, p)) return;
-  const PlaneId plane = RefineInput::plane(f);
-  if (side_of_plane(t_, plane, p) != 0) return;
-  if (locate_in_face(in_, f, projection_of(t_, plane), t_.view(p)) == 0) return;
+  if (locate_in_face(in_, f, projection_of(t_, RefineInput::plane(f)), t_.view(p)) == 0) return;
   list.on_face.push_back({f, PointKey::vertex(p)});
   list.kinds[2] += copies(f);
 }
@@ -344,22 +342,10 @@ void PairTester::wires(SegmentId s, SegmentId t) {
     if (oc == 0 && od == 0) continue;
     const int oa = orient2d(t_, axes, c, d, a), ob = orient2d(t_, axes, c, d, b);
     if (oc * od > 0 || oa * ob > 0) return;
-    if (oc == 0) {
-      point_wire(c, s);
-      return;
-    }
-    if (od == 0) {
-      point_wire(d, s);
-      return;
-    }
-    if (oa == 0) {
-      point_wire(a, t);
-      return;
-    }
-    if (ob == 0) {
-      point_wire(b, t);
-      return;
-    }
+    if (oc == 0) return point_wire(c, s);
+    if (od == 0) return point_wire(d, s);
+    if (oa == 0) return point_wire(a, t);
+    if (ob == 0) return point_wire(b, t);
     const PointKey key = PointKey::segments(s, t);
     list.on_wire.push_back({s, key});
     list.on_wire.push_back({t, key});

@@ -79,6 +79,8 @@ class PairTester {
   Contact signs(SourceId f, SourceId g, std::vector<int>& out);
   bool only_shared(SourceId f, SourceId g, const std::vector<int>& sign) const;
   bool apart(SourceId f, SourceId g) const;
+  /// A point in the plane of a face.
+  void point_in_plane(VertexId p, SourceId f);
   void cut(SourceId f, SourceId g, const std::vector<int>& sign, std::vector<Event>& events);
   PointView view_of_key(const PointKey& key, const Definition& d);
   int order(Event& a, Event& b);
