@@ -54,13 +54,18 @@ AxisLine axis_line(const RationalPoint& point, const RationalPoint& direction) {
   return line;
 }
 
-std::optional<Rational> stretch(const Transform& transform) {
+std::optional<Rational> squared_stretch(const Transform& transform) {
   const auto& rows = transform.linear;
   const Rational square = dot(rows[0], rows[0]);
   for (std::size_t i = 0; i < 3; ++i) {
     if (dot(rows[i], rows[i]) != square || dot(rows[i], rows[(i + 1) % 3]) != 0) return std::nullopt;
   }
-  return rational_root(square);
+  return square;
+}
+
+std::optional<Rational> stretch(const Transform& transform) {
+  const std::optional<Rational> square = squared_stretch(transform);
+  return square ? rational_root(*square) : std::nullopt;
 }
 
 Rational PlacedForm::square() const { return dot(axis.direction, axis.direction); }

@@ -26,6 +26,8 @@ AxisLine axis_line(const RationalPoint& point, const RationalPoint& direction);
 
 /// By how much a transform stretches every length, where it does so by one rational number.
 std::optional<Rational> stretch(const Transform& transform);
+/// Its square; nothing for one that changes angles.
+std::optional<Rational> squared_stretch(const Transform& transform);
 
 /// A revolved leaf in the space of those that it is compared with, its meridians in the half-plane of its axis
 /// line.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "csg/carriers/axes.h"
 #include "csg/carriers/bands.h"
 #include "csg/carriers/boxes.h"
 #include "csg/carriers/tangency.h"
@@ -15,22 +16,11 @@
 namespace cnrg {
 namespace {
 
-/// L^T L is a multiple of the unit matrix.
-bool keeps_angles(const Transform& transform) {
-  const auto product = [&](std::size_t i, std::size_t j) {
-    Rational sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) sum += transform.linear[k][i] * transform.linear[k][j];
-    return sum;
-  };
-  const Rational square = product(0, 0);
-  return product(1, 1) == square && product(2, 2) == square && product(0, 1) == 0 && product(0, 2) == 0 &&
-         product(1, 2) == 0;
-}
-
 /// Around all surfaces of a leaf whose form shares with what it meets; nothing for others, and beyond doubles.
 std::optional<Box> box_around(const PreparedLeaf& leaf, const Transform& transform) {
   const CurvedForm& form = *leaf.form();
-  if (!keeps_angles(transform)) return std::nullopt;  // what is stretched alike is compared in one stretched space
+  if (!squared_stretch(transform))
+    return std::nullopt;  // what is stretched alike is compared in one stretched space
   Box box;
   if (const auto* revolved = dynamic_cast<const RevolvedForm*>(&form)) {
     box = box_of(*revolved, transform);
