@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "csg/operators/node_value.h"
 #include "csg/tree/unfold.h"
@@ -16,11 +17,11 @@ namespace cnrg {
 
 class ValueStore {
  public:
-  ValueStore(std::size_t instances, bool keep_all);
+  ValueStore(std::size_t instances, bool keep_all) : keep_all_(keep_all), values_(instances), uses_(instances) {}
   /// Before anything is evaluated: an operator that is going to run takes the value, or a root is.
   void add_use(InstanceId id) { ++uses_[id]; }
 
-  void put(InstanceId id, NodeValue value);
+  void put(InstanceId id, NodeValue value) { values_[id] = std::make_shared<NodeValue>(std::move(value)); }
   /// False before it was put and after it was freed.
   bool has(InstanceId id) const { return values_[id] != nullptr; }
   /// The value must be there. It stays where it is until it is freed.
@@ -33,10 +34,18 @@ class ValueStore {
   /// Whether the operator that runs now may take the value apart, since nobody sees it afterwards.
   bool expendable(InstanceId operand) const { return used_once_more(operand) && !keep_all_; }
   /// The operator that takes these has run.
-  void release(std::span<const InstanceId> operands);
+  void release(std::span<const InstanceId> operands) {
+    for (const InstanceId operand : operands) {
+      if (--uses_[operand] == 0 && !keep_all_) values_[operand].reset();
+    }
+  }
 
   /// Of all instances, by InstanceId; empty places for those that were freed.
-  IdVector<InstanceId, std::shared_ptr<const NodeValue>> take();
+  IdVector<InstanceId, std::shared_ptr<const NodeValue>> take() {
+    IdVector<InstanceId, std::shared_ptr<const NodeValue>> all;
+    for (std::shared_ptr<NodeValue>& value : values_) all.push_back(std::move(value));
+    return all;
+  }
 
  private:
   bool keep_all_;
