@@ -304,4 +304,13 @@ RationalPoint area_vector(const std::vector<RationalPoint>& loop) {
   return sum;
 }
 
+bool are_in_a_plane(std::span<const RationalPoint> points) {
+  if (points.size() < 4) return true;
+  const auto off_line =
+      std::ranges::find_if(points, [&](const auto& p) { return !collinear(points[0], points[1], p); });
+  return off_line == points.end() || std::ranges::all_of(points, [&](const RationalPoint& p) {
+           return volume6(points[0], points[1], *off_line, p) == 0;
+         });
+}
+
 }  // namespace cnrg

@@ -28,7 +28,8 @@ RationalPoint check_polygon(const std::vector<std::vector<RationalPoint>>& loops
 /// Twice the area vector of a closed loop (Newell), exact.
 RationalPoint area_vector(const std::vector<RationalPoint>& loop);
 
-// The plane that fits points best, exactly.
+/// Of different points.
+bool are_in_a_plane(std::span<const RationalPoint> points);
 
 /// A normal of the plane through the mean of the points that has the least sum of squared distances, of all planes
 /// that are near the one along `start`: distances are measured along `start`, which is off by the square of the

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/delaunay.h"
 #include "kernel/exact/points.h"
 #include "kernel/exact/triangulate.h"
@@ -94,12 +95,10 @@ std::vector<Piece> split_all(std::vector<Edge>& edges) {
     std::vector<Exact2> points = std::move(e.splits);
     points.push_back(e.a);
     points.push_back(e.b);
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    sort_unique(points);
     for (std::size_t k = 0; k + 1 < points.size(); ++k) out.emplace_back(points[k], points[k + 1]);
   }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 
@@ -205,8 +204,7 @@ Area hull(const std::vector<Area>& operands) {
     for (const Loop& loop : area.loops)
       std::transform(loop.begin(), loop.end(), std::back_inserter(points), exact);
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   std::vector<Exact2> around;
   const auto walk = [&](const auto& sorted) {  // one half, from end to end
     const std::size_t start = around.size();

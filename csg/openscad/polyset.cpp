@@ -5,7 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include "csg/geometry/planar_polygon.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/convex_hull.h"
 #include "kernel/exact/exact_vectors.h"
@@ -223,18 +225,10 @@ std::vector<RationalPoint> exact_points(const std::vector<Point3>& points) {
 }
 
 Polyset hull(std::vector<Point3> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   const std::vector<RationalPoint> exact = exact_points(points);
   Polyset out{std::move(points), {}, true};
-  const auto spans = [&] {
-    std::size_t b = 1, c = 2;
-    while (c < exact.size() && is_zero(cross(exact[b] - exact[0], exact[c] - exact[0]))) ++c;
-    return std::any_of(exact.begin(), exact.end(), [&](const RationalPoint& p) {
-      return c < exact.size() && volume6(exact[0], exact[b], exact[c], p) != 0;
-    });
-  };
-  if (exact.size() > 3 && spans()) out.faces = convex_hull(exact);
+  if (!are_in_a_plane(exact)) out.faces = convex_hull(exact);
   return out;
 }
 

@@ -1,9 +1,11 @@
 // Convex hulls of points, and Minkowski sums of such hulls: the hull of all sums of their corners.
 #include <algorithm>
 
+#include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/convex_hull.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -11,19 +13,6 @@ namespace cnrg {
 namespace {
 
 constexpr std::size_t kMostSums = 10'000'000;
-
-void make_distinct(std::vector<RationalPoint>& points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-}
-
-bool are_in_a_plane(const std::vector<RationalPoint>& points) {
-  const auto off_line = std::find_if(points.begin(), points.end(),
-                                     [&](const auto& p) { return !collinear(points[0], points[1], p); });
-  return off_line == points.end() || std::all_of(points.begin(), points.end(), [&](const RationalPoint& p) {
-           return volume6(points[0], points[1], *off_line, p) == 0;
-         });
-}
 
 /// All sums of a point of each, each once.
 std::vector<RationalPoint> sums(const std::vector<RationalPoint>& a, const std::vector<RationalPoint>& b) {
@@ -33,7 +22,7 @@ std::vector<RationalPoint> sums(const std::vector<RationalPoint>& a, const std::
   for (const RationalPoint& p : a) {
     for (const RationalPoint& q : b) out.push_back(p + q);
   }
-  make_distinct(out);
+  sort_unique(out);
   return out;
 }
 
@@ -42,7 +31,7 @@ std::vector<RationalPoint> sums(const std::vector<RationalPoint>& a, const std::
 std::unique_ptr<PreparedLeaf> prepare_leaf(const HullShape& shape) {
   std::vector<RationalPoint> points{{0, 0, 0}};
   for (const auto& summand : shape.summands) points = sums(points, summand);
-  if (points.size() < 4 || are_in_a_plane(points)) {
+  if (are_in_a_plane(points)) {
     throw InputError(std::string(shape.name()) +
                      ": the points lie in one plane, its volume is zero: give a point off the plane");
   }

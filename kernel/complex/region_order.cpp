@@ -18,6 +18,7 @@
 #include <memory>
 
 #include "kernel/base/parallel.h"
+#include "kernel/base/sorted.h"
 #include "kernel/complex/builder.h"
 #include "kernel/complex/complex.h"
 #include "kernel/complex/plane_cut.h"
@@ -98,8 +99,7 @@ struct Dependence {
       add(planes[p]);
       for (std::size_t q = 0; q < p; ++q) add(planes[p], planes[q]);
     }
-    std::sort(factors.begin(), factors.end());
-    factors.erase(std::unique(factors.begin(), factors.end()), factors.end());
+    sort_unique(factors);
   }
 
   void add(const ExactHalfspace& p) {
