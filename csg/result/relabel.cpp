@@ -51,18 +51,12 @@ class Labeller {
     name_regions();
     watch.check();
     if (moved_.plain && is_faithful()) return false;
-    decide_faces();
-    watch.check();
-    decide_edges();
-    watch.check();
-    decide_vertices();
-    watch.check();
-    list_regions();
-    watch.check();
-    take_covers();
-    watch.check();
-    take_curves();
-    watch.check();
+    using Step = void (Labeller::*)();
+    for (const Step step : {&Labeller::decide_faces, &Labeller::decide_edges, &Labeller::decide_vertices,
+                            &Labeller::list_regions, &Labeller::take_covers, &Labeller::take_curves}) {
+      (this->*step)();
+      watch.check();
+    }
     sources_.leaf_count = exact_.leaf_count + 1;
     value_.attributes = exact_value_.attributes;
     return true;
