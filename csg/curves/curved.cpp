@@ -68,12 +68,6 @@ std::vector<Rational> fractions(int n) {
   return result;
 }
 
-Ring add_ring(LeafBuilder& builder, const std::vector<RationalPoint>& points) {
-  Ring ring;
-  for (const RationalPoint& p : points) ring.push_back(builder.point(p));
-  return ring;
-}
-
 /// A band between two rings of n points, `upper` lying to the left of the direction of `lower` as seen from
 /// outside; u has n + 1 entries, v is from v0 to v1.
 void add_band(LeafBuilder& builder, const Ring& lower, const Ring& upper, std::uint32_t number,
@@ -135,9 +129,9 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const CylinderShape& shape, LeafParam
     throw LeafKeyError("to", "cylinder: from and to are both " + describe(shape.from) + ": move one");
   std::vector<RationalPoint> points = circle(CircleFrame(along), shape.from, shape.radius, shape.segments);
   LeafBuilder builder(Fill::winding, record);
-  const Ring bottom = add_ring(builder, points);
+  const Ring bottom = builder.points(points);
   for (RationalPoint& p : points) p = p + along;
-  add_capped(builder, bottom, add_ring(builder, points), kCylinderNames);
+  add_capped(builder, bottom, builder.points(points), kCylinderNames);
   auto leaf = builder.finish();
   leaf->set_form(capped_form(shape.from, along, shape.radius, shape.radius, shape.segments, kCylinderNames));
   return leaf;
@@ -159,7 +153,7 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const ConeShape& shape, LeafParameter
   LeafBuilder builder(Fill::winding, record);
   const auto ring = [&](const RationalPoint& center, const Rational& radius) {
     if (radius == 0) return Ring(static_cast<std::size_t>(shape.segments), builder.point(center));
-    return add_ring(builder, circle(frame, center, radius, shape.segments));
+    return builder.points(circle(frame, center, radius, shape.segments));
   };
   const Ring bottom = ring(shape.from, shape.radius);
   const Ring top = ring(shape.to, shape.top);

@@ -86,12 +86,7 @@ class Extrusion {
     }
     if (shape_.scale == 0)
       builder.soup().add_curve_end(builder.leaf(), lower[0][0]);  // lines meet there at angles
-    if (!closed) {
-      for (const auto& ids : {bottom[0], lower[0]}) {
-        if (builder.value(ids.front()) == builder.value(ids.back())) continue;  // a tube, the top of a cone
-        for (const PointId end : {ids.front(), ids.back()}) builder.soup().add_curve_end(builder.leaf(), end);
-      }
-    }
+    if (!closed) builder.end_curves(bottom[0]), builder.end_curves(lower[0]);
     if (record_ != nullptr) name_segments(*record_, lines, "extrude", closed ? 2 : 0);
     if (closed) {
       builder.name_patch(0, "extrude start");

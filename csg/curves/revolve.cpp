@@ -171,12 +171,7 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const RevolveShape& shape, LeafParame
     }
     last = next;
   }
-  if (!closed && !full) {
-    for (const auto& ids : {first[0], last[0]}) {
-      if (builder.value(ids.front()) == builder.value(ids.back())) continue;  // a tube
-      for (const PointId end : {ids.front(), ids.back()}) builder.soup().add_curve_end(builder.leaf(), end);
-    }
-  }
+  if (!closed && !full) builder.end_curves(first[0]), builder.end_curves(last[0]);
   if (record != nullptr) name_segments(*record, lines, "revolve", number);
   if (closed && !full) {
     builder.name_patch(0, "revolve start");

@@ -32,7 +32,7 @@ class Sweep {
     }
     if (!form_.around()) {
       if (form_.closed_lines) add_ends(first, last);
-      else if (!form_.solid) add_corners(first[0], last[0]);
+      else if (!form_.solid) builder_.end_curves(first[0]), builder_.end_curves(last[0]);
     }
     return builder_.finish();
   }
@@ -97,16 +97,6 @@ class Sweep {
     builder_.face(first, grid_.mirrored ? 1 : 0);
     for (auto& loop : last) std::reverse(loop.begin(), loop.end());
     builder_.face(last, grid_.mirrored ? 0 : 1);
-  }
-
-  /// The corners of an open surface.
-  void add_corners(const std::vector<PointId>& first, const std::vector<PointId>& last) {
-    for (const auto* line : {&first, &last}) {
-      if (builder_.value(line->front()) == builder_.value(line->back())) continue;  // a tube
-      for (const PointId end : {line->front(), line->back()}) {
-        builder_.soup().add_curve_end(builder_.leaf(), end);
-      }
-    }
   }
 
   const RevolvedForm& form_;

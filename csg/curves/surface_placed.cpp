@@ -7,6 +7,16 @@ namespace cnrg {
 
 using namespace surface_math;
 
+namespace {
+
+/// A matrix, by rows, times a vector.
+template <class N>
+Vector3<N> mapped_by(const std::array<Vector3<Constant>, 3>& rows, const Vector3<N>& x) {
+  return {dot(as<N>(rows[0]), x), dot(as<N>(rows[1]), x), dot(as<N>(rows[2]), x)};
+}
+
+}  // namespace
+
 PlacedSurface::PlacedSurface(std::shared_ptr<const LeafSurfaces> leaf, std::uint32_t patch,
                              const Transform& transform)
     : leaf_(std::move(leaf)),
@@ -28,16 +38,13 @@ template <class N>
 SurfaceJet<N> PlacedSurface::moved(const SurfaceJet<N>& jet) const {
   if (shifted_)
     return {sum(jet.point, as<N>(offset_)), jet.along_u, jet.along_v, jet.normal, jet.way_u, jet.way_v};
-  const auto by = [](const std::array<Vector3<Constant>, 3>& rows, const Vector3<N>& x) {
-    return Vector3<N>{dot(as<N>(rows[0]), x), dot(as<N>(rows[1]), x), dot(as<N>(rows[2]), x)};
-  };
   // (A a) x (A b) is the matrix of cofactors of A times a x b.
-  return {sum(by(linear_, jet.point), as<N>(offset_)),
-          by(linear_, jet.along_u),
-          by(linear_, jet.along_v),
-          by(cofactors_, jet.normal),
-          by(linear_, jet.way_u),
-          by(linear_, jet.way_v)};
+  return {sum(mapped_by(linear_, jet.point), as<N>(offset_)),
+          mapped_by(linear_, jet.along_u),
+          mapped_by(linear_, jet.along_v),
+          mapped_by(cofactors_, jet.normal),
+          mapped_by(linear_, jet.way_u),
+          mapped_by(linear_, jet.way_v)};
 }
 
 SurfaceJet<double> PlacedSurface::at(double u, double v) const { return moved(surface_->at(u, v)); }
@@ -50,17 +57,13 @@ std::optional<SurfaceBend> PlacedSurface::bend_over(const Interval& u, const Int
   const enclosure::RoundOutward outward;
   const std::optional<SurfaceBend> bend = surface_->bend_over(u, v);
   if (!bend) return bend;
-  return SurfaceBend{moved(bend->uu), moved(bend->uv), moved(bend->vv)};
+  return SurfaceBend{mapped_by(linear_, bend->uu), mapped_by(linear_, bend->uv), mapped_by(linear_, bend->vv)};
 }
 std::optional<Vector3<Interval>> PlacedSurface::fan_over(std::size_t around, double pole, const Interval& u,
                                                          const Interval& v) const {
   const enclosure::RoundOutward outward;
   const std::optional<Vector3<Interval>> fan = surface_->fan_over(around, pole, u, v);
-  return fan ? std::optional(moved(*fan)) : std::nullopt;
-}
-Vector3<Interval> PlacedSurface::moved(const Vector3<Interval>& way) const {
-  return {dot(as<Interval>(linear_[0]), way), dot(as<Interval>(linear_[1]), way),
-          dot(as<Interval>(linear_[2]), way)};
+  return fan ? std::optional(mapped_by(linear_, *fan)) : std::nullopt;
 }
 
 std::optional<Revolution> PlacedSurface::revolution() const {
@@ -79,12 +82,8 @@ std::optional<Revolution> PlacedSurface::revolution() const {
         return std::nullopt;
     }
   }
-  const auto by = [&](const Vector3<double>& x) {
-    return Vector3<double>{dot(as<double>(linear_[0]), x), dot(as<double>(linear_[1]), x),
-                           dot(as<double>(linear_[2]), x)};
-  };
-  revolution->center = sum(by(revolution->center), as<double>(offset_));
-  revolution->axis = scaled(1 / std::sqrt(square), by(revolution->axis));
+  revolution->center = sum(mapped_by(linear_, revolution->center), as<double>(offset_));
+  revolution->axis = scaled(1 / std::sqrt(square), mapped_by(linear_, revolution->axis));
   return revolution;
 }
 
@@ -105,10 +104,7 @@ class MovedCurve final : public Curve {
  private:
   template <class N>
   CurveJet<N> moved(const CurveJet<N>& jet) const {
-    const auto by = [&](const Vector3<N>& x) {
-      return Vector3<N>{dot(as<N>(linear_[0]), x), dot(as<N>(linear_[1]), x), dot(as<N>(linear_[2]), x)};
-    };
-    return {sum(by(jet.point), as<N>(offset_)), by(jet.along)};
+    return {sum(mapped_by(linear_, jet.point), as<N>(offset_)), mapped_by(linear_, jet.along)};
   }
   std::shared_ptr<const Curve> curve_;
   std::array<Vector3<Constant>, 3> linear_;  // rows

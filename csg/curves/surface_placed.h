@@ -26,7 +26,6 @@ class PlacedSurface final : public Surface {
  private:
   template <class N>
   SurfaceJet<N> moved(const SurfaceJet<N>& jet) const;
-  Vector3<Interval> moved(const Vector3<Interval>& way) const;
 
   std::shared_ptr<const LeafSurfaces> leaf_;  // holds the surface
   const Surface* surface_ = nullptr;

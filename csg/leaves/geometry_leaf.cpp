@@ -213,6 +213,11 @@ bool LeafBuilder::coplanar(PointId a, PointId b, PointId c, PointId d) const {
   return volume6(value(a), value(b), value(c), value(d)) == 0;
 }
 
+void LeafBuilder::end_curves(const std::vector<PointId>& line) {
+  if (value(line.front()) == value(line.back())) return;
+  for (const PointId end : {line.front(), line.back()}) soup_.add_curve_end(leaf_, end);
+}
+
 RationalPoint LeafBuilder::value(PointId p) const { return exact_value(soup_, p); }
 
 std::unique_ptr<PreparedLeaf> LeafBuilder::finish(std::vector<std::string> notices) {

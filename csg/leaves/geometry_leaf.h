@@ -54,6 +54,11 @@ class LeafBuilder {
     LeafStop::check();
     return soup_.add_point(p);
   }
+  std::vector<PointId> points(const std::vector<RationalPoint>& list) {
+    std::vector<PointId> ids;
+    for (const RationalPoint& p : list) ids.push_back(point(p));
+    return ids;
+  }
   /// A face of one loop, front by the right-hand rule.
   void face(const std::vector<PointId>& loop, std::uint32_t leaf_face);
   /// A face with holes.
@@ -65,6 +70,8 @@ class LeafBuilder {
   /// The triangle a b c of a patch.
   void facet(PointId a, PointId b, PointId c, std::uint32_t leaf_face,
              const std::array<std::array<const Rational*, 2>, 3>& at);
+  /// Curves end at the ends of a line; not where these are one point, as on a tube or at the top of a cone.
+  void end_curves(const std::vector<PointId>& line);
   /// What people call a patch.
   void name_patch(std::uint32_t leaf_face, const char* name) {
     if (record_ != nullptr) record_->name_patch(leaf_face, name);

@@ -17,10 +17,7 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const PolygonShape& shape) {
   in_value_of("outer", [&] { check_polygon(loops, {.has_fit = true}); });
   LeafBuilder builder(Fill::none);
   std::vector<std::vector<PointId>> ids;
-  for (const auto& loop : loops) {
-    ids.emplace_back();
-    for (const RationalPoint& p : loop) ids.back().push_back(builder.point(p));
-  }
+  for (const auto& loop : loops) ids.push_back(builder.points(loop));
   builder.face(ids, 0);
   return builder.finish(std::move(notices));
 }
@@ -58,8 +55,7 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const PolylineShape& shape) {
                      (shape.closed ? " for a closed one" : ", or `points` for single ones"));
   }
   LeafBuilder builder(Fill::none);
-  std::vector<PointId> ids;
-  for (const RationalPoint& p : points) ids.push_back(builder.point(p));
+  const std::vector<PointId> ids = builder.points(points);
   const std::size_t count = shape.closed ? points.size() : points.size() - 1;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t j = (i + 1) % points.size();

@@ -29,12 +29,6 @@ std::vector<std::uint32_t> side_numbers(const std::vector<RationalPoint>& loop, 
   return numbers;
 }
 
-std::vector<PointId> add_points(LeafBuilder& builder, const std::vector<RationalPoint>& points) {
-  std::vector<PointId> ids;
-  for (const RationalPoint& p : points) ids.push_back(builder.point(p));
-  return ids;
-}
-
 }  // namespace
 
 std::unique_ptr<PreparedLeaf> prepare_leaf(const BoxShape& shape) {
@@ -79,10 +73,10 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const PrismShape& shape) {
   LeafBuilder builder(Fill::winding);
   std::vector<std::vector<PointId>> bottom, top;
   for (const auto& loop : loops) {
-    bottom.push_back(add_points(builder, loop));
+    bottom.push_back(builder.points(loop));
     std::vector<RationalPoint> moved;
     for (const RationalPoint& p : loop) moved.push_back(p + shape.vector);
-    top.push_back(add_points(builder, moved));
+    top.push_back(builder.points(moved));
   }
   std::uint32_t next = 2;
   for (std::size_t l = 0; l < loops.size(); ++l) {
@@ -113,7 +107,7 @@ std::unique_ptr<PreparedLeaf> prepare_leaf(const PyramidShape& shape) {
   }
   if (rise < 0) std::reverse(loop.begin(), loop.end());  // counter-clockwise as seen from the apex
   LeafBuilder builder(Fill::winding);
-  std::vector<PointId> base = add_points(builder, loop);
+  std::vector<PointId> base = builder.points(loop);
   const PointId apex = builder.point(shape.apex);
   std::uint32_t next = 1;
   const std::vector<std::uint32_t> numbers = side_numbers(loop, next);
