@@ -15,9 +15,9 @@ using Index = Mesh::Index;
 using Vector = DoubleVector;
 
 /// The corners of a thing on a side, moved to the near one, ascending. Nothing else of its kind has the same.
-using Corners = std::vector<Vector>;
+using Outline = std::vector<Vector>;
 
-[[noreturn]] void refuse(const Corners& corners, std::size_t axis, double at) {
+[[noreturn]] void refuse(const Outline& corners, std::size_t axis, double at) {
   static constexpr const char* kWhat[] = {"", "a vertex", "a piece of an edge", "a face with a corner"};
   Vector place = corners[0];
   place[axis] = at;
@@ -90,11 +90,11 @@ std::vector<PeriodicFaces> matched_faces(const FlatComplex& flat, const std::vec
   std::vector<PeriodicFaces> faces;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!sides.axes[axis]) continue;
-    std::map<Corners, std::array<Index, 2>> found;  // near and far
+    std::map<Outline, std::array<Index, 2>> found;  // near and far
     for (std::size_t side = 0; side < 2; ++side) {
       const auto lies = [&](Index p) { return xyz[p][axis] == (side == 0 ? sides.near : sides.far)[axis]; };
       const auto add = [&](const auto& points, Index of) {
-        Corners corners;
+        Outline corners;
         for (const Index p : points) {
           if (!lies(p)) return;
           corners.push_back(xyz[p]);
