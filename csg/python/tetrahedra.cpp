@@ -29,9 +29,15 @@ MeshObject<Mesh, Arrays> made(const OneResult& r, const Options& asked, const py
   });
 }
 
+PeriodicAxes axes_of(const std::string& letters) {
+  PeriodicAxes axes{};
+  for (std::size_t k = 0; k < 3; ++k) axes[k] = letters.find(char('x' + k)) != std::string::npos;
+  return axes;
+}
+
 TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double quality, bool keep_boundary,
                                 const std::optional<int>& seconds, bool curved, int order, double size,
-                                double growth, bool surface_first, const PeriodicAxes& periodic,
+                                double growth, bool surface_first, const std::string& periodic,
                                 const py::object& progress) {
   TetrahedraOptions options;
   options.max_volume = max_volume;
@@ -42,20 +48,20 @@ TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double qu
   options.size = size;
   options.growth = growth;
   options.surface_first = surface_first;
-  options.periodic = periodic;
+  options.periodic = axes_of(periodic);
   options.curved = curved;
   return made<TetrahedralResult, TetrahedraArrays>(r, options, progress);
 }
 
 SurfaceObject mesh_surface(const OneResult& r, double size, double growth, std::size_t max_points, int seconds,
-                           int order, bool quads, const PeriodicAxes& periodic, const py::object& progress) {
+                           int order, bool quads, const std::string& periodic, const py::object& progress) {
   SurfaceOptions options{.overall = size,
                          .growth = growth,
                          .max_points = max_points,
                          .seconds = seconds,
                          .order = order,
                          .quads = quads,
-                         .periodic = periodic};
+                         .periodic = axes_of(periodic)};
   return made<SurfaceMeshResult, SurfaceArrays>(r, options, progress);
 }
 

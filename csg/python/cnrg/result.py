@@ -40,11 +40,11 @@ _LETTERS = "vefr"
 _MOST_DRAWN = 20_000  # faces, in a notebook without being asked: some seconds
 
 
-def axes_of(letters: str) -> list[bool]:
+def axes_of(letters: str) -> str:
     """Of `periodic`: "xz" or "x,z"."""
     if not isinstance(letters, str) or not set(letters) <= set("xyz,"):
         raise InputError(f"periodic: some of the letters x, y, z are wanted, not {letters!r}")
-    return [axis in letters for axis in "xyz"]
+    return letters
 
 
 class Places(NamedTuple):
