@@ -238,7 +238,8 @@ int run_eval(const EvalArguments& arguments) {
   options.refining = arguments.refining;
   const bool in_files = std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
   options.proof = asked_proof(arguments.certify, arguments.no_certify);
-  options.rows = !arguments.quiet || in_files ? Rows::all : Rows::none;
+  const bool prints_rows = !arguments.quiet || arguments.json;
+  options.rows = prints_rows || in_files ? Rows::all : Rows::none;
   options.region_volumes = arguments.trace;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));
   std::vector<NodeId> roots = options.nodes;
@@ -254,7 +255,7 @@ int run_eval(const EvalArguments& arguments) {
   const bool crosses = arguments.certify ? require_certain(tree, evaluation, arguments.quiet)
                                          : tell_uncertain(tree, evaluation, arguments.quiet);
   clock.begin("results");
-  if (!arguments.quiet) {
+  if (prints_rows) {
     for (const NodeRow* const row : evaluation.all_rows()) row->volume_bound();  // kept for the table
   }
   Results results(tree, evaluation, arguments);

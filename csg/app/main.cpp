@@ -309,10 +309,9 @@ void add_eval(CLI::App& program, Command& command) {
       ->excludes(snap);
   sub->add_option("--join", given->join, kJoin)->type_name("D")->check(distance_fault);
   add_threads(sub, given->threads);
-  CLI::Option* const quiet = sub->add_flag("-q,--quiet", given->quiet, "No rows and no notices");
+  sub->add_flag("-q,--quiet", given->quiet, "No notices, and no rows but those of --json");
   CLI::Option* const json = sub->add_flag("--json", given->json, "The rows as JSON instead, volumes as fractions");
   for (const char* const other : {"--trace", "--topology", "--list"}) json->excludes(sub->get_option(other));
-  json->excludes(quiet);
   add_picture_options(sub);
   sub->footer(
       "Examples:\n  cnrg eval model.yaml --node split -o split.vtu --trace\n"

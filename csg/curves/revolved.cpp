@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "csg/geometry/circle.h"
+#include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "kernel/exact/trigonometry.h"
 
@@ -23,6 +24,7 @@ class Sweep {
       : form_(form), grid_(grid), point_(point), builder_(form.solid ? Fill::winding : Fill::none, record, true) {}
 
   std::unique_ptr<PreparedLeaf> run() {
+    if (form_.closed_lines) check_profile();
     for (const auto& [patch, name] : form_.names) builder_.name_patch(patch, name.c_str());
     std::vector<std::vector<PointId>> first, last;  // of each line
     for (std::size_t l = 0; l < form_.lines.size(); ++l) {
@@ -39,6 +41,20 @@ class Sweep {
 
  private:
   using Ring = std::vector<PointId>;
+
+  /// With further corners it may cross itself.
+  void check_profile() const {
+    std::vector<std::vector<RationalPoint>> loops;
+    for (const auto& line : grid_.rows) {
+      loops.emplace_back();
+      for (const auto& piece : line)
+        for (std::size_t j = 0; j + 1 < piece.size(); ++j)
+          loops.back().push_back({piece[j].at.r, 0, piece[j].at.t});
+    }
+    check_polygon(loops, {"the profile of revolve", [&](std::size_t l, std::size_t i) {
+                            return "[" + to_decimal(loops[l][i][0]) + ", " + to_decimal(loops[l][i][2]) + "]";
+                          }});
+  }
 
   std::size_t columns() const { return grid_.columns.size() - (form_.around() ? 1 : 0); }
 

@@ -87,7 +87,10 @@ TEST_CASE("rows are JSON if they are asked for so", "[app][words]") {
   const Outcome read = w.shell("python3 read.py >.out 2>.err");
   INFO(read.err);
   CHECK(read.status == 0);
-  for (const char* other : {"--quiet", "--trace", "--topology", "--list"})
+  const Outcome quiet = w.run("eval t.yaml -q --json");
+  CHECK((quiet.err.find("notice") == std::string::npos && quiet.out.starts_with("{") &&
+         quiet.out.find("\"rock\"") != std::string::npos));
+  for (const char* other : {"--trace", "--topology", "--list"})
     CHECK_THAT(w.run(std::string("eval t.yaml --json ") + other).err, Contains("excludes --json"));
 }
 
