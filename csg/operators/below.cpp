@@ -244,6 +244,9 @@ class Parting {
   }
 
   int color_below(const std::vector<FaceId>& faces) {
+    if (is_curved(faces))
+      refuse_facets("is curved in `" + block_name_ + "`: facets alone tell which side is below",
+                    "take planar faces");
     std::optional<int> agreed;
     bool agree = true;
     for (const FaceId f : faces) {
@@ -258,8 +261,6 @@ class Parting {
                        "turn the model, or part it by a half-space");
     }
     if (agree) return *agreed;
-    if (is_curved(surface_.faces))
-      refuse_facets("has a fold in `" + block_name_ + "`: which side is below, facets alone tell", "the fold");
     for (const FaceId f : faces) {
       if (plumb_.vertical(f)) continue;
       if (const auto top = uppermost(plumb_.before(interior_point(complex_, f).rational()), faces)) {

@@ -439,7 +439,7 @@ result: a
                 (f"  a: {{sphere: {{center: [0, 0, 0], radius: 1, segments: 4}}}}\n  u: {{union: [a, {{box: {{min: [-9, -1, 0], max: [-7, 1, 6]}}}}]}}\n"
                  f"  s: {{union: [{{{roof}}}]}}\n  r: {{below: s, within: u}}\n", "facets alone tell whether"),
                 (f"  b: {{box: {{min: [-3, 0, 0], max: [3, 1, 10]}}}}\n  s: {{bezier: {{patch: [{fold}], segments: 2}}}}\n  r: {{below: s, within: b}}\n",
-                 "has a fold in `b`"),
+                 "is curved in `b`"),
                 ("  r: {revolve: {profile: [[1, 0], {bezier: [[2, 2]]}, [3, 0], [3, 0.999], [1, 0.999]], segments: 3}}\n",
                  "the profile of revolve is not simple")):
             tree = cnrg.parse(f"cnrg: 1\nnodes:\n{nodes}result: r\n")
