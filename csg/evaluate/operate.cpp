@@ -219,14 +219,14 @@ StepOutcome selected(const Complex& complex, const Node& node, std::span<const O
   criteria.inside = points(places.first(node.selector->inside));
   criteria.touching = points(places.subspan(node.selector->inside));
   const NodeValue& of = *operands[0].value;
-  if (!of.is_group()) return {select(complex, of.components(), criteria), {}, {}};
-  if (place.proven && picks_by_number(of.group(), criteria) &&
-      std::ranges::any_of(of.group().faces, [&](FaceId f) { return is_curved(complex, f); })) {
+  if (place.proven && (of.is_group() ? picks_by_drawn_numbers(complex, of.group(), criteria)
+                                     : picks_by_drawn_numbers(complex, of.components(), criteria))) {
     throw InputError(
         "`" + operands[0].name +
-        "` has curved faces, and regions are numbered by the vertices of facets; leave out --certify, "
-        "or pick regions by leaves or places");
+        "` has curved faces, and its regions are numbered by vertices of facets; leave out --certify, or "
+        "pick regions by leaves or places");
   }
+  if (!of.is_group()) return {select(complex, of.components(), criteria), {}, {}};
   if (!criteria.region_numbers.empty()) {
     const std::vector<Component> numbers = own_numbers(complex, of.group(), place.transform);
     const std::vector<Component> wanted = std::exchange(criteria.region_numbers, {});

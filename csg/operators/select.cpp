@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "csg/operators/below.h"
 #include "csg/operators/cell_sources.h"
 #include "csg/operators/component_lists.h"
 #include "csg/operators/sides.h"
@@ -207,14 +208,32 @@ class PickedPlaces {
 
 }  // namespace
 
-bool picks_by_number(const Group& group, const Criteria& criteria) {
-  if (!criteria.region_numbers.empty()) return group.regions.size() > 1;
-  return std::ranges::any_of(group.regions, [&](const RegionAttributes& region) {
+namespace {
+
+template <class Value, class Named>
+bool by_drawn_numbers(const Complex& complex, const Value& value, const std::vector<Named>& named,
+                      const std::vector<std::pair<RegionId, Component>>& cells, const Criteria& criteria) {
+  const auto by_name = [&](const Named& region) {
     const std::string& name = region.name.text();
     const auto wanted = [&](const auto& names) { return std::ranges::find(names, name) != names.end(); };
     return std::ranges::any_of(region.name.parts(), [](const NamePart& part) { return part.ordinal != 0; }) &&
            (wanted(criteria.names) || wanted(criteria.regions) || std::ranges::any_of(criteria.between, wanted));
+  };
+  if (!(criteria.region_numbers.empty() ? std::ranges::any_of(named, by_name) : named.size() > 1)) return false;
+  return std::ranges::any_of(cells, [&](const auto& cell) {
+    return std::ranges::any_of(complex.region_faces[cell.first], [&](HalfFace h) {
+      return component_at(value, complex.region(h.opposite())) != cell.second && is_curved(complex, h.face());
+    });
   });
+}
+
+}  // namespace
+
+bool picks_by_drawn_numbers(const Complex& complex, const Group& group, const Criteria& criteria) {
+  return by_drawn_numbers(complex, group, group.regions, group.cells, criteria);
+}
+bool picks_by_drawn_numbers(const Complex& complex, const Components& components, const Criteria& criteria) {
+  return by_drawn_numbers(complex, components, components.attributes, components.selection.regions, criteria);
 }
 
 Group select(const Complex& complex, const Group& group, const Criteria& criteria) {

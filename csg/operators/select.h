@@ -57,8 +57,10 @@ struct Criteria {
   std::optional<CellSet> touching{};  ///< the cell or its boundary has a cell in this set
 };
 
-/// Do the numbers of regions, by themselves or in a name (`two.1`), decide what is picked?
-bool picks_by_number(const Group& group, const Criteria& criteria);
+/// Do the numbers of regions, by themselves or in a name (`two.1`), decide what is picked, and are there regions
+/// with curved faces? Which one is the first then depends on facets.
+bool picks_by_drawn_numbers(const Complex& complex, const Group& group, const Criteria& criteria);
+bool picks_by_drawn_numbers(const Complex& complex, const Components& components, const Criteria& criteria);
 
 /// The closure of the picked cells of `group`: with their features and origins, the regions in their order with
 /// their attributes, and the dominance of `group`.

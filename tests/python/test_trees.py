@@ -435,7 +435,8 @@ result: a
         roof = "polygon: [[-10, -3, 3], [2, -3, 3], [2, 3, 3], [-10, 3, 3]]}, {polygon: [[-0.8, -3, 5], [2, -3, 3], [2, 3, 3], [-0.8, 3, 5]]"
         fold = "[[0, -1, -1], [0, -1, 0], [2, -1, 5], [0.1, -1, 10], [0.1, -1, 11]], [[0, 2, -1], [0, 2, 0], [2, 2, 5], [0.1, 2, 10], [0.1, 2, 11]]"
         for nodes, error in (
-                (two + "  u: {union: [a, b]}\n  r: {select: {of: u, region: 1}}\n", "numbered by the vertices of facets"),
+                (two + "  u: {union: [a, b]}\n  r: {select: {of: u, region: 1}}\n", "numbered by vertices of facets"),
+                (two + "  u: {union: [a, b]}\n  r: {select: {of: {interior: u}, region: 1}}\n", "numbered by vertices of facets"),
                 (f"  a: {{sphere: {{center: [0, 0, 0], radius: 1, segments: 4}}}}\n  u: {{union: [a, {{box: {{min: [-9, -1, 0], max: [-7, 1, 6]}}}}]}}\n"
                  f"  s: {{union: [{{{roof}}}]}}\n  r: {{below: s, within: u}}\n", "facets alone tell whether"),
                 (f"  b: {{box: {{min: [-3, 0, 0], max: [3, 1, 10]}}}}\n  s: {{bezier: {{patch: [{fold}], segments: 2}}}}\n  r: {{below: s, within: b}}\n",
