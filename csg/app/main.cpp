@@ -469,8 +469,7 @@ void add_mesh(CLI::App& program, Command& command) {
            for (const std::string& axis : axes) given->options.periodic[std::size_t(axis[0] - 'x')] = true;
          },
          "Opposite sides along these axes, as `x,y`, get the same triangles, as of --surface-first; pairs of "
-         "nodes "
-         "are in .msh, .msh2, .inp and .vtu")
+         "nodes are in .msh, .msh2, .inp and .vtu")
       ->type_name("AXES")
       ->delimiter(',')
       ->check(CLI::IsMember({"x", "y", "z"}));

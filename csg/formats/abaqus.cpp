@@ -9,6 +9,7 @@
 // Labels have 80 characters of few kinds, and case does not tell them apart. A line holds 16 numbers, a number 20
 // characters.
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 #include "csg/formats/element_plan.h"
@@ -98,23 +99,30 @@ class AbaqusWriter {
   }
   void add_equations() {
     for (std::size_t k = 0; k < 3; ++k) {
+      if (!mesh_.periodic[k]) continue;
       std::string label = std::string("periodic-") + char('x' + k);
-      while (std::ranges::any_of(names_, [&](const auto& of) { return std::ranges::count(of, label) > 0; }))
-        label += '_';
-      if (mesh_.periodic[k]) add_list("*NSET, NSET=" + label, {reference(k)});
+      while (is_taken(label)) label += '_';
+      add_list("*NSET, NSET=" + label, {reference(k)});
     }
     for (const auto& [far, near, axes] : periodic_nodes(mesh_)) {
-      std::string rest;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (axes[k]) rest += ", " + std::to_string(reference(k)) + ", %, -1.";
-      const auto terms = 2 + std::ranges::count(axes, true);
-      for (const char freedom : {'1', '2', '3'}) {
-        text_ += "*EQUATION\n" + std::to_string(terms) + "\n";
-        std::string line = std::to_string(far + 1) + ", %, 1., " + std::to_string(near + 1) + ", %, -1." + rest;
-        std::ranges::replace(line, '%', freedom);
-        text_ += line + "\n";
+      for (const char* const freedom : {"1", "2", "3"}) {
+        std::string terms;
+        const auto add = [&](std::size_t node, const char* factor) {
+          terms += (terms.empty() ? "" : ", ") + std::to_string(node) + ", " + freedom + ", " + factor;
+        };
+        add(far + 1, "1."), add(near + 1, "-1.");
+        for (std::size_t k = 0; k < 3; ++k)
+          if (axes[k]) add(reference(k), "-1.");
+        text_ += "*EQUATION\n" + std::to_string(2 + std::ranges::count(axes, true)) + "\n" + terms + "\n";
       }
     }
+  }
+  bool is_taken(const std::string& label) const {
+    const auto upper = [](char c) { return std::toupper(static_cast<unsigned char>(c)); };
+    return std::ranges::any_of(names_, [&](const auto& of) {
+      return std::ranges::any_of(
+          of, [&](const std::string& name) { return std::ranges::equal(name, label, {}, upper, upper); });
+    });
   }
 
   void add_sets() {

@@ -13,6 +13,7 @@
 #include "kernel/base/limits.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/triangulate.h"
 
 namespace cnrg {
 namespace {
@@ -22,9 +23,9 @@ using Vector = FacetMesh::Vector;
 
 }  // namespace
 
-FacetMesh::FacetMesh(const FlatComplex& flat, const std::vector<Vector>& xyz, const std::vector<char>& fixed,
-                     const PeriodicAxes& periodic)
-    : xyz_(xyz), sides_(periodic, xyz), images_(matched_faces(flat, xyz, sides_)) {
+FacetMesh::FacetMesh(const FlatComplex& flat, std::vector<Vector> xyz, const std::vector<char>& fixed,
+                     const PeriodicSides& sides)
+    : xyz_(std::move(xyz)), sides_(sides), images_(matched_faces(flat, xyz_, sides_)) {
   for (const Vector& p : xyz_) table_.add(p[0], p[1], p[2]);
   add_segments(flat);
   add_facets(flat);
@@ -60,12 +61,7 @@ void FacetMesh::add_facets(const FlatComplex& flat) {
       }
       const double size = length(normal);
       for (double& x : normal) x = size > 0 ? x / size : 0;
-      std::uint8_t w = 0;
-      for (std::uint8_t j = 1; j < 3; ++j)
-        if (std::abs(normal[j]) > std::abs(normal[w])) w = j;
-      Projection axes{std::uint8_t((w + 1) % 3), std::uint8_t((w + 2) % 3)};
-      if (normal[w] < 0) std::swap(axes.u, axes.v);
-      facets_.push_back({i, axes, false, normal, center});
+      facets_.push_back({i, seen_along(normal), false, normal, center});
     });
   }
 }
@@ -166,6 +162,11 @@ int FacetMesh::turn(Index facet, Index a, Index b, Index c) const {
 Index FacetMesh::side_of(Index triangle, Index next) const {
   const auto& list = triangles_[triangle].next;
   return Index(std::find(list.begin(), list.end(), next) - list.begin());
+}
+
+Index FacetMesh::side_on(Index triangle, Index segment) const {
+  const auto& list = triangles_[triangle].segments;
+  return Index(std::find(list.begin(), list.end(), segment) - list.begin());
 }
 
 /// Side k of t gets what was across a side of the triangle `before`, which looks at t from now on.
@@ -290,13 +291,11 @@ Index FacetMesh::new_triangle() {
 
 /// Would all parts of the triangles around a segment turn left?
 bool FacetMesh::has_room(Index s, Index m) const {
-  return std::ranges::all_of(segments_[s].fan, [&](Index t) {
-    const auto& list = triangles_[t].segments;
-    return is_splittable(t, Index(std::find(list.begin(), list.end(), s) - list.begin()), m);
-  });
+  return std::ranges::all_of(segments_[s].fan, [&](Index t) { return is_splittable(t, side_on(t, s), m); });
 }
 
-FacetMesh::Parts FacetMesh::split_one(Index s, Index m, std::vector<Index>& around) {
+FacetMesh::Parts FacetMesh::split_one(Index s, Index m) {
+  std::vector<Index> around;
   const auto [a, b] = segments_[s].ends;
   const auto fan = segments_[s].fan;
   const Index second = next_number(segments_.size(), "segments");
@@ -307,8 +306,7 @@ FacetMesh::Parts FacetMesh::split_one(Index s, Index m, std::vector<Index>& arou
   segments_[s].ends = {a, m};
   segments_[s].fan = {};
   for (const Index t : fan) {
-    const auto& list = triangles_[t].segments;
-    const Index side = Index(std::find(list.begin(), list.end(), s) - list.begin()), other = new_triangle();
+    const Index side = side_on(t, s), other = new_triangle();
     split_triangle(t, side, m, other);
     const bool first = triangles_[t].points[2] == a;
     triangles_[t].segments[1] = first ? s : second;
@@ -317,6 +315,7 @@ FacetMesh::Parts FacetMesh::split_one(Index s, Index m, std::vector<Index>& arou
     segments_[first ? second : s].fan.push_back(other);
     around.push_back(t), around.push_back(other);
   }
+  settle(m, std::move(around));
   return {s, second, m};
 }
 
@@ -334,11 +333,7 @@ std::vector<FacetMesh::Parts> FacetMesh::split(Index segment, const Vector& at) 
   });
   std::vector<Parts> parts;
   if (!room) return parts;
-  for (const auto& [s, m] : tied) {
-    std::vector<Index> around;
-    parts.push_back(split_one(s, m, around));
-    settle(m, std::move(around));
-  }
+  for (const auto& [s, m] : tied) parts.push_back(split_one(s, m));
   // Parts at the same end are tied.
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Parts &here = parts[i], &next = parts[(i + 1) % parts.size()];

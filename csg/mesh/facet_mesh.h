@@ -64,10 +64,10 @@ class FacetMesh {
   };
 
   /// `xyz`: of the points of the flattened result, which is closed. Facets of `fixed` keep their triangles, and
-  /// their segments their points; it may be shorter than the list of facets. Throws InputError where sides of a
-  /// model that is to repeat along `periodic` differ.
-  FacetMesh(const FlatComplex& flat, const std::vector<Vector>& xyz, const std::vector<char>& fixed,
-            const PeriodicAxes& periodic = {});
+  /// their segments their points; it may be shorter than the list of facets. Throws InputError where the
+  /// sides of a model that is to repeat differ.
+  FacetMesh(const FlatComplex& flat, std::vector<Vector> xyz, const std::vector<char>& fixed,
+            const PeriodicSides& sides = {});
 
   const std::vector<Vector>& points() const { return xyz_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -142,9 +142,10 @@ class FacetMesh {
   Index first_facet(Index face) const;
   void fix_thin(const std::vector<char>& fixed);
   bool has_room(Index segment, Index point) const;
-  Parts split_one(Index segment, Index point, std::vector<Index>& around);
+  Parts split_one(Index segment, Index point);
   Index add_point(const Vector& at);
   Index side_of(Index triangle, Index next) const;
+  Index side_on(Index triangle, Index segment) const;
   Across across(Index t, Index k) const { return {triangles_[t].next[k], triangles_[t].segments[k]}; }
   void join(Index t, Index k, Index before, const Across& out);
   void split_triangle(Index t, Index k, Index m, Index other);

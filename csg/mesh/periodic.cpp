@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "csg/mesh/reach.h"
 #include "csg/text/digits.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
@@ -31,11 +32,9 @@ using Outline = std::vector<Vector>;
 }  // namespace
 
 PeriodicSides::PeriodicSides(const PeriodicAxes& along, const std::vector<Vector>& points) : axes(along) {
-  if (points.empty()) return;
-  near = far = points.front();
-  for (const Vector& p : points) {
-    for (std::size_t k = 0; k < 3; ++k) near[k] = std::min(near[k], p[k]), far[k] = std::max(far[k], p[k]);
-  }
+  if (!any()) return;
+  const Box box = Reach(points).box;
+  near = box.lo, far = box.hi;
   for (std::size_t k = 0; k < 3; ++k) {
     if (axes[k] && near[k] == far[k])
       throw InputError("--periodic: the model has no extent along " + std::string(1, char('x' + k)));
@@ -43,8 +42,8 @@ PeriodicSides::PeriodicSides(const PeriodicAxes& along, const std::vector<Vector
 }
 
 std::vector<Vector> PeriodicSides::aligned(std::vector<Vector> points) const {
-  double doubt = 0;
-  for (std::size_t k = 0; k < 3; ++k) doubt = std::max({doubt, -0x1p-40 * near[k], 0x1p-40 * far[k]});
+  if (!any()) return points;
+  const double doubt = 0x1p-40 * Reach(points).largest;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!axes[axis]) continue;
     const std::size_t k = (axis + 1) % 3;
@@ -152,18 +151,18 @@ class Repeats {
   template <class Simplices, class Edges>
   void add_links(std::size_t dimension, const Simplices& simplices, const Edges& edges,
                  std::vector<PeriodicLink>& links) const {
-    std::map<std::vector<Index>, Index> entities;  // by the corners of a simplex at near sides
+    std::map<decltype(Simplices::value_type::points), Index> entities;  // of simplices at near sides, by corners
     for (const auto& s : simplices) {
       if (sides_.at(sides_.near, mesh_.points, s.points) != PeriodicAxes{})
-        entities.emplace(key(s.points), s.entity);
+        entities.emplace(sorted(s.points), s.entity);
     }
     std::map<Index, PeriodicLink> found;
     for (const auto& s : simplices) {
       const PeriodicAxes along = far_axes(s.points);
       if (along == PeriodicAxes{}) continue;
-      std::vector<Index> corners;
-      for (const Index p : s.points) corners.push_back(opposite(p, along));
-      const auto at = entities.find(key(corners));
+      auto corners = s.points;
+      for (Index& p : corners) p = opposite(p, along);
+      const auto at = entities.find(sorted(corners));
       require(at != entities.end(), "periodic: an element on a side has none opposite");
       PeriodicLink& link =
           found.try_emplace(s.entity, PeriodicLink{dimension, s.entity, at->second, shift(along), {}})
@@ -181,13 +180,6 @@ class Repeats {
   const Mesh& mesh_;
   const PeriodicSides sides_;
   std::map<Vector, Index> near_;
-
-  template <class Points>
-  static std::vector<Index> key(const Points& points) {
-    std::vector<Index> corners(points.begin(), points.end());
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  }
 };
 
 }  // namespace

@@ -20,9 +20,10 @@ struct PeriodicSides {
   DoubleVector near{}, far{};
 
   PeriodicSides() = default;
+  /// Throws InputError where points have no extent along an axis.
   PeriodicSides(const PeriodicAxes& along, const std::vector<DoubleVector>& points);
   bool any() const { return axes != PeriodicAxes{}; }
-  /// The axes at whose far side, or `side`, all of some points lie.
+  /// The axes at whose `side`, near or far, all of some points lie.
   template <class Points>
   PeriodicAxes at(const DoubleVector& side, const std::vector<DoubleVector>& xyz, const Points& points) const {
     PeriodicAxes on = axes;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -165,8 +164,7 @@ class FacetUniter {
     }
     put_in_order(out.loops);
     sort_unique(seen), sort_unique(on_loops);
-    std::vector<Index> inner;  // points between facets that are one now
-    std::set_difference(seen.begin(), seen.end(), on_loops.begin(), on_loops.end(), std::back_inserter(inner));
+    const std::vector<Index> inner = in_first_alone(seen, on_loops);  // points between facets that are one now
     out.isolated.append(inner.begin(), inner.end());
     std::sort(out.isolated.begin(), out.isolated.end());
     return out;

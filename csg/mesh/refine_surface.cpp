@@ -383,7 +383,7 @@ class Refiner {
     mesh_.for_each_tied(s, [&](Index tied) {
       if (!lines_.has_apex(mesh_.segments()[by])) by = tied;
     });
-    return lines_.split_place(mesh_, mesh_.segments()[lines_.has_apex(mesh_.segments()[by]) ? by : s]);
+    return lines_.split_place(mesh_, mesh_.segments()[by]);
   }
   /// False if it has to stay as it is. `rank`: of the new point.
   bool split(Index s, int rank) {

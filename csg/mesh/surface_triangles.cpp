@@ -75,10 +75,9 @@ Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, SurfaceOp
   constexpr int kRounds = 5;
   const PeriodicSides sides(options.periodic, rounded.xyz);
   options.size = sides.least(options.size), said = sides.least(said);
-  const std::vector<Vector> xyz = sides.aligned(rounded.xyz);
   std::vector<char> fixed;
   for (int round = 0;; ++round) {
-    FacetMesh mesh(flat, xyz, fixed, options.periodic);
+    FacetMesh mesh(flat, sides.aligned(rounded.xyz), fixed, sides);
     const bool all = round == kRounds;
     for (Index s = 0; all && s < mesh.segments().size(); ++s) mesh.fix(s);
     std::vector<SmallAngle> why = refine(mesh, options, said, narrow);
